@@ -1,0 +1,35 @@
+#pragma once
+/// \file
+/// Verifying a finished mesh anew, from its points and tetrahedra alone.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "certet/quality.hpp"
+
+namespace certet {
+
+/// What `check` found.
+struct CheckReport {
+  Quality quality;                       ///< in the coordinates given
+  std::uint64_t points = 0;
+  std::uint64_t unused_points = 0;
+  std::uint64_t nonfinite_points = 0;
+  std::uint64_t bad_indices = 0;         ///< tetrahedra naming a point that is not there, or one twice
+  std::uint64_t overfull_faces = 0;      ///< faces in three or more tetrahedra
+  std::uint64_t misoriented_faces = 0;   ///< inner faces that both sides see the same way round
+  std::uint64_t boundary_faces = 0;
+  std::uint64_t open_edges = 0;          ///< boundary edges where the surface is not closed or not oriented
+  std::vector<std::string> failures;     ///< one sentence for each broken property; empty: all is well
+};
+
+/// Verifies: indices valid, every face in at most two tetrahedra, boundary
+/// closed and oriented, all volumes positive, every point used and finite.
+CheckReport check(std::span<const Point3> points,
+                  std::span<const Tet<std::uint32_t>> tets);
+CheckReport check(std::span<const Point3> points,
+                  std::span<const Tet<std::uint64_t>> tets);
+
+}  // namespace certet

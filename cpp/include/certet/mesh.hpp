@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// The output of the engine.
+
+#include <array>
+#include <cstdint>
+#include <variant>
+
+#include "certet/buffer.hpp"
+#include "certet/frame.hpp"
+
+namespace certet {
+
+/// Four numbers of points, in an order that gives a positive volume:
+/// det(p1-p0, p2-p0, p3-p0) > 0.
+template <class Index>
+using Tet = std::array<Index, 4>;
+
+/// Tetrahedra with 32-bit indices, or with 64-bit ones where the number of
+/// points asks for it.
+using Tets = std::variant<Buffer<Tet<std::uint32_t>>, Buffer<Tet<std::uint64_t>>>;
+
+/// A tetrahedral mesh in exact lattice coordinates, and the way to the world.
+struct Mesh {
+  Buffer<Coord3> points;  ///< positions in steps
+  Tets tets;
+  Frame frame;
+
+  [[nodiscard]] std::size_t tet_count() const {
+    return std::visit([](const auto& t) { return t.size(); }, tets);
+  }
+};
+
+}  // namespace certet

@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// Where a point lies with respect to the domain.
+
+#include <cstdint>
+
+namespace certet {
+
+/// Outside (-), on the boundary (0), inside (+): `Sign` of the certificate.
+enum class Sign : std::uint8_t { minus = 0, on_surface = 1, plus = 2 };
+
+constexpr bool opposite(Sign a, Sign b) {
+  return a != Sign::on_surface && b != Sign::on_surface && a != b;
+}
+
+/// The sign of a level function that is negative inside; NaN counts as outside.
+constexpr Sign sign_of_level(double f) {
+  return f < 0 ? Sign::plus : f == 0 ? Sign::on_surface : Sign::minus;
+}
+
+}  // namespace certet

@@ -1,0 +1,57 @@
+#pragma once
+/// \file
+/// Warping: a vertex too close to the surface is moved onto it.
+
+#include <array>
+#include <cstdint>
+
+#include "certet/direction.hpp"
+#include "certet/sign.hpp"
+
+namespace certet {
+
+/// alpha of long and of short edges, in 256ths.
+struct Thresholds {
+  std::int32_t long_edge, short_edge;
+
+  /// A vertex is violated by a cut strictly nearer than this many steps.
+  [[nodiscard]] constexpr std::int32_t in_steps(int direction) const {
+    return (is_long(direction) ? long_edge : short_edge) * (steps / 256);
+  }
+};
+
+inline constexpr Thresholds angle_thresholds{73, 102};
+inline constexpr Thresholds embedding_thresholds{64, 105};
+inline constexpr Thresholds no_warp_thresholds{0, 0};
+
+/// What becomes of a vertex: it stays, or moves `distance` steps along an edge
+/// and lands on the surface.
+struct Warping {
+  std::int8_t direction = -1;  ///< -1: stays
+  std::int32_t distance = 0;
+
+  [[nodiscard]] constexpr bool moves() const { return direction >= 0; }
+  friend constexpr bool operator==(const Warping&, const Warping&) = default;
+};
+
+/// Decides by a vertex's sign, its neighbours' signs and, on every edge to a
+/// neighbour of opposite sign, the steps from the vertex to the cut (entries of
+/// other edges are ignored).  The nearest violating cut wins; among equals the
+/// first direction.  `Warp` of the certificate.
+constexpr Warping warp(Thresholds thresholds, Sign sign,
+                       const std::array<Sign, direction_count>& neighbor_sign,
+                       const std::array<std::int32_t, direction_count>& cut) {
+  Warping best;
+  std::int64_t best_distance = 0;
+  for (int d = 0; d < direction_count; ++d) {
+    if (!opposite(sign, neighbor_sign[d])) continue;
+    if (cut[d] >= thresholds.in_steps(d)) continue;
+    const std::int64_t distance = std::int64_t{length_squared(d)} * cut[d] * cut[d];
+    if (best.moves() && distance >= best_distance) continue;
+    best = {static_cast<std::int8_t>(d), cut[d]};
+    best_distance = distance;
+  }
+  return best;
+}
+
+}  // namespace certet
