@@ -29,6 +29,7 @@ std::int32_t between(Generator& random, std::int32_t low, std::int32_t high) {
 /// A number that depends on the seed and on `keys` alone, well mixed.
 template <class... Keys>
 constexpr std::uint64_t mixed(std::uint64_t seed, Keys... keys) {
+  static_assert(sizeof...(keys) > 0);
   std::uint64_t h = seed;
   const auto mix = [&h](std::uint64_t key) {
     h += 0x9e3779b97f4a7c15U + key;

@@ -27,8 +27,6 @@ std::string failure_of(const std::function<void()>& run) {
   return "";
 }
 
-constexpr auto minus = [](int) { return Sign::minus; };
-
 TEST(Bridge, WhatAClosureThrowsReachesTheCaller) {
   for (int call = 0; call < 1000; ++call) {
     try {
@@ -78,8 +76,9 @@ constexpr std::int64_t largest = (std::int64_t{1} << 62) - 1;
 constexpr std::int64_t smallest = -(std::int64_t{1} << 62);
 
 certified::Warping warp_to(std::int64_t cut) {
-  return certified::warp({largest / 256 + 1, 0}, Sign::plus, minus,
-                         [=](int d) { return d == 0 ? cut : largest; });
+  return certified::warp(
+      {largest / 256 + 1, 0}, Sign::plus,
+      [](int d) { return d == 0 ? Sign::minus : Sign::plus; }, [=](int) { return cut; });
 }
 
 TEST(Bridge, IntegersOf63BitsPass) {

@@ -116,7 +116,7 @@ TEST(StructuredTet, CatchesSwappedVertices) {
 TEST(StructuredTet, CatchesAHandedness) {
   Implementation broken;
   broken.right_handed = [](StructuredTetCase c) {
-    return c == StructuredTetCase::I3 ? false : certet::right_handed(c);
+    return certet::right_handed(c) != (c == StructuredTetCase::I3);
   };
   EXPECT_FALSE(compare(broken).empty());
 }
