@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 #include <string>
@@ -9,6 +10,13 @@
 
 namespace certet::formats {
 namespace {
+
+/// A word for a sentence: cut short, and without what terminals cannot show.
+std::string quoted(std::string_view word) {
+  std::string text = "'";
+  for (const char c : word.substr(0, 40)) text += c > ' ' && c <= '~' ? c : '?';
+  return text += '\'';
+}
 
 /// The words of a text file, one after the other.
 class Words {
@@ -28,7 +36,7 @@ class Words {
     Number value{};
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size())
-      file_.fail("'" + std::string(word.substr(0, 40)) + "' is not " + what);
+      file_.fail(quoted(word) + " is not " + what);
     return value;
   }
 
@@ -153,8 +161,8 @@ void MeditReader::read_tets() {
 void MeditReader::refuse(std::string_view word) const {
   if (word.empty()) file_.fail("it is cut off: its 'End' is missing");
   if (word == "Vertices" || word == "Tetrahedra")
-    file_.fail("it has two sections '" + std::string(word) + "'");
-  file_.fail("its section '" + std::string(word.substr(0, 40)) + "' is not known");
+    file_.fail("it has two sections " + quoted(word));
+  file_.fail("its section " + quoted(word) + " is not known");
 }
 
 }  // namespace
