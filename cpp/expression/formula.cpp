@@ -30,13 +30,16 @@ double hypot(const double* lengths, int count) {
   throw Error(ErrorCode::bad_input, "the formula \"" + text + "\" cannot be read: " + reason);
 }
 
-/// muParser's own sentences begin in capitals and may end in a full stop.
+/// muParser's own sentences begin in capitals, may end in a full stop, and count
+/// characters from 0.
 [[noreturn]] void refuse_with(const std::string& text, const mu::ParserError& error) {
   std::string reason = error.GetMsg();
+  for (const char* tail : {" found at position", " at position"})
+    if (const auto end = reason.find(tail); end != std::string::npos) reason.resize(end);
   while (!reason.empty() && (reason.back() == '.' || reason.back() == ' ')) reason.pop_back();
   if (!reason.empty()) reason[0] = static_cast<char>(std::tolower(reason[0]));
-  if (reason.find("position") == std::string::npos && error.GetPos() >= 0)
-    reason += " at position " + std::to_string(error.GetPos());
+  const auto position = static_cast<std::size_t>(std::max(error.GetPos(), 0));
+  if (position < text.size()) reason += " at position " + std::to_string(position + 1);
   refuse(text, reason);
 }
 
