@@ -1,0 +1,117 @@
+#include "cuts.hpp"
+
+#include <algorithm>
+
+#include "parallel.hpp"
+
+namespace certet::core {
+namespace {
+
+static_assert(step_bits == 16, "cuts are kept in 16 bits: 0 <= cut < steps");
+
+/// Bisects many edges in lockstep, so that the domain sees long batches.
+class Bisection {
+ public:
+  explicit Bisection(const Domain& domain) : domain_(domain) {}
+
+  void add(Coord3 plus, Coord3 minus) {
+    start_.push_back(steps * plus);
+    towards_.push_back(minus - plus);
+    if (start_.size() == batch) flush();
+  }
+
+  /// Finishes what was added; the cuts stand in `result` in order.
+  std::vector<std::uint16_t> finish() {
+    flush();
+    return std::move(result_);
+  }
+
+ private:
+  static constexpr std::size_t batch = 512;
+
+  void flush() {
+    const std::size_t n = start_.size();
+    low_.assign(n, 0);
+    found_.assign(n, 0);
+    middle_.resize(n);
+    signs_.resize(n);
+    for (int round = step_bits - 1; round >= 0; --round) halve(std::int32_t{1} << round);
+    for (const std::int32_t low : low_) result_.push_back(static_cast<std::uint16_t>(low));
+    start_.clear();
+    towards_.clear();
+  }
+
+  /// One round: low is known to be inside, low + 2 half to be outside.
+  void halve(std::int32_t half) {
+    const std::size_t n = start_.size();
+    for (std::size_t e = 0; e < n; ++e)
+      middle_[e] = start_[e] + (low_[e] + half) * towards_[e];
+    domain_.at(middle_, signs_);
+    for (std::size_t e = 0; e < n; ++e) {
+      const bool advance = found_[e] == 0 && signs_[e] != Sign::minus;
+      low_[e] += advance ? half : 0;
+      found_[e] |= static_cast<std::uint8_t>(signs_[e] == Sign::on_surface);
+    }
+  }
+
+  const Domain& domain_;
+  std::vector<Coord3> start_, towards_, middle_;
+  std::vector<std::int32_t> low_;
+  std::vector<std::uint8_t> found_;
+  std::vector<Sign> signs_;
+  std::vector<std::uint16_t> result_;
+};
+
+/// Calls visit(plus_end, minus_end) for the cut edges of row (j,k), in the order
+/// of `row`.
+template <class Visit>
+void for_each_cut_edge(const SignPlanes& planes, const RowRanks& row, const Lattice& lattice,
+                       int j, int k, const Visit& visit) {
+  for (int f = 0; f < family_count; ++f) {
+    const Family& family = families[f];
+    for (int w = 0; w < row.words(); ++w) {
+      const std::uint64_t first_plus = planes.plus(family.first.grid, j, k)[w];
+      for_each_bit(row.mask(corner_kinds + f, w), [&](int b) {
+        const Coord3 first = lattice_point(lattice, family.first, 64 * w + b, j, k);
+        const Coord3 second = lattice_point(lattice, family.second, 64 * w + b, j, k);
+        if (first_plus >> b & 1) visit(first, second);
+        else visit(second, first);
+      });
+    }
+  }
+}
+
+CutLayer find_layer(const SignPlanes& planes, const Domain& domain, const Lattice& lattice,
+                    Cuts cuts, int k) {
+  CutLayer layer;
+  const int rows = planes.cells()[1];
+  layer.row_begin.reserve(static_cast<std::size_t>(rows));
+  Bisection bisection(domain);
+  RowRanks row;
+  std::uint32_t count = 0;
+  for (int j = 0; j < rows; ++j) {
+    layer.row_begin.push_back(count);
+    row.compute(planes, j, k);
+    count += row.count() - row.corners();
+    if (cuts == Cuts::bisect)
+      for_each_cut_edge(planes, row, lattice, j, k,
+                        [&](Coord3 plus, Coord3 minus) { bisection.add(plus, minus); });
+  }
+  if (cuts == Cuts::bisect) layer.steps = bisection.finish();
+  else layer.steps.assign(count, steps / 2);
+  return layer;
+}
+
+}  // namespace
+
+std::vector<CutLayer> find_cuts(const SignPlanes& planes, const Domain& domain,
+                                const Lattice& lattice, Cuts cuts, Context& context) {
+  std::vector<CutLayer> layers(static_cast<std::size_t>(planes.cells()[2]));
+  parallel_for(context, Stage::cut, planes.cells()[2], [&](std::int64_t k) {
+    layers[static_cast<std::size_t>(k)] =
+        find_layer(planes, domain, lattice, cuts, static_cast<int>(k));
+  });
+  return layers;
+}
+
+}  // namespace certet::core

@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// Second stage: signs → cuts.
+
+#include <cstdint>
+#include <vector>
+
+#include "certet/context.hpp"
+#include "certet/domain.hpp"
+#include "certet/stuffing.hpp"
+#include "row_ranks.hpp"
+
+namespace certet::core {
+
+/// The cuts of one layer of edges, in steps from the + end, row by row in the
+/// order of RowRanks.
+struct CutLayer {
+  std::vector<std::uint16_t> steps;
+  std::vector<std::uint32_t> row_begin;  ///< where each row starts in `steps`
+
+  /// The cut with the given rank in row j.
+  [[nodiscard]] std::int32_t at(int j, const RowRanks& row, std::uint32_t rank) const {
+    return steps[row_begin[static_cast<std::size_t>(j)] + rank - row.corners()];
+  }
+};
+
+/// Where every cut edge of the lattice is cut: `Bisect` or `MidpointCut` of the
+/// certificate.
+std::vector<CutLayer> find_cuts(const SignPlanes& planes, const Domain& domain,
+                                const Lattice& lattice, Cuts cuts, Context& context);
+
+/// The vertex of an index, in lattice units.
+constexpr Coord3 lattice_point(const Lattice& lattice, VertexRef ref, int i, int j, int k) {
+  const std::int32_t g = ref.grid == odd ? 1 : 0;
+  return lattice.origin +
+         2 * Coord3{i + ref.shift.x, j + ref.shift.y, k + ref.shift.z} + Coord3{g, g, g};
+}
+
+}  // namespace certet::core

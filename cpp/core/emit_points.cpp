@@ -1,0 +1,58 @@
+#include "emit.hpp"
+
+namespace certet::core {
+namespace {
+
+/// Corners of one grid: where the lattice has them, or where warping moved them.
+Coord3* emit_corners(const WarpedLattice& warped, const Lattice& lattice, Grid grid, int j, int k,
+                     const Displacement*& displacement, Coord3* out) {
+  const SignPlanes& planes = warped.planes;
+  for (int w = 0; w < planes.words(); ++w) {
+    const std::uint64_t plus = planes.plus(grid, j, k)[w];
+    const std::uint64_t zero = planes.zero(grid, j, k)[w];
+    for_each_bit(plus | zero, [&](int b) {
+      Coord3 position = steps * lattice_point(lattice, {grid, {}}, 64 * w + b, j, k);
+      if (zero >> b & 1) {
+        position = position +
+                   std::int32_t{displacement->distance} * direction_offset[displacement->direction];
+        ++displacement;
+      }
+      *out++ = position;
+    });
+  }
+  return out;
+}
+
+/// Cuts of one family.
+Coord3* emit_cuts(const WarpedLattice& warped, const Lattice& lattice, const RowRanks& row,
+                  int f, int j, int k, const std::uint16_t*& cut, Coord3* out) {
+  const Family& family = families[f];
+  const std::uint64_t* const first_plus = warped.planes.plus(family.first.grid, j, k);
+  for (int w = 0; w < row.words(); ++w)
+    for_each_bit(row.mask(corner_kinds + f, w), [&](int b) {
+      const Coord3 first = lattice_point(lattice, family.first, 64 * w + b, j, k);
+      const Coord3 second = lattice_point(lattice, family.second, 64 * w + b, j, k);
+      const bool forward = (first_plus[w] >> b & 1) != 0;
+      const Coord3 plus = forward ? first : second;
+      const Coord3 minus = forward ? second : first;
+      *out++ = steps * plus + std::int32_t{*cut++} * (minus - plus);
+    });
+  return out;
+}
+
+}  // namespace
+
+void emit_row_points(const WarpedLattice& warped, const Lattice& lattice, const RowRanks& row,
+                     int j, int k, Coord3* out) {
+  const ZeroLayer& zeros = warped.zeros[static_cast<std::size_t>(k)];
+  const CutLayer& cuts = warped.cuts[static_cast<std::size_t>(k)];
+  const Displacement* displacement =
+      zeros.displacements.data() + zeros.row_begin[static_cast<std::size_t>(j)];
+  const std::uint16_t* cut = cuts.steps.data() + cuts.row_begin[static_cast<std::size_t>(j)];
+  for (const Grid grid : {even, odd})
+    out = emit_corners(warped, lattice, grid, j, k, displacement, out);
+  for (int f = 0; f < family_count; ++f)
+    out = emit_cuts(warped, lattice, row, f, j, k, cut, out);
+}
+
+}  // namespace certet::core

@@ -1,0 +1,137 @@
+#include "certet/stencil.hpp"
+#include "emit.hpp"
+#include "row_window.hpp"
+
+namespace certet::core {
+namespace {
+
+/// The order in which a case's vertices are written, for a positive volume.
+constexpr std::array<std::uint8_t, 4> output_order(int c) {
+  return structured_tet_table[c].right_handed ? std::array<std::uint8_t, 4>{0, 1, 2, 3}
+                                              : std::array<std::uint8_t, 4>{0, 1, 3, 2};
+}
+
+/// The 48 vertices of the twelve tetrahedra of an interior cell, in the order of
+/// the output.
+constexpr int interior_size = 4 * case_count;
+constexpr std::array<std::uint8_t, interior_size> interior_vertices = [] {
+  std::array<std::uint8_t, interior_size> list{};
+  for (int c = 0; c < case_count; ++c)
+    for (int n = 0; n < 4; ++n) list[4 * c + n] = cell.corner[c][output_order(c)[n]];
+  return list;
+}();
+
+/// Emits row after row of one layer.
+template <class Index>
+class TetEmitter {
+ public:
+  TetEmitter(const SignPlanes& planes, const RowNumbers& numbers, int j, int k, Tet<Index>* out)
+      : planes_(planes), numbers_(numbers), j_(j), k_(k), window_(planes, j, k), out_(out) {}
+
+  void emit_row() {
+    for (int y = 0; y < 2; ++y)
+      for (int z = 0; z < 2; ++z) first_point_[y][z] = row_number(j_ + y, k_ + z);
+    for (int w = 0; w < planes_.words(); ++w) emit_word(w);
+    ++j_;
+    window_.next();
+  }
+
+ private:
+  [[nodiscard]] Index row_number(int j, int k) const {
+    const auto& cells = planes_.cells();
+    if (j >= cells[1] || k >= cells[2]) return 0;
+    return static_cast<Index>(
+        numbers_.first_point[static_cast<std::size_t>(k) * static_cast<std::size_t>(cells[1]) +
+                             static_cast<std::size_t>(j)]);
+  }
+
+  void emit_word(int w) {
+    std::uint64_t any_plus = 0;
+    std::uint64_t all_plus = ~std::uint64_t{0};
+    for (int v = 0; v < cell_vertex_count; ++v) {
+      vertex_[v] = signs_at(planes_, cell.vertices[v], j_, k_, w);
+      any_plus |= vertex_[v].plus;
+      all_plus &= vertex_[v].plus;
+    }
+    while (any_plus != 0) {
+      const int b = std::countr_zero(any_plus);
+      if ((all_plus >> b & 1) != 0) {
+        const int length = std::countr_one(all_plus >> b);
+        emit_interior(w, b, length);
+        any_plus = b + length == 64 ? 0 : any_plus & ~below(b + length);
+      } else {
+        emit_cell(w, b);
+        any_plus &= any_plus - 1;
+      }
+    }
+  }
+
+  /// The number of a point `kind` whose owner is `owner` away from bit b.
+  [[nodiscard]] Index point(int kind, Shift owner, int w, int b) const {
+    const WordBit at = WordBit{w, b}.moved(owner.x);
+    return static_cast<Index>(first_point_[owner.y][owner.z] +
+                              window_.row(owner.y, owner.z).rank(kind, at.w, at.b));
+  }
+
+  /// Cells whose vertices are all inside: along the row every number grows by one.
+  void emit_interior(int w, int b, int length) {
+    std::array<Index, cell_vertex_count> number;
+    for (int v = 0; v < cell_vertex_count; ++v)
+      number[v] = point(cell.vertices[v].grid, cell.vertices[v].shift, w, b);
+    std::array<Index, interior_size> current;
+    for (int n = 0; n < interior_size; ++n) current[n] = number[interior_vertices[n]];
+    Index* to = out_->data();
+    for (int i = 0; i < length; ++i, to += interior_size)
+      for (int n = 0; n < interior_size; ++n) to[n] = current[n]++;
+    out_ += length * case_count;
+  }
+
+  /// A cell with the surface in or near it: case by case, by the stencils.
+  void emit_cell(int w, int b) {
+    std::array<int, cell_vertex_count> sign;
+    for (int v = 0; v < cell_vertex_count; ++v)
+      sign[v] = static_cast<int>(2 * (vertex_[v].plus >> b & 1) + (vertex_[v].zero >> b & 1));
+    for (int c = 0; c < case_count; ++c) {
+      const auto& corner = cell.corner[c];
+      const int pattern = sign[corner[0]] + 3 * sign[corner[1]] + 9 * sign[corner[2]] +
+                          27 * sign[corner[3]];
+      for (const UnstructuredTet& tet : stencil_table[pattern]) {
+        for (int n = 0; n < 4; ++n) (*out_)[n] = vertex_number(c, tet[output_order(c)[n]], w, b);
+        ++out_;
+      }
+    }
+  }
+
+  [[nodiscard]] Index vertex_number(int c, StencilVertex v, int w, int b) const {
+    if (v.is_cut()) {
+      const EdgeRef& edge = cell.edge[c][v.a][v.b];
+      return point(edge.kind, edge.owner, w, b);
+    }
+    const VertexRef& corner = cell.vertices[cell.corner[c][v.a]];
+    return point(corner.grid, corner.shift, w, b);
+  }
+
+  const SignPlanes& planes_;
+  const RowNumbers& numbers_;
+  int j_, k_;
+  RowWindow window_;  ///< rows j..j+1 of layers k..k+1
+  std::array<std::array<Index, 2>, 2> first_point_{};
+  std::array<SignWord, cell_vertex_count> vertex_{};
+  Tet<Index>* out_;
+};
+
+}  // namespace
+
+template <class Index>
+void emit_row_tets(const SignPlanes& planes, const RowNumbers& numbers, int j_begin, int j_end,
+                   int k, Tet<Index>* out) {
+  TetEmitter<Index> emitter(planes, numbers, j_begin, k, out);
+  for (int j = j_begin; j < j_end; ++j) emitter.emit_row();
+}
+
+template void emit_row_tets(const SignPlanes&, const RowNumbers&, int, int, int,
+                            Tet<std::uint32_t>*);
+template void emit_row_tets(const SignPlanes&, const RowNumbers&, int, int, int,
+                            Tet<std::uint64_t>*);
+
+}  // namespace certet::core

@@ -1,0 +1,130 @@
+#include "sample.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <vector>
+
+#include "parallel.hpp"
+
+namespace certet::core {
+namespace {
+
+/// The lattice is looked at in blocks of this many indices along each axis; a
+/// block of one sign is never sampled.
+constexpr int block = 16;
+static_assert(64 % block == 0, "a block must not straddle two words");
+
+constexpr int blocks_in(int n) { return (n + block - 1) / block; }
+
+/// Bit 0 of each of eight bytes, as eight bits.
+constexpr std::uint64_t gather_low_bits(std::uint64_t bytes) {
+  return (bytes & 0x0101010101010101) * 0x0102040810204080 >> 56;
+}
+
+static_assert(static_cast<int>(Sign::on_surface) == 1 && static_cast<int>(Sign::plus) == 2,
+              "packing reads zero from bit 0 of a sign and plus from bit 1");
+
+/// Packs 64 signs into a word of each plane.
+SignWord pack(const Sign* signs) {
+  SignWord word{0, 0};
+  for (int group = 0; group < 8; ++group) {
+    std::uint64_t bytes;
+    if constexpr (std::endian::native == std::endian::little) {
+      std::memcpy(&bytes, signs + 8 * group, 8);
+    } else {
+      bytes = 0;
+      for (int i = 0; i < 8; ++i)
+        bytes |= std::uint64_t{static_cast<std::uint8_t>(signs[8 * group + i])} << 8 * i;
+    }
+    word.zero |= gather_low_bits(bytes) << 8 * group;
+    word.plus |= gather_low_bits(bytes >> 1) << 8 * group;
+  }
+  return word;
+}
+
+/// Samples the rows of one block-row: all indices i, `block` values of j and k.
+class BlockRowSampler {
+ public:
+  BlockRowSampler(const Domain& domain, const Lattice& lattice, SignPlanes& planes)
+      : domain_(domain), lattice_(lattice), planes_(planes),
+        extents_(static_cast<std::size_t>(blocks_in(lattice.cells[0]))),
+        signs_(static_cast<std::size_t>(planes.words()) * 64) {}
+
+  void sample(int block_j, int block_k) {
+    const int j_begin = std::max(1, block_j * block);
+    const int k_begin = std::max(1, block_k * block);
+    const int j_end = std::min((block_j + 1) * block, lattice_.cells[1] - 1);
+    const int k_end = std::min((block_k + 1) * block, lattice_.cells[2] - 1);
+    if (!find_extents(block_j, block_k)) return;
+    for (int k = k_begin; k < k_end; ++k)
+      for (int j = j_begin; j < j_end; ++j)
+        for (int grid = 0; grid < grid_count; ++grid) sample_row(grid, j, k);
+  }
+
+ private:
+  /// Whether there is anything to sample.
+  bool find_extents(int block_j, int block_k) {
+    bool any = false;
+    for (std::size_t b = 0; b < extents_.size(); ++b) {
+      const Coord3 low = lattice_.origin + 2 * Coord3{static_cast<int>(b) * block,
+                                                      block_j * block, block_k * block};
+      extents_[b] = domain_.extent({low, low + Coord3{2 * block - 1, 2 * block - 1, 2 * block - 1}});
+      any = any || extents_[b] != Extent::outside;
+    }
+    return any;
+  }
+
+  void sample_row(int grid, int j, int k) {
+    fill_signs(grid, j, k);
+    std::uint64_t* const plus = planes_.plus(grid, j, k);
+    std::uint64_t* const zero = planes_.zero(grid, j, k);
+    for (int w = 0; w < planes_.words(); ++w) {
+      const SignWord word = pack(&signs_[static_cast<std::size_t>(w) * 64]);
+      plus[w] = word.plus;
+      zero[w] = word.zero;
+    }
+  }
+
+  void fill_signs(int grid, int j, int k) {
+    const int n = lattice_.cells[0];
+    const int blocks = static_cast<int>(extents_.size());
+    for (int b = 0; b < blocks;) {
+      int e = b + 1;
+      while (e < blocks && extents_[static_cast<std::size_t>(e)] == extents_[static_cast<std::size_t>(b)]) ++e;
+      const int begin = b * block;
+      const std::span<Sign> run{&signs_[static_cast<std::size_t>(begin)],
+                                static_cast<std::size_t>(std::min(e * block, n) - begin)};
+      switch (extents_[static_cast<std::size_t>(b)]) {
+        case Extent::inside: std::ranges::fill(run, Sign::plus); break;
+        case Extent::outside: std::ranges::fill(run, Sign::minus); break;
+        case Extent::mixed:
+          domain_.row(lattice_.origin + 2 * Coord3{begin, j, k} + Coord3{grid, grid, grid}, run);
+      }
+      b = e;
+    }
+    signs_.front() = Sign::minus;
+    std::fill(signs_.begin() + (n - 1), signs_.end(), Sign::minus);
+  }
+
+  const Domain& domain_;
+  const Lattice& lattice_;
+  SignPlanes& planes_;
+  std::vector<Extent> extents_;
+  std::vector<Sign> signs_;
+};
+
+}  // namespace
+
+SignPlanes sample(const Domain& domain, const Lattice& lattice, Context& context) {
+  SignPlanes planes(lattice.cells);
+  const int blocks_j = blocks_in(lattice.cells[1]);
+  const int blocks_k = blocks_in(lattice.cells[2]);
+  parallel_for(context, Stage::sample, std::int64_t{blocks_j} * blocks_k, [&](std::int64_t task) {
+    BlockRowSampler(domain, lattice, planes)
+        .sample(static_cast<int>(task % blocks_j), static_cast<int>(task / blocks_j));
+  });
+  return planes;
+}
+
+}  // namespace certet::core

@@ -1,0 +1,92 @@
+#pragma once
+/// \file
+/// The signs of all lattice vertices, two bits each.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "certet/sign.hpp"
+#include "lattice_edges.hpp"
+
+namespace certet::core {
+
+/// Number of the 64 vertices in a word that come before bit b, as a mask.
+constexpr std::uint64_t below(int b) { return (std::uint64_t{1} << b) - 1; }
+
+/// Bit planes: a row of the lattice (fixed j and k) is `words()` words of 64
+/// vertices; bit b of word w is index i = 64 w + b.  A vertex that is neither
+/// plus nor zero is minus, and so is everything around the lattice: the planes
+/// have a rim of one row, one layer and one word on each side.
+class SignPlanes {
+ public:
+  explicit SignPlanes(const std::array<std::int32_t, 3>& cells)
+      : cells_(cells),
+        words_((cells[0] + 63) / 64),
+        row_stride_(words_ + 2),
+        layer_stride_(static_cast<std::size_t>(row_stride_) * (cells[1] + 2)) {
+    for (int g = 0; g < grid_count; ++g) {
+      plus_[g].resize(layer_stride_ * (cells[2] + 2));
+      zero_[g].resize(layer_stride_ * (cells[2] + 2));
+    }
+  }
+
+  [[nodiscard]] const std::array<std::int32_t, 3>& cells() const { return cells_; }
+  [[nodiscard]] int words() const { return words_; }
+
+  /// Word 0 of a row; words -1 to words() may be read, and rows and layers from
+  /// -1 to their number.
+  [[nodiscard]] std::uint64_t* plus(int grid, int j, int k) { return &plus_[grid][at(j, k)]; }
+  [[nodiscard]] std::uint64_t* zero(int grid, int j, int k) { return &zero_[grid][at(j, k)]; }
+  [[nodiscard]] const std::uint64_t* plus(int grid, int j, int k) const {
+    return &plus_[grid][at(j, k)];
+  }
+  [[nodiscard]] const std::uint64_t* zero(int grid, int j, int k) const {
+    return &zero_[grid][at(j, k)];
+  }
+
+  [[nodiscard]] std::size_t bytes() const {
+    return sizeof(std::uint64_t) * 2 * (plus_[0].size() + plus_[1].size());
+  }
+  /// The bytes that planes of this size will take.
+  static std::uint64_t bytes_for(const std::array<std::int32_t, 3>& cells) {
+    return std::uint64_t{4} * sizeof(std::uint64_t) *
+           static_cast<std::uint64_t>((cells[0] + 63) / 64 + 2) *
+           static_cast<std::uint64_t>(cells[1] + 2) * static_cast<std::uint64_t>(cells[2] + 2);
+  }
+
+ private:
+  [[nodiscard]] std::size_t at(int j, int k) const {
+    return static_cast<std::size_t>(k + 1) * layer_stride_ +
+           static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(row_stride_) + 1;
+  }
+
+  std::array<std::int32_t, 3> cells_;
+  int words_;
+  int row_stride_;
+  std::size_t layer_stride_;
+  std::array<std::vector<std::uint64_t>, grid_count> plus_, zero_;
+};
+
+/// Word w of a row as seen from vertices whose index is `shift` smaller.
+inline std::uint64_t shifted(const std::uint64_t* row, int w, int shift) {
+  if (shift > 0) return row[w] >> 1 | row[w + 1] << 63;
+  if (shift < 0) return row[w] << 1 | row[w - 1] >> 63;
+  return row[w];
+}
+
+/// The signs of 64 vertices.
+struct SignWord {
+  std::uint64_t plus, zero;
+  [[nodiscard]] constexpr std::uint64_t minus() const { return ~(plus | zero); }
+};
+
+/// Signs of the vertices at `ref` from the indices of word w of row (j,k).
+inline SignWord signs_at(const SignPlanes& planes, VertexRef ref, int j, int k, int w) {
+  const int y = j + ref.shift.y;
+  const int z = k + ref.shift.z;
+  return {shifted(planes.plus(ref.grid, y, z), w, ref.shift.x),
+          shifted(planes.zero(ref.grid, y, z), w, ref.shift.x)};
+}
+
+}  // namespace certet::core

@@ -1,0 +1,270 @@
+#include "warped_lattice.hpp"
+
+#include <array>
+
+#include "certet/orientation.hpp"
+#include "parallel.hpp"
+#include "row_window.hpp"
+
+namespace certet::core {
+namespace {
+
+/// The signs around the 64 vertices of a word: their own and the neighbours'.
+struct Neighborhood {
+  SignWord own;
+  std::array<SignWord, direction_count> neighbor;
+
+  Neighborhood(const SignPlanes& planes, Grid grid, int j, int k, int w)
+      : own(signs_at(planes, {grid, {}}, j, k, w)) {
+    for (int d = 0; d < direction_count; ++d)
+      neighbor[d] = signs_at(planes, certet::core::neighbor(grid, d), j, k, w);
+  }
+
+  /// Vertices with a neighbour of opposite sign.
+  [[nodiscard]] std::uint64_t cut_somewhere() const {
+    std::uint64_t any_plus = 0;
+    std::uint64_t any_minus = 0;
+    for (const SignWord& n : neighbor) {
+      any_plus |= n.plus;
+      any_minus |= n.minus();
+    }
+    return (own.plus & any_minus) | (own.minus() & any_plus);
+  }
+};
+
+Sign sign_at(const SignWord& word, int b) {
+  return (word.plus >> b & 1) != 0   ? Sign::plus
+         : (word.zero >> b & 1) != 0 ? Sign::on_surface
+                                     : Sign::minus;
+}
+
+/// Decides over the vertices of one layer.
+class LayerWarper {
+ public:
+  LayerWarper(const SignPlanes& planes, const std::vector<CutLayer>& cuts,
+              const Thresholds& thresholds, int k)
+      : planes_(planes), cuts_(cuts), thresholds_(thresholds), k_(k),
+        window_(planes, -1, k - 1) {}
+
+  ZeroLayer warp_layer(SignPlanes& violated) {
+    ZeroLayer moves;
+    for (j_ = 0; j_ < planes_.cells()[1]; ++j_, window_.next()) {
+      moves.row_begin.push_back(static_cast<std::uint32_t>(moves.displacements.size()));
+      for (const Grid grid : {even, odd})
+        for (int w = 0; w < planes_.words(); ++w)
+          violated.plus(grid, j_, k_)[w] = warp_word(grid, w, moves);
+    }
+    return moves;
+  }
+
+ private:
+  std::uint64_t warp_word(Grid grid, int w, ZeroLayer& moves) const {
+    const Neighborhood around(planes_, grid, j_, k_, w);
+    std::uint64_t violated = 0;
+    for_each_bit(around.cut_somewhere(), [&](int b) {
+      const Warping warping = warp_vertex(around, grid, w, b);
+      if (!warping.moves()) return;
+      violated |= std::uint64_t{1} << b;
+      moves.displacements.push_back({static_cast<std::uint16_t>(warping.distance),
+                                     static_cast<std::uint8_t>(warping.direction)});
+    });
+    return violated;
+  }
+
+  Warping warp_vertex(const Neighborhood& around, Grid grid, int w, int b) const {
+    const Sign sign = sign_at(around.own, b);
+    std::array<Sign, direction_count> neighbor_sign;
+    std::array<std::int32_t, direction_count> cut{};
+    for (int d = 0; d < direction_count; ++d) {
+      neighbor_sign[d] = sign_at(around.neighbor[d], b);
+      if (opposite(sign, neighbor_sign[d])) {
+        const std::int32_t from_plus = cut_on(edges_of[grid][d], w, b);
+        cut[d] = sign == Sign::plus ? from_plus : steps - from_plus;
+      }
+    }
+    return warp(thresholds_, sign, neighbor_sign, cut);
+  }
+
+  std::int32_t cut_on(const EdgeRef& edge, int w, int b) const {
+    const WordBit at = WordBit{w, b}.moved(edge.owner.x);
+    const RowRanks& row = window_.row(1 + edge.owner.y, 1 + edge.owner.z);
+    const CutLayer& layer = cuts_[static_cast<std::size_t>(k_ + edge.owner.z)];
+    return layer.at(j_ + edge.owner.y, row, row.rank(edge.kind, at.w, at.b));
+  }
+
+  const SignPlanes& planes_;
+  const std::vector<CutLayer>& cuts_;
+  const Thresholds& thresholds_;
+  int k_;
+  int j_ = 0;
+  RowWindow window_;  ///< rows j-1..j of layers k-1..k
+};
+
+/// The cuts that are left in layer k, in the order of the new signs.
+CutLayer remaining_cuts(const SignPlanes& before, const CutLayer& cuts, const SignPlanes& after,
+                        int k) {
+  CutLayer left;
+  RowRanks old_row;
+  RowRanks new_row;
+  for (int j = 0; j < after.cells()[1]; ++j) {
+    old_row.compute(before, j, k);
+    new_row.compute(after, j, k);
+    left.row_begin.push_back(static_cast<std::uint32_t>(left.steps.size()));
+    for (int kind = corner_kinds; kind < kind_count; ++kind)
+      for (int w = 0; w < new_row.words(); ++w)
+        for_each_bit(new_row.mask(kind, w), [&](int b) {
+          left.steps.push_back(
+              static_cast<std::uint16_t>(cuts.at(j, old_row, old_row.rank(kind, w, b))));
+        });
+  }
+  return left;
+}
+
+/// The displacements of the zero vertices of layer k that are left.
+ZeroLayer remaining_zeros(const SignPlanes& violated, const ZeroLayer& moves,
+                          const SignPlanes& after, int k) {
+  ZeroLayer left;
+  std::size_t next_move = 0;
+  for (int j = 0; j < after.cells()[1]; ++j) {
+    left.row_begin.push_back(static_cast<std::uint32_t>(left.displacements.size()));
+    for (int grid = 0; grid < grid_count; ++grid)
+      for (int w = 0; w < after.words(); ++w) {
+        const std::uint64_t moved = violated.plus(grid, j, k)[w];
+        const std::uint64_t zero = after.zero(grid, j, k)[w];
+        for_each_bit(moved | zero, [&](int b) {
+          Displacement displacement;
+          if (moved >> b & 1) displacement = moves.displacements[next_move++];
+          if (zero >> b & 1) left.displacements.push_back(displacement);
+        });
+      }
+  }
+  return left;
+}
+
+}  // namespace
+
+Violations::Violations(const SignPlanes& planes, const std::vector<CutLayer>& cuts,
+                       const Thresholds& thresholds, Context& context)
+    : planes_(planes), cuts_(cuts), violated_(planes.cells()),
+      moves_(static_cast<std::size_t>(planes.cells()[2])) {
+  parallel_for(context, Stage::warp, planes.cells()[2], [&](std::int64_t k) {
+    moves_[static_cast<std::size_t>(k)] =
+        LayerWarper(planes, cuts, thresholds, static_cast<int>(k)).warp_layer(violated_);
+  });
+}
+
+WarpedLattice Violations::apply(Context& context) const {
+  const std::int32_t layers = planes_.cells()[2];
+  WarpedLattice warped{planes_, std::vector<CutLayer>(static_cast<std::size_t>(layers)),
+                       std::vector<ZeroLayer>(static_cast<std::size_t>(layers))};
+  SignPlanes& after = warped.planes;
+  const auto for_each_word = [&](int k, const auto& visit) {
+    for (int j = 0; j < after.cells()[1]; ++j)
+      for (const Grid grid : {even, odd})
+        for (int w = 0; w < after.words(); ++w) visit(grid, j, w);
+    static_cast<void>(k);
+  };
+  parallel_for(context, Stage::warp, layers, [&](std::int64_t layer) {
+    const int k = static_cast<int>(layer);
+    for_each_word(k, [&](Grid grid, int j, int w) {
+      after.plus(grid, j, k)[w] &= ~violated_.plus(grid, j, k)[w];
+    });
+  });
+  parallel_for(context, Stage::warp, layers, [&](std::int64_t layer) {
+    const int k = static_cast<int>(layer);
+    for_each_word(k, [&](Grid grid, int j, int w) {
+      std::uint64_t& zero = after.zero(grid, j, k)[w];
+      zero |= violated_.plus(grid, j, k)[w];
+      if (zero == 0) return;
+      std::uint64_t any_plus = 0;
+      for (int d = 0; d < direction_count; ++d) {
+        const VertexRef ref = neighbor(grid, d);
+        any_plus |= shifted(after.plus(ref.grid, j + ref.shift.y, k + ref.shift.z), w, ref.shift.x);
+      }
+      zero &= any_plus;
+    });
+  });
+  parallel_for(context, Stage::warp, layers, [&](std::int64_t layer) {
+    const int k = static_cast<int>(layer);
+    const std::size_t at = static_cast<std::size_t>(layer);
+    warped.cuts[at] = remaining_cuts(planes_, cuts_[at], after, k);
+    warped.zeros[at] = remaining_zeros(violated_, moves_[at], after, k);
+  });
+  return warped;
+}
+
+namespace {
+
+/// The vertices of the lattice once the violated ones have moved.
+class MovedVertices {
+ public:
+  MovedVertices(const SignPlanes& planes, const SignPlanes& violated,
+                const std::vector<ZeroLayer>& moves, const Lattice& lattice)
+      : planes_(planes), violated_(violated), moves_(moves), lattice_(lattice) {}
+
+  /// Which vertices of a word are zero, moved or not.
+  [[nodiscard]] std::uint64_t zero(VertexRef ref, int j, int k, int w) const {
+    const int y = j + ref.shift.y;
+    const int z = k + ref.shift.z;
+    return shifted(planes_.zero(ref.grid, y, z), w, ref.shift.x) |
+           shifted(violated_.plus(ref.grid, y, z), w, ref.shift.x);
+  }
+
+  /// The position, in steps, of the vertex at `ref` from index (i,j,k).
+  [[nodiscard]] Coord3 position(VertexRef ref, int i, int j, int k) const {
+    const Coord3 home = steps * lattice_point(lattice_, ref, i, j, k);
+    const int x = i + ref.shift.x;
+    const std::uint64_t* const row = violated_.plus(ref.grid, j + ref.shift.y, k + ref.shift.z);
+    if ((row[x >> 6] >> (x & 63) & 1) == 0) return home;
+    const Displacement d = move(ref.grid, x, j + ref.shift.y, k + ref.shift.z);
+    return home + std::int32_t{d.distance} * direction_offset[d.direction];
+  }
+
+ private:
+  [[nodiscard]] Displacement move(Grid grid, int i, int j, int k) const {
+    const ZeroLayer& layer = moves_[static_cast<std::size_t>(k)];
+    std::size_t at = layer.row_begin[static_cast<std::size_t>(j)];
+    const auto count = [](std::uint64_t word) { return static_cast<std::size_t>(std::popcount(word)); };
+    if (grid == odd)
+      for (int w = 0; w < violated_.words(); ++w) at += count(violated_.plus(even, j, k)[w]);
+    const std::uint64_t* const row = violated_.plus(grid, j, k);
+    for (int w = 0; w < i >> 6; ++w) at += count(row[w]);
+    at += count(row[i >> 6] & below(i & 63));
+    return layer.displacements[at];
+  }
+
+  const SignPlanes& planes_;
+  const SignPlanes& violated_;
+  const std::vector<ZeroLayer>& moves_;
+  const Lattice& lattice_;
+};
+
+}  // namespace
+
+std::uint64_t Violations::inverted_tets(const Lattice& lattice, Context& context) const {
+  const MovedVertices vertices(planes_, violated_, moves_, lattice);
+  std::atomic<std::uint64_t> inverted{0};
+  parallel_for(context, Stage::warp, planes_.cells()[2] - 1, [&](std::int64_t layer) {
+    const int k = static_cast<int>(layer);
+    for (int j = 0; j + 1 < planes_.cells()[1]; ++j)
+      for (int w = 0; w < planes_.words(); ++w) {
+        std::array<std::uint64_t, cell_vertex_count> zero;
+        for (int v = 0; v < cell_vertex_count; ++v)
+          zero[v] = vertices.zero(cell.vertices[v], j, k, w);
+        for (int c = 0; c < case_count; ++c) {
+          const auto& corner = cell.corner[c];
+          for_each_bit(zero[corner[0]] & zero[corner[1]] & zero[corner[2]] & zero[corner[3]],
+                       [&](int b) {
+            std::array<Coord3, 4> p;
+            for (int n = 0; n < 4; ++n)
+              p[n] = vertices.position(cell.vertices[corner[n]], 64 * w + b, j, k);
+            const std::int64_t six_volume = certet::six_volume(p[0], p[1], p[2], p[3]);
+            if (structured_tet_table[c].right_handed ? six_volume <= 0 : six_volume >= 0) ++inverted;
+          });
+        }
+      }
+  });
+  return inverted;
+}
+
+}  // namespace certet::core

@@ -1,0 +1,58 @@
+#pragma once
+/// \file
+/// Third stage: signs and cuts → the warped lattice.
+
+#include <cstdint>
+#include <vector>
+
+#include "certet/context.hpp"
+#include "certet/warp.hpp"
+#include "cuts.hpp"
+#include "sign_planes.hpp"
+
+namespace certet::core {
+
+/// How a zero vertex was moved; distance 0 means not at all.
+struct Displacement {
+  std::uint16_t distance = 0;  ///< steps
+  std::uint8_t direction = 0;
+};
+
+/// The displacements of one layer's zero vertices: row by row, even before odd,
+/// in the order of the index.
+struct ZeroLayer {
+  std::vector<Displacement> displacements;
+  std::vector<std::uint32_t> row_begin;
+};
+
+/// What stuffing needs of the domain.  Zero vertices without a plus neighbour,
+/// which no tetrahedron of the output uses, are turned to minus, so that every
+/// plus or zero vertex of `planes` is a point of the output.
+struct WarpedLattice {
+  SignPlanes planes;
+  std::vector<CutLayer> cuts;  ///< those that are left, in the order of `planes`
+  std::vector<ZeroLayer> zeros;
+};
+
+/// The vertices that the thresholds violate, and where they go.
+class Violations {
+ public:
+  Violations(const SignPlanes& planes, const std::vector<CutLayer>& cuts,
+             const Thresholds& thresholds, Context& context);
+
+  /// Tetrahedra whose four vertices all became zero and whose volume is no
+  /// longer positive.
+  [[nodiscard]] std::uint64_t inverted_tets(const Lattice& lattice, Context& context) const;
+
+  /// The lattice with the violated vertices moved.
+  [[nodiscard]] WarpedLattice apply(Context& context) const;
+
+ private:
+  const SignPlanes& planes_;
+  const std::vector<CutLayer>& cuts_;
+  Thresholds thresholds_;
+  SignPlanes violated_;            ///< in its plus planes
+  std::vector<ZeroLayer> moves_;   ///< of the violated vertices
+};
+
+}  // namespace certet::core
