@@ -4,11 +4,15 @@
 #include <utility>
 
 #include "certet/error.hpp"
+#include "certet/structured_tet.hpp"
 #include "certet/expression.hpp"
 #include "formula.hpp"
 
 namespace certet {
 namespace {
+
+/// As many as the engine takes on either side of coordinate 0.
+constexpr std::int32_t cells_limit = anchor_limit - 2;
 
 double checked_size(const Bounds& bounds, double size) {
   double longest = 0;
@@ -28,11 +32,11 @@ double checked_size(const Bounds& bounds, double size) {
 /// Even cells, so that the even point (0,0,0) is in the middle.
 std::int32_t cells_along(double side, double size, std::int32_t margin) {
   const double cells = 2 * (std::ceil(side / (2 * size)) + margin);
-  if (!(cells <= coordinate_limit))
+  if (!(cells <= cells_limit))
     throw Error(ErrorCode::too_large,
-                "the lattice would have " + std::to_string(cells) +
+                "the lattice would have " + std::to_string(static_cast<std::int64_t>(std::min(cells, 1e18))) +
                     " cells along one axis, more than " +
-                    std::to_string(coordinate_limit) + "; choose a larger size");
+                    std::to_string(cells_limit) + "; choose a larger size");
   return static_cast<std::int32_t>(cells);
 }
 

@@ -94,6 +94,10 @@ class LabelDomain final : public ImageDomain {
   [[nodiscard]] const Frame& frame() const override { return placement_.frame; }
   [[nodiscard]] const Lattice& lattice() const override { return placement_.lattice; }
 
+  [[nodiscard]] std::uint64_t bytes() const override {
+    return voxels_.size() * sizeof(T) + mask_.bytes();
+  }
+
   void row(Coord3 first, std::span<Sign> out) const override {
     const std::int64_t y = placement_.axis[1].nearest(first.y);
     const std::int64_t z = placement_.axis[2].nearest(first.z);

@@ -45,6 +45,8 @@ class BlockRanges {
           ranges_[block(x >> 3, y >> 3, z >> 3)].add(static_cast<double>(*voxel));
   }
 
+  [[nodiscard]] std::uint64_t bytes() const { return ranges_.size() * sizeof(Range); }
+
   struct Range {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
@@ -131,6 +133,10 @@ class LevelDomain final : public ImageDomain {
   [[nodiscard]] const Frame& frame() const override { return placement_.frame; }
   [[nodiscard]] const Lattice& lattice() const override { return placement_.lattice; }
   [[nodiscard]] std::int32_t label(const std::array<Coord3, 4>&) const override { return 0; }
+
+  [[nodiscard]] std::uint64_t bytes() const override {
+    return voxels_.size() * sizeof(T) + ranges_.bytes();
+  }
 
   void row(Coord3 first, std::span<Sign> out) const override {
     const Between y = between(placement_.axis[1], first.y);

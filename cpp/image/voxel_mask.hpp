@@ -39,6 +39,10 @@ class VoxelMask {
   /// What is known of all voxels of a box; exact for boxes of whole blocks.
   [[nodiscard]] Extent extent(const VoxelBox& box) const;
 
+  [[nodiscard]] std::uint64_t bytes() const {
+    return bits_.size() * sizeof(std::uint64_t) + some_.size() + all_.size();
+  }
+
  private:
   static constexpr int block_bits = 3;  ///< blocks of 8 x 8 x 8 voxels
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <limits>
+#include <new>
 #include <utility>
 
 #include "certet/checksum.hpp"
@@ -207,8 +208,6 @@ WrittenMesh write_mesh(const Stuffing& stuffing, const Frame& frame, const Slabs
     else
       write_tets<std::uint64_t>(stuffing, frame, slabs, labeller, writer, context, written);
     stop_if_cancelled(context);
-    const Timer timer(written.write_seconds);
-    writer.finish();
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::too_large, "out of memory while writing the mesh");
   }

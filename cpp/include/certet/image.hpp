@@ -78,6 +78,8 @@ class ImageDomain : public Domain {
   /// of the voxel nearest to its centroid or, where that one was not chosen, of
   /// the chosen voxel at the corner nearest to it.  0 for a level's solid.
   [[nodiscard]] virtual std::int32_t label(const std::array<Coord3, 4>& corners) const = 0;
+  /// Bytes that the object holds.
+  [[nodiscard]] virtual std::uint64_t bytes() const = 0;
 };
 
 /// The union of all voxels with one of the labels; without labels, of all that

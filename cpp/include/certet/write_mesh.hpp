@@ -37,8 +37,8 @@ struct WrittenMesh {
   double emit_seconds = 0, measure_seconds = 0, write_seconds = 0;
 };
 
-/// Writes all points, then all tetrahedra, with labels if there is a labeller,
-/// and finishes the file.  What is written and returned (but for the seconds)
+/// Writes all points, then all tetrahedra, with labels if there is a labeller.
+/// Does not finish the file, so that the caller may judge the mesh first.  What is written and returned (but for the seconds)
 /// does not depend on slabs and threads.
 /// \throws Error `write_failed`, `cancelled`, `too_large` (out of memory).
 WrittenMesh write_mesh(const Stuffing& stuffing, const Frame& frame, const Slabs& slabs,
