@@ -19,10 +19,11 @@ macro(certet_find part package)
 endmacro()
 
 # What every target of the project is compiled with.  Contraction to fused
-# multiply-add would make results depend on compiler and machine.
+# multiply-add would make results depend on compiler and machine; a square root
+# that need not set errno vectorises.
 add_library(certet_flags INTERFACE)
 target_compile_options(certet_flags INTERFACE
-  -Wall -Wextra -Wconversion -ffp-contract=off)
+  -Wall -Wextra -Wconversion -ffp-contract=off -fno-math-errno)
 
 # Ranks in bit sets are counted by the popcount instruction, which every x86-64
 # machine since 2009 has.
