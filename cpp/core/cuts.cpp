@@ -1,6 +1,7 @@
 #include "cuts.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "parallel.hpp"
 
@@ -9,15 +10,16 @@ namespace {
 
 static_assert(step_bits == 16, "cuts are kept in 16 bits: 0 <= cut < steps");
 
-/// Bisects many edges in lockstep, so that the domain sees long batches.
+/// Bisects many edges in lockstep, so that the domain sees long batches and the
+/// loops vectorise.
 class Bisection {
  public:
   explicit Bisection(const Domain& domain) : domain_(domain) {}
 
   void add(Coord3 plus, Coord3 minus) {
-    start_.push_back(steps * plus);
-    towards_.push_back(minus - plus);
-    if (start_.size() == batch) flush();
+    start_[size_] = steps * plus;
+    towards_[size_] = minus - plus;
+    if (++size_ == batch) flush();
   }
 
   /// Finishes what was added; the cuts stand in `result` in order.
@@ -27,38 +29,36 @@ class Bisection {
   }
 
  private:
-  static constexpr std::size_t batch = 512;
+  static constexpr std::size_t batch = 256;
 
   void flush() {
-    const std::size_t n = start_.size();
-    low_.assign(n, 0);
-    found_.assign(n, 0);
-    middle_.resize(n);
-    signs_.resize(n);
+    const std::size_t n = size_;
+    std::fill_n(low_.begin(), n, 0);
+    std::fill_n(open_.begin(), n, 1);
     for (int round = step_bits - 1; round >= 0; --round) halve(std::int32_t{1} << round);
-    for (const std::int32_t low : low_) result_.push_back(static_cast<std::uint16_t>(low));
-    start_.clear();
-    towards_.clear();
+    for (std::size_t e = 0; e < n; ++e) result_.push_back(static_cast<std::uint16_t>(low_[e]));
+    size_ = 0;
   }
 
-  /// One round: low is known to be inside, low + 2 half to be outside.
+  /// One round: `low` is known to be inside, `low` + 2 `half` to be outside.  An
+  /// edge is open until a position is found to lie on the surface.
   void halve(std::int32_t half) {
-    const std::size_t n = start_.size();
+    const std::size_t n = size_;
     for (std::size_t e = 0; e < n; ++e)
       middle_[e] = start_[e] + (low_[e] + half) * towards_[e];
-    domain_.at(middle_, signs_);
+    domain_.at({middle_.data(), n}, {signs_.data(), n});
     for (std::size_t e = 0; e < n; ++e) {
-      const bool advance = found_[e] == 0 && signs_[e] != Sign::minus;
-      low_[e] += advance ? half : 0;
-      found_[e] |= static_cast<std::uint8_t>(signs_[e] == Sign::on_surface);
+      const auto sign = static_cast<std::int32_t>(signs_[e]);
+      low_[e] += half & -(open_[e] & std::int32_t{sign != static_cast<int>(Sign::minus)});
+      open_[e] &= std::int32_t{sign != static_cast<int>(Sign::on_surface)};
     }
   }
 
   const Domain& domain_;
-  std::vector<Coord3> start_, towards_, middle_;
-  std::vector<std::int32_t> low_;
-  std::vector<std::uint8_t> found_;
-  std::vector<Sign> signs_;
+  std::size_t size_ = 0;
+  std::array<Coord3, batch> start_, towards_, middle_;
+  std::array<std::int32_t, batch> low_, open_;
+  std::array<Sign, batch> signs_;
   std::vector<std::uint16_t> result_;
 };
 

@@ -39,6 +39,8 @@ class RowRanks {
     return entries_[static_cast<std::size_t>(w * kind_count + kind)];
   }
 
+  void number_entries();
+
   int words_ = 0;
   std::uint32_t count_ = 0;
   std::uint32_t corners_ = 0;

@@ -9,34 +9,31 @@
 namespace certet::core {
 namespace {
 
-/// The signs around the 64 vertices of a word: their own and the neighbours'.
-struct Neighborhood {
-  SignWord own;
-  std::array<SignWord, direction_count> neighbor;
+/// The edges around the 64 vertices of a word: for each direction, which of the
+/// vertices have a cut on that edge.
+struct CutEdges {
+  std::uint64_t plus;  ///< the vertices that are plus
+  std::uint64_t any;   ///< those with a cut anywhere
+  std::array<std::uint64_t, direction_count> towards;
 
-  Neighborhood(const SignPlanes& planes, Grid grid, int j, int k, int w)
-      : own(signs_at(planes, {grid, {}}, j, k, w)) {
-    for (int d = 0; d < direction_count; ++d)
-      neighbor[d] = signs_at(planes, certet::core::neighbor(grid, d), j, k, w);
+  CutEdges(const SignPlanes& planes, Grid grid, int j, int k, int w) : any(0) {
+    const SignWord own = signs_at(planes, {grid, {}}, j, k, w);
+    plus = own.plus;
+    for (int d = 0; d < direction_count; ++d) {
+      const SignWord other = signs_at(planes, neighbor(grid, d), j, k, w);
+      towards[d] = (own.plus & other.minus()) | (own.minus() & other.plus);
+      any |= towards[d];
+    }
   }
 
-  /// Vertices with a neighbour of opposite sign.
-  [[nodiscard]] std::uint64_t cut_somewhere() const {
-    std::uint64_t any_plus = 0;
-    std::uint64_t any_minus = 0;
-    for (const SignWord& n : neighbor) {
-      any_plus |= n.plus;
-      any_minus |= n.minus();
-    }
-    return (own.plus & any_minus) | (own.minus() & any_plus);
+  /// The directions of the cuts around vertex b, as bits.
+  [[nodiscard]] std::uint32_t around(int b) const {
+    std::uint32_t directions = 0;
+    for (int d = 0; d < direction_count; ++d)
+      directions |= static_cast<std::uint32_t>(towards[d] >> b & 1) << d;
+    return directions;
   }
 };
-
-Sign sign_at(const SignWord& word, int b) {
-  return (word.plus >> b & 1) != 0   ? Sign::plus
-         : (word.zero >> b & 1) != 0 ? Sign::on_surface
-                                     : Sign::minus;
-}
 
 /// Decides over the vertices of one layer.
 class LayerWarper {
@@ -59,10 +56,10 @@ class LayerWarper {
 
  private:
   std::uint64_t warp_word(Grid grid, int w, ZeroLayer& moves) const {
-    const Neighborhood around(planes_, grid, j_, k_, w);
+    const CutEdges edges(planes_, grid, j_, k_, w);
     std::uint64_t violated = 0;
-    for_each_bit(around.cut_somewhere(), [&](int b) {
-      const Warping warping = warp_vertex(around, grid, w, b);
+    for_each_bit(edges.any, [&](int b) {
+      const Warping warping = warp_vertex(edges, grid, w, b);
       if (!warping.moves()) return;
       violated |= std::uint64_t{1} << b;
       moves.displacements.push_back({static_cast<std::uint16_t>(warping.distance),
@@ -71,18 +68,16 @@ class LayerWarper {
     return violated;
   }
 
-  Warping warp_vertex(const Neighborhood& around, Grid grid, int w, int b) const {
-    const Sign sign = sign_at(around.own, b);
-    std::array<Sign, direction_count> neighbor_sign;
-    std::array<std::int32_t, direction_count> cut{};
-    for (int d = 0; d < direction_count; ++d) {
-      neighbor_sign[d] = sign_at(around.neighbor[d], b);
-      if (opposite(sign, neighbor_sign[d])) {
-        const std::int32_t from_plus = cut_on(edges_of[grid][d], w, b);
-        cut[d] = sign == Sign::plus ? from_plus : steps - from_plus;
-      }
+  Warping warp_vertex(const CutEdges& edges, Grid grid, int w, int b) const {
+    const bool plus = (edges.plus >> b & 1) != 0;
+    const std::uint32_t cut_edges = edges.around(b);
+    std::array<std::int32_t, direction_count> cut;
+    for (std::uint32_t left = cut_edges; left != 0; left &= left - 1) {
+      const int d = std::countr_zero(left);
+      const std::int32_t from_plus = cut_on(edges_of[grid][d], w, b);
+      cut[d] = plus ? from_plus : steps - from_plus;
     }
-    return warp(thresholds_, sign, neighbor_sign, cut);
+    return warp(thresholds_, cut_edges, cut);
   }
 
   std::int32_t cut_on(const EdgeRef& edge, int w, int b) const {

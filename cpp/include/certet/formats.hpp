@@ -34,7 +34,8 @@ struct MeshSize {
 /// The file grows under a temporary name beside its target and takes the
 /// target's name in `finish`; a writer destroyed before that leaves nothing.
 /// The bytes do not depend on how the mesh is cut in pieces.
-/// All members throw Error `write_failed`.
+/// All members throw Error `write_failed`; also where more or fewer points or
+/// tetrahedra come than were announced, or an index without a point.
 class MeshWriter {
  public:
   virtual ~MeshWriter() = default;
@@ -47,6 +48,8 @@ class MeshWriter {
   virtual void finish() = 0;
 };
 
+/// \throws Error `write_failed` if the file cannot be made: its folder is not
+/// there or full, or the name is taken by a folder or by a read-only file.
 std::unique_ptr<MeshWriter> open_writer(const std::filesystem::path& file, Format format,
                                         const MeshSize& size);
 
@@ -57,10 +60,12 @@ std::uint64_t file_bytes(Format format, const MeshSize& size);
 struct FileMesh {
   std::vector<Point3> points;
   std::vector<Tet<std::uint64_t>> tets;
-  std::vector<std::int32_t> labels;  ///< empty, or one for each tetrahedron
+  std::vector<std::int32_t> labels;  ///< empty, or one for each tetrahedron; a
+                                     ///< MEDIT file of zeros alone has none
 };
 
-/// Reads what `open_writer` wrote.
+/// Reads what `open_writer` wrote, and looks at everything but whether the
+/// indices are those of points: that is the task of `check`.
 /// \throws Error `bad_input` with one sentence that names the file.
 FileMesh read_mesh(const std::filesystem::path& file);
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -12,17 +13,41 @@
 
 namespace certet {
 
+/// A sum of 64-bit integers that cannot overflow, and that therefore does not
+/// depend on the order of its terms: a two's complement number of 128 bits.
+struct WideSum {
+  std::uint64_t low = 0;
+  std::int64_t high = 0;
+
+  WideSum& operator+=(std::int64_t term);
+  WideSum& operator+=(const WideSum& other);
+  [[nodiscard]] double value() const;  ///< within one unit of the last place
+  friend bool operator==(const WideSum&, const WideSum&) = default;
+};
+
 /// What is measured; results of parts of a mesh can be added up, in any order,
 /// to the result of the whole.
+///
+/// Everything is independent of the parts and of their order, down to the last
+/// bit, but for the volume in world coordinates: it is summed in floating point
+/// in the order of the tetrahedra, and of the additions, so that parts that are
+/// the same and are added in the same order give the same bits.
 struct Quality {
-  static constexpr int bins = 36;  ///< of 5 degrees each
+  static constexpr int bins = 36;  ///< of 5 degrees each: [0,5), [5,10), …
 
   std::uint64_t tets = 0;
   std::uint64_t nonpositive = 0;  ///< tetrahedra with volume <= 0 (or not finite)
   double min_dihedral = 180;      ///< degrees; over the positive tetrahedra
   double max_dihedral = 0;
   std::array<std::uint64_t, bins> histogram{};  ///< of all six angles of each
-  double volume = 0;  ///< sum of the volumes, signed
+  double volume = 0;  ///< sum of the volumes, signed; without those that are not finite
+
+  /// cot |cot| of the two extreme angles, which are these, in degrees.
+  double sharpest = -std::numeric_limits<double>::infinity();
+  double bluntest = std::numeric_limits<double>::infinity();
+  /// Six times the volume in steps cubed, where lattice coordinates were
+  /// measured; then `volume` is this, in other units.
+  WideSum steps_volume;
 
   Quality& operator+=(const Quality& other);
 };
@@ -36,6 +61,9 @@ Quality measure_world(std::span<const Point3> points, std::uint64_t first_point,
 
 /// Measures tetrahedra in lattice coordinates; `volume` is in long edges cubed
 /// (a lattice unit is half a long edge), orientation is decided exactly.
+/// \throws Error `bad_input` if a tetrahedron is 2^19 steps wide (eight lattice
+/// units) or wider along an axis; those that stuffing makes are at most half
+/// as wide.
 Quality measure_lattice(std::span<const Coord3> points, std::uint64_t first_point,
                         std::span<const Tet<std::uint32_t>> tets);
 Quality measure_lattice(std::span<const Coord3> points, std::uint64_t first_point,

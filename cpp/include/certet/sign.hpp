@@ -15,7 +15,7 @@ constexpr bool opposite(Sign a, Sign b) {
 
 /// The sign of a level function that is negative inside; NaN counts as outside.
 constexpr Sign sign_of_level(double f) {
-  return f < 0 ? Sign::plus : f == 0 ? Sign::on_surface : Sign::minus;
+  return static_cast<Sign>(2 * int{f < 0} + int{f == 0});  // no branches: loops vectorise
 }
 
 }  // namespace certet

@@ -3,6 +3,7 @@
 /// Warping: a vertex too close to the surface is moved onto it.
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 #include "certet/direction.hpp"
@@ -34,17 +35,15 @@ struct Warping {
   friend constexpr bool operator==(const Warping&, const Warping&) = default;
 };
 
-/// Decides by a vertex's sign, its neighbours' signs and, on every edge to a
-/// neighbour of opposite sign, the steps from the vertex to the cut (entries of
-/// other edges are ignored).  The nearest violating cut wins; among equals the
-/// first direction.  `Warp` of the certificate.
-constexpr Warping warp(Thresholds thresholds, Sign sign,
-                       const std::array<Sign, direction_count>& neighbor_sign,
+/// Decides by the cuts around a vertex: bit d of `cut_edges` says that there is
+/// one in direction d, `cut[d]` steps from the vertex (other entries are
+/// ignored).  The nearest violating cut wins; among equals the first direction.
+constexpr Warping warp(Thresholds thresholds, std::uint32_t cut_edges,
                        const std::array<std::int32_t, direction_count>& cut) {
   Warping best;
   std::int64_t best_distance = 0;
-  for (int d = 0; d < direction_count; ++d) {
-    if (!opposite(sign, neighbor_sign[d])) continue;
+  for (; cut_edges != 0; cut_edges &= cut_edges - 1) {
+    const int d = std::countr_zero(cut_edges);
     if (cut[d] >= thresholds.in_steps(d)) continue;
     const std::int64_t distance = std::int64_t{length_squared(d)} * cut[d] * cut[d];
     if (best.moves() && distance >= best_distance) continue;
@@ -52,6 +51,17 @@ constexpr Warping warp(Thresholds thresholds, Sign sign,
     best_distance = distance;
   }
   return best;
+}
+
+/// The same, by a vertex's sign and its neighbours'; cuts are on the edges to a
+/// neighbour of opposite sign.  `Warp` of the certificate.
+constexpr Warping warp(Thresholds thresholds, Sign sign,
+                       const std::array<Sign, direction_count>& neighbor_sign,
+                       const std::array<std::int32_t, direction_count>& cut) {
+  std::uint32_t cut_edges = 0;
+  for (int d = 0; d < direction_count; ++d)
+    cut_edges |= std::uint32_t{opposite(sign, neighbor_sign[d])} << d;
+  return warp(thresholds, cut_edges, cut);
 }
 
 }  // namespace certet

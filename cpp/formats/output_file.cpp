@@ -1,0 +1,115 @@
+#include "formats/output_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <random>
+#include <system_error>
+
+#include "certet/error.hpp"
+
+namespace certet::formats {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Too short for any limit on names, and so random that no other run has it.
+std::string hidden_name() {
+  std::random_device random;
+  const std::uint64_t number = std::uint64_t{random()} << 32 | random();
+  std::array<char, 16> digits;
+  const auto end = std::to_chars(digits.begin(), digits.end(), number, 16).ptr;
+  return ".certet-" + std::string(digits.begin(), end) + ".tmp";
+}
+
+/// Opens a file that was not there; -1 and errno if that fails.
+int create_new(const fs::path& file) {
+  int descriptor;
+  do {
+    descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  } while (descriptor < 0 && errno == EINTR);
+  return descriptor;
+}
+
+}  // namespace
+
+OutputFile::OutputFile(const fs::path& target) : asked_for_(target), target_(target) {
+  std::error_code error;
+  const fs::file_status status = fs::status(target, error);
+  if (fs::is_directory(status)) fail("it is a folder");
+  if (fs::exists(status)) {
+    if (!fs::is_regular_file(status)) fail("it is not a regular file");
+    if (::access(target.c_str(), W_OK) != 0) fail_with(errno);
+    const fs::path real = fs::canonical(target, error);
+    if (error) fail(error.message());
+    target_ = real;
+  }
+  if (!target_.has_filename()) fail("it has no file name");
+  create();
+}
+
+void OutputFile::create() {
+  constexpr int attempts = 16;
+  for (int i = 0; i < attempts && descriptor_ < 0; ++i) {
+    temporary_ = target_.parent_path() / hidden_name();
+    descriptor_ = create_new(temporary_);
+    if (descriptor_ < 0 && errno != EEXIST) fail_with(errno);
+  }
+  if (descriptor_ < 0) fail("no name was free for a temporary file");
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void OutputFile::reserve([[maybe_unused]] std::uint64_t bytes) {
+#ifdef __linux__
+  if (bytes == 0) return;
+  if (::fallocate(descriptor_, 0, 0, static_cast<off_t>(bytes)) == 0) return;
+  // Other errors tell that the file system cannot do it, which is no harm.
+  if (errno == ENOSPC || errno == EFBIG || errno == EDQUOT) fail_with(errno);
+#endif
+}
+
+void OutputFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) {
+  // Linux writes at most 2 GiB at once.
+  constexpr std::size_t at_once = std::size_t{1} << 30;
+  while (!bytes.empty()) {
+    const ssize_t written = ::pwrite(descriptor_, bytes.data(), std::min(bytes.size(), at_once),
+                                     static_cast<off_t>(offset));
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      fail_with(errno);
+    }
+    if (written == 0) fail("the disk takes no more");
+    offset += static_cast<std::uint64_t>(written);
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+}
+
+void OutputFile::commit() {
+  if (::fsync(descriptor_) != 0) fail_with(errno);
+  const int descriptor = descriptor_;
+  descriptor_ = -1;  // closed even if closing reports an error
+  if (::close(descriptor) != 0) fail_with(errno);
+  std::error_code error;
+  fs::rename(temporary_, target_, error);
+  if (error) fail(error.message());
+  temporary_.clear();
+}
+
+void OutputFile::fail(const std::string& reason) const {
+  throw Error(ErrorCode::write_failed, "cannot write '" + asked_for_.string() + "': " + reason);
+}
+
+void OutputFile::fail_with(int error) const {
+  fail(std::generic_category().message(error));
+}
+
+}  // namespace certet::formats

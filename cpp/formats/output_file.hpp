@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// A file that is there whole or not at all.
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace certet::formats {
+
+/// Grows under a hidden name in the target's folder and takes the target's name
+/// in `commit`; destroyed before that, it leaves nothing.  A symbolic link as
+/// target is followed, not replaced.
+/// All members throw Error `write_failed` with a sentence that names the target.
+class OutputFile {
+ public:
+  /// Refuses a target that is a folder, a device or read-only.
+  explicit OutputFile(const std::filesystem::path& target);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Sets the room for so many bytes aside, where the file system can: a disk
+  /// too small is noticed before the work is done.
+  void reserve(std::uint64_t bytes);
+
+  void write_at(std::uint64_t offset, std::span<const std::byte> bytes);
+
+  /// Everything reaches the disk, then the file appears under its name.
+  void commit();
+
+  [[noreturn]] void fail(const std::string& reason) const;
+
+ private:
+  void create();
+  [[noreturn]] void fail_with(int error) const;
+
+  std::filesystem::path asked_for_;  ///< as the caller named it
+  std::filesystem::path target_, temporary_;
+  int descriptor_ = -1;
+};
+
+}  // namespace certet::formats

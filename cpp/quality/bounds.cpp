@@ -1,0 +1,19 @@
+#include "certet/quality.hpp"
+
+namespace certet {
+namespace {
+
+// The bounds as the theorems of coq/Certificate.v state them.
+constexpr AngleBounds midpoint_bounds{30, 135, "MidpointBounds"};
+constexpr AngleBounds dihedral_bounds{10.77, 164.76, "DihedralBounds"};
+constexpr AngleBounds embedding_bounds{9.27, 161.46, "DihedralBoundsEmbedding"};
+
+}  // namespace
+
+AngleBounds proven_bounds(Cuts cuts, Guarantee guarantee) {
+  // Midpoint cuts never warp a vertex, whatever the thresholds.
+  if (cuts == Cuts::midpoint) return midpoint_bounds;
+  return guarantee == Guarantee::angles ? dihedral_bounds : embedding_bounds;
+}
+
+}  // namespace certet

@@ -1,0 +1,209 @@
+#include "certet/check.hpp"
+
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "quality/faces.hpp"
+
+namespace certet {
+namespace {
+
+using quality::EdgeFindings;
+using quality::Face;
+using quality::FaceFindings;
+
+/// "1 point is", "3 points are": a number with its noun and verb.
+std::string count_of(std::uint64_t number, const std::string& singular,
+                     const std::string& plural) {
+  return std::to_string(number) + " " + (number == 1 ? singular : plural);
+}
+
+std::string name_of(const Face& face) {
+  return "with the points " + std::to_string(face.points[0]) + ", " +
+         std::to_string(face.points[1]) + " and " + std::to_string(face.points[2]);
+}
+
+/// A count, and the number of the first that was counted.
+struct Offenders {
+  std::uint64_t count = 0, first = 0;
+  void add(std::uint64_t number) {
+    if (count++ == 0) first = number;
+  }
+};
+
+bool finite(const Point3& p) {
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+/// Mixes a point's coordinates to 64 bits.
+std::uint64_t hash(const Point3& point) {
+  std::uint64_t mixed = 0;
+  for (const double coordinate : point) {
+    // Adding zero makes one of the two zeros.
+    mixed ^= std::bit_cast<std::uint64_t>(coordinate + 0.0);
+    mixed *= 0x9e3779b97f4a7c15;
+    mixed ^= mixed >> 32;
+  }
+  return mixed;
+}
+
+/// Points at the very place of an earlier one; only finite ones are looked at.
+std::uint64_t find_duplicates(std::span<const Point3> points) {
+  if (points.empty()) return 0;
+  const std::size_t groups = points.size();
+  quality::Groups<std::uint64_t> by_hash(groups);
+  const auto group_of = [groups](const Point3& p) { return hash(p) % groups; };
+  for (const Point3& p : points)
+    if (finite(p)) by_hash.count(group_of(p));
+  by_hash.lay_out();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (finite(points[i])) by_hash.place(group_of(points[i]), i);
+
+  std::uint64_t duplicates = 0;
+  const auto same = [points](std::uint64_t a, std::uint64_t b) { return points[a] == points[b]; };
+  for (std::size_t i = 0; i < groups; ++i) {
+    const std::span<std::uint64_t> group = by_hash[i];
+    if (group.size() < 2) continue;
+    std::sort(group.begin(), group.end(),
+              [points](std::uint64_t a, std::uint64_t b) { return points[a] < points[b]; });
+    quality::for_runs(group, same,
+                      [&](std::span<std::uint64_t> run) { duplicates += run.size() - 1; });
+  }
+  return duplicates;
+}
+
+template <class Index>
+class Check {
+ public:
+  Check(std::span<const Point3> points, std::span<const Tet<Index>> tets)
+      : points_(points), tets_(tets) {}
+
+  CheckReport report() {
+    report_.points = points_.size();
+    if (tets_.empty()) fail("there are no tetrahedra");
+    check_indices();
+    check_use();
+    check_places();
+    check_volumes();
+    check_faces();
+    return std::move(report_);
+  }
+
+ private:
+  [[nodiscard]] bool valid(std::size_t tet) const {
+    const auto& [a, b, c, d] = tets_[tet];
+    const std::size_t n = points_.size();
+    return a < n && b < n && c < n && d < n && a != b && a != c && a != d && b != c && b != d &&
+           c != d;
+  }
+
+  void fail(std::string sentence) { report_.failures.push_back(std::move(sentence)); }
+
+  void check_indices();
+  void check_use();
+  void check_places();
+  void check_volumes();
+  void check_faces();
+
+  std::span<const Point3> points_;
+  std::span<const Tet<Index>> tets_;
+  CheckReport report_;
+};
+
+template <class Index>
+void Check<Index>::check_indices() {
+  Offenders bad;
+  for (std::size_t i = 0; i < tets_.size(); ++i)
+    if (!valid(i)) bad.add(i);
+  report_.bad_indices = bad.count;
+  if (bad.count > 0)
+    fail(count_of(bad.count, "tetrahedron names", "tetrahedra name") +
+         " a point that is not there, or one point twice, the first being number " +
+         std::to_string(bad.first));
+}
+
+template <class Index>
+void Check<Index>::check_use() {
+  std::vector<bool> used(points_.size());
+  for (std::size_t i = 0; i < tets_.size(); ++i)
+    if (valid(i))
+      for (const Index point : tets_[i]) used[point] = true;
+  Offenders unused;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (!used[i]) unused.add(i);
+  report_.unused_points = unused.count;
+  if (unused.count > 0)
+    fail(count_of(unused.count, "point is", "points are") +
+         " in no tetrahedron, the first being number " + std::to_string(unused.first));
+}
+
+template <class Index>
+void Check<Index>::check_places() {
+  Offenders nonfinite;
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (!finite(points_[i])) nonfinite.add(i);
+  report_.nonfinite_points = nonfinite.count;
+  if (nonfinite.count > 0)
+    fail(count_of(nonfinite.count, "point is", "points are") +
+         " not finite, the first being number " + std::to_string(nonfinite.first));
+
+  report_.duplicate_points = find_duplicates(points_);
+  if (report_.duplicate_points > 0)
+    fail(count_of(report_.duplicate_points, "point is", "points are") +
+         " at the very place of another");
+}
+
+template <class Index>
+void Check<Index>::check_volumes() {
+  // Between tetrahedra that name no points, runs of those that do.
+  for (std::size_t begin = 0; begin < tets_.size();) {
+    std::size_t end = begin;
+    while (end < tets_.size() && valid(end)) ++end;
+    if (end > begin)
+      report_.quality += measure_world(points_, 0, tets_.subspan(begin, end - begin));
+    begin = end + 1;
+  }
+  if (report_.quality.nonpositive > 0)
+    fail(count_of(report_.quality.nonpositive, "tetrahedron has", "tetrahedra have") +
+         " a volume that is not positive");
+}
+
+template <class Index>
+void Check<Index>::check_faces() {
+  const auto is_valid = [this](std::size_t tet) { return valid(tet); };
+  const FaceFindings faces =
+      points_.size() <= quality::NarrowFace::point_limit
+          ? quality::find_faces<quality::NarrowFace>(points_.size(), tets_, is_valid)
+          : quality::find_faces<quality::WideFace>(points_.size(), tets_, is_valid);
+  const EdgeFindings edges = quality::find_edges(points_.size(), faces.boundary);
+  report_.overfull_faces = faces.overfull;
+  report_.misoriented_faces = faces.misoriented;
+  report_.boundary_faces = faces.boundary.size();
+  report_.open_edges = edges.open;
+  if (faces.first_overfull)
+    fail(count_of(faces.overfull, "face is", "faces are") +
+         " in three or more tetrahedra, the first being the one " +
+         name_of(*faces.first_overfull));
+  if (faces.first_misoriented)
+    fail(count_of(faces.misoriented, "inner face is", "inner faces are") +
+         " seen the same way round from both sides, the first being the one " +
+         name_of(*faces.first_misoriented));
+  if (edges.first_open)
+    fail("the boundary is not closed and oriented at " +
+         count_of(edges.open, "edge", "edges") + ", the first being from point " +
+         std::to_string((*edges.first_open)[0]) + " to point " +
+         std::to_string((*edges.first_open)[1]));
+}
+
+}  // namespace
+
+CheckReport check(std::span<const Point3> points, std::span<const Tet<std::uint32_t>> tets) {
+  return Check<std::uint32_t>(points, tets).report();
+}
+
+CheckReport check(std::span<const Point3> points, std::span<const Tet<std::uint64_t>> tets) {
+  return Check<std::uint64_t>(points, tets).report();
+}
+
+}  // namespace certet

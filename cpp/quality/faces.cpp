@@ -1,0 +1,42 @@
+#include "quality/faces.hpp"
+
+namespace certet::quality {
+namespace {
+
+/// The other end of an edge, and whether the edge runs from there.
+using EdgeKey = std::uint64_t;
+EdgeKey edge_key(std::uint64_t highest, bool reversed) {
+  return highest << 1 | (reversed ? 1 : 0);
+}
+
+}  // namespace
+
+EdgeFindings find_edges(std::uint64_t points, std::span<const Face> surface) {
+  Groups<EdgeKey> by_lowest(points);
+  for (const Face& face : surface) {
+    by_lowest.count(face.points[0], 2);
+    by_lowest.count(face.points[1]);
+  }
+  by_lowest.lay_out();
+  for (const auto& [p, reversed] : surface) {
+    by_lowest.place(p[0], edge_key(p[1], reversed));
+    by_lowest.place(p[1], edge_key(p[2], reversed));
+    by_lowest.place(p[0], edge_key(p[2], !reversed));
+  }
+
+  EdgeFindings found;
+  const auto same = [](EdgeKey a, EdgeKey b) { return a >> 1 == b >> 1; };
+  for (std::size_t lowest = 0; lowest < by_lowest.size(); ++lowest) {
+    const std::span<EdgeKey> group = by_lowest[lowest];
+    sort_group(group);
+    for_runs(group, same, [&](std::span<EdgeKey> run) {
+      std::int64_t balance = 0;
+      for (const EdgeKey key : run) balance += (key & 1) != 0 ? -1 : 1;
+      if (balance == 0) return;
+      if (found.open++ == 0) found.first_open = {lowest, run.front() >> 1};
+    });
+  }
+  return found;
+}
+
+}  // namespace certet::quality

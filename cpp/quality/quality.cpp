@@ -1,0 +1,44 @@
+#include "certet/quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "quality/extremes.hpp"
+
+namespace certet {
+
+WideSum& WideSum::operator+=(std::int64_t term) {
+  return *this += WideSum{static_cast<std::uint64_t>(term), term < 0 ? -1 : 0};
+}
+
+WideSum& WideSum::operator+=(const WideSum& other) {
+  low += other.low;
+  high += other.high + (low < other.low ? 1 : 0);
+  return *this;
+}
+
+double WideSum::value() const {
+  // The magnitude is converted, so that -1 does not cancel in huge terms.
+  const bool negative = high < 0;
+  const auto top = static_cast<std::uint64_t>(high);
+  const std::uint64_t low_part = negative ? ~low + 1 : low;
+  const std::uint64_t high_part = negative ? ~top + (low == 0 ? 1 : 0) : top;
+  const double magnitude =
+      std::ldexp(static_cast<double>(high_part), 64) + static_cast<double>(low_part);
+  return negative ? -magnitude : magnitude;
+}
+
+Quality& Quality::operator+=(const Quality& other) {
+  tets += other.tets;
+  nonpositive += other.nonpositive;
+  for (std::size_t i = 0; i < histogram.size(); ++i) histogram[i] += other.histogram[i];
+  steps_volume += other.steps_volume;
+  volume = steps_volume == WideSum{} ? volume + other.volume
+                                     : quality::long_edges_cubed(steps_volume);
+  sharpest = std::max(sharpest, other.sharpest);
+  bluntest = std::min(bluntest, other.bluntest);
+  quality::set_extremes(*this);
+  return *this;
+}
+
+}  // namespace certet

@@ -1,0 +1,250 @@
+/// The engine: pieces, threads, index widths and errors.  That its meshes are
+/// the certified ones is the differential tests' business.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "certet/error.hpp"
+#include "certet/orientation.hpp"
+#include "certet/structured_tet.hpp"
+#include "certet/stuffing.hpp"
+#include "sample_domains.hpp"
+
+namespace certet {
+namespace {
+
+constexpr Lattice around_origin(int half) {
+  return {{-2 * half, -2 * half, -2 * half}, {2 * half, 2 * half, 2 * half}};
+}
+
+bool same_points(std::span<const Coord3> a, std::span<const Coord3> b) {
+  return std::ranges::equal(a, b);
+}
+
+template <class Index>
+std::span<const Tet<Index>> tets_of(const Mesh& mesh) {
+  return std::get<Buffer<Tet<Index>>>(mesh.tets);
+}
+
+bool same(const Mesh& a, const Mesh& b) {
+  return same_points(a.points, b.points) &&
+         std::ranges::equal(tets_of<std::uint32_t>(a), tets_of<std::uint32_t>(b));
+}
+
+Mesh mesh_of(const Domain& domain, const Lattice& lattice, int threads = 1,
+             StuffingOptions options = {}) {
+  Context context;
+  context.threads = threads;
+  return stuff(domain, lattice, {}, options, context);
+}
+
+TEST(Engine, AnyNumberOfThreadsGivesTheSameMesh) {
+  const auto domain = test::torus(40, 15);
+  const Lattice lattice = around_origin(32);
+  const Mesh one = mesh_of(domain, lattice, 1);
+  EXPECT_GT(one.tet_count(), 10'000u);
+  for (const int threads : {2, 3, 8}) EXPECT_TRUE(same(one, mesh_of(domain, lattice, threads)));
+}
+
+TEST(Engine, SlabsAddUpToTheWhole) {
+  const auto domain = test::noise(7);
+  const Lattice lattice = around_origin(8);
+  const Mesh whole = mesh_of(domain, lattice);
+  Context context;
+  const Stuffing stuffing(domain, lattice, {}, context);
+  for (const int height : {1, 2, 5}) {
+    for (int begin = 0; begin < stuffing.layers(); begin += height) {
+      const int end = std::min(begin + height, stuffing.layers());
+      const std::uint64_t p = stuffing.first_point(begin);
+      const std::uint64_t t = stuffing.first_tet(begin);
+      std::vector<Coord3> points(stuffing.first_point(end) - p);
+      std::vector<Tet<std::uint32_t>> tets(stuffing.first_tet(end) - t);
+      stuffing.emit_points(begin, end, points, context);
+      stuffing.emit_tets(begin, end, std::span(tets), context);
+      EXPECT_TRUE(same_points(points, std::span(whole.points).subspan(p, points.size())));
+      EXPECT_TRUE(std::ranges::equal(
+          tets, tets_of<std::uint32_t>(whole).subspan(t, tets.size())));
+    }
+  }
+}
+
+TEST(Engine, TetrahedraOfALayerUseItsPointsAndTheNextLayersOnly) {
+  const auto domain = test::noise(11);
+  Context context;
+  const Stuffing stuffing(domain, around_origin(8), {}, context);
+  const int layers = stuffing.layers();
+  for (int k = 0; k < layers; ++k) {
+    std::vector<Tet<std::uint32_t>> tets(stuffing.first_tet(k + 1) - stuffing.first_tet(k));
+    stuffing.emit_tets(k, k + 1, std::span(tets), context);
+    for (const auto& tet : tets)
+      for (const std::uint64_t point : tet) {
+        EXPECT_GE(point, stuffing.first_point(k));
+        EXPECT_LT(point, stuffing.first_point(std::min(k + 2, layers)));
+      }
+  }
+}
+
+TEST(Engine, SixtyFourBitIndicesAreTheSameNumbers) {
+  const auto domain = test::ball(11.3);
+  Context context;
+  const Stuffing stuffing(domain, around_origin(8), {}, context);
+  std::vector<Tet<std::uint32_t>> narrow(stuffing.tet_count());
+  std::vector<Tet<std::uint64_t>> wide(stuffing.tet_count());
+  stuffing.emit_tets(0, stuffing.layers(), std::span(narrow), context);
+  stuffing.emit_tets(0, stuffing.layers(), std::span(wide), context);
+  for (std::size_t t = 0; t < narrow.size(); ++t)
+    EXPECT_TRUE(std::ranges::equal(narrow[t], wide[t]));
+}
+
+/// A ball that knows which boxes lie inside or outside it.
+class BoundedBall : public decltype(test::ball(1)) {
+ public:
+  explicit BoundedBall(double radius) : decltype(test::ball(1))(test::ball(radius)), radius_(radius) {}
+  Extent extent(const LatticeBox& box) const override {
+    double nearest = 0;
+    double farthest = 0;
+    for (const auto& [low, high] : {std::pair{box.low.x, box.high.x}, {box.low.y, box.high.y},
+                                    {box.low.z, box.high.z}}) {
+      const double near = low > 0 ? low : high < 0 ? -high : 0;
+      const double far = std::max(std::abs(low), std::abs(high));
+      nearest += near * near;
+      farthest += far * far;
+    }
+    if (farthest < radius_ * radius_) return Extent::inside;
+    return nearest > radius_ * radius_ ? Extent::outside : Extent::mixed;
+  }
+
+ private:
+  double radius_;
+};
+
+TEST(Engine, BlocksSkippedByABoundChangeNothing) {
+  for (const double radius : {3.0, 40.5, 61.0})
+    EXPECT_TRUE(same(mesh_of(test::ball(radius), around_origin(36)),
+                     mesh_of(BoundedBall(radius), around_origin(36))));
+}
+
+TEST(Engine, TheWordsOfTheBitPlanesDoNotShow) {
+  const auto domain = test::ball(33.7);
+  const Mesh plain = mesh_of(domain, around_origin(18));
+  for (int shift = 1; shift <= 65; ++shift)
+    EXPECT_TRUE(same(plain, mesh_of(domain, {{-36 - 2 * shift, -36, -36}, {36 + shift, 36, 36}})))
+        << shift;
+}
+
+/// The four moves, by just less than the thresholds of `angles`, that invert a
+/// structured tetrahedron the most; no corner moves towards another one.
+std::array<int, 4> most_inverting_moves(const StructuredTet& tet) {
+  std::array<int, 4> best{};
+  std::int64_t least = 0;
+  const auto corner = [&](int n, int d) {
+    return steps * tet.vertices[n] + (angle_thresholds.in_steps(d) - 1) * direction_offset[d];
+  };
+  const auto leaves = [&](int n, int d) {
+    return std::ranges::find(tet.vertices, tet.vertices[n] + direction_offset[d]) ==
+           tet.vertices.end();
+  };
+  for (int code = 0; code < 14 * 14 * 14 * 14; ++code) {
+    const std::array<int, 4> d{code % 14, code / 14 % 14, code / 196 % 14, code / 2744};
+    if (!leaves(0, d[0]) || !leaves(1, d[1]) || !leaves(2, d[2]) || !leaves(3, d[3])) continue;
+    const std::int64_t v = six_volume(corner(0, d[0]), corner(1, d[1]), corner(2, d[2]), corner(3, d[3]));
+    if (v >= least) continue;
+    least = v;
+    best = d;
+  }
+  EXPECT_LT(least, 0) << "these thresholds invert nothing: the test shows nothing";
+  return best;
+}
+
+/// Inside everywhere but around the neighbours that the moves lead to; there,
+/// the surface is just near enough to violate the corner.
+Sign sign_around(const StructuredTet& tet, const std::array<int, 4>& moves, Coord3 p) {
+  for (int n = 0; n < 4; ++n) {
+    const Coord3 e = direction_offset[moves[n]];
+    const Coord3 from = p - steps * tet.vertices[n];
+    const std::int32_t t = e.x != 0 ? from.x / e.x : e.y != 0 ? from.y / e.y : from.z / e.z;
+    if (t >= 0 && t <= steps && from == t * e)
+      return t < angle_thresholds.in_steps(moves[n]) - 2 ? Sign::plus : Sign::minus;
+  }
+  for (int n = 0; n < 4; ++n) {
+    const Coord3 from = p - steps * (tet.vertices[n] + direction_offset[moves[n]]);
+    const double distance = std::hypot(from.x, from.y, from.z) / steps;
+    if (distance < 0.8) return Sign::minus;
+  }
+  return Sign::plus;
+}
+
+TEST(Engine, AnInvertedZeroTetrahedronMakesItFallBack) {
+  const StructuredTet tet = structured_tet({{0, 0, 0}, StructuredTetCase::I1});
+  static_assert(right_handed(StructuredTetCase::I1));
+  const std::array<int, 4> moves = most_inverting_moves(tet);
+  const test::PointwiseDomain domain([&](Coord3 p) { return sign_around(tet, moves, p); });
+  const Lattice lattice = around_origin(8);
+  Context context;
+  const Stuffing angles(domain, lattice, {Cuts::bisect, Guarantee::angles}, context);
+  EXPECT_GE(angles.inverted_tets(), 1u);
+  EXPECT_EQ(angles.guarantee(), Guarantee::embedding);
+  const Stuffing embedding(domain, lattice, {Cuts::bisect, Guarantee::embedding}, context);
+  EXPECT_EQ(embedding.inverted_tets(), 0u);
+  EXPECT_TRUE(same(emit(angles, {}, context), emit(embedding, {}, context)));
+}
+
+ErrorCode code_of(const Lattice& lattice) {
+  try {
+    mesh_of(test::ball(4), lattice);
+  } catch (const Error& error) {
+    return error.code();
+  }
+  ADD_FAILURE() << "no error";
+  return {};
+}
+
+TEST(Engine, ALatticeOutsideTheRangeIsRefused) {
+  EXPECT_EQ(code_of({{-31'994, 0, 0}, {10, 10, 10}}), ErrorCode::too_large);
+  EXPECT_EQ(code_of({{0, 31'980, 0}, {10, 10, 10}}), ErrorCode::too_large);
+  EXPECT_EQ(code_of({{0, 0, 0}, {10, 10, 2'000'000'000}}), ErrorCode::too_large);
+  EXPECT_EQ(code_of({{1, 0, 0}, {10, 10, 10}}), ErrorCode::bad_option);
+  EXPECT_EQ(code_of({{0, 0, 0}, {1, 10, 10}}), ErrorCode::bad_option);
+}
+
+TEST(Engine, AnEmptyDomainIsAnError) {
+  const auto nowhere = test::PointwiseDomain([](Coord3) { return Sign::minus; });
+  Context context;
+  EXPECT_EQ(Stuffing(nowhere, around_origin(4), {}, context).tet_count(), 0u);
+  EXPECT_THROW(stuff(nowhere, around_origin(4), {}, {}, context), Error);
+}
+
+TEST(Engine, ItStopsWhereverItIsCancelled) {
+  const auto domain = test::ball(20);
+  for (const Stage stage : {Stage::sample, Stage::cut, Stage::warp, Stage::count, Stage::emit}) {
+    Context context;
+    context.threads = 2;
+    context.progress = [&](Stage now, std::int64_t, std::int64_t) {
+      if (now == stage) context.cancelled = true;
+    };
+    try {
+      stuff(domain, around_origin(16), {}, {}, context);
+      ADD_FAILURE() << "not cancelled in stage " << name(stage);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::cancelled);
+    }
+  }
+}
+
+TEST(Engine, ProgressIsReportedStageByStage) {
+  Context context;
+  std::vector<Stage> order;
+  context.progress = [&](Stage stage, std::int64_t done, std::int64_t total) {
+    EXPECT_LE(done, total);
+    if (order.empty() || order.back() != stage) order.push_back(stage);
+  };
+  stuff(test::ball(10), around_origin(8), {}, {}, context);
+  EXPECT_EQ(order, (std::vector{Stage::sample, Stage::cut, Stage::warp, Stage::count, Stage::emit}));
+}
+
+}  // namespace
+}  // namespace certet
