@@ -164,6 +164,15 @@ Theorem NeighborInvolution :
       Undoes back_order order /\ Undoes order back_order.
 Proof. exact NeighborProof.NeighborInvolution. Qed.
 
+(** A tetrahedron of the output has a corner inside the domain, and none
+    outside. *)
+Theorem TetrahedraInside :
+  forall th sign cut tid t,
+    In t (StuffTet th sign cut tid) ->
+    (exists v, In v (Corners t) /\ MeshVertexSign th sign cut v = Plus) /\
+    (forall v, In v (Corners t) -> MeshVertexSign th sign cut v <> Minus).
+Proof. exact MeshProof.TetrahedraInside. Qed.
+
 (** If a face of the lattice has a + corner, both sides divide it into the same
     triangles, whatever the domain and the thresholds. *)
 Theorem FaceTriangulationsAgree :

@@ -53,6 +53,9 @@ Definition TriangleOn (face : list Label) (abc : Triangle) : bool :=
 Definition IsPlus (s : Sign) : bool :=
   match s with Plus => true | _ => false end.
 
+Definition IsMinus (s : Sign) : bool :=
+  match s with Minus => true | _ => false end.
+
 Definition SomePlus (sign : Label -> Sign) (face : list Label) : bool :=
   existsb (fun l => IsPlus (sign l)) face.
 
@@ -93,6 +96,12 @@ Definition CheckOnce (face : list Label) (ts : list SymbolicTet) : bool :=
 Definition Faces : list (list Label) :=
   [[F2; F3; P]; [F1; F3; P]; [F1; F2; P]; [F1; F2; F3]].
 
+(** Every tetrahedron has a + corner, and none has a - corner. *)
+Definition CheckInner (sign : Label -> Sign) (ts : list SymbolicTet) : bool :=
+  forallb (fun t =>
+    let signs := map (SymbolSign sign) (Corners t) in
+    existsb IsPlus signs && forallb (fun s => negb (IsMinus s)) signs) ts.
+
 (** A triangle that has an inner corner belongs to two tetrahedra, or lies on
     one of the four faces and that face has a + corner. *)
 Definition CheckClosed (sign : Label -> Sign) (ts : list SymbolicTet) : bool :=
@@ -123,7 +132,8 @@ Section Check.
   Definition CheckInside : bool :=
     ForAllSignAssignments (fun sign =>
       let ts := SymbolicTets T sign F1 F2 F3 P in
-      CheckClosed sign ts && CheckStaysIn [F1; F2; F3; P] ts
+      CheckInner sign ts && CheckClosed sign ts
+      && CheckStaysIn [F1; F2; F3; P] ts
       && forallb (fun face => CheckReachesOff face ts && CheckOnce face ts)
            Faces).
 End Check.

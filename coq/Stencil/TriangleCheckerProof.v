@@ -89,6 +89,24 @@ Qed.
 
 (** ** One structured tetrahedron *)
 
+Lemma CheckInnerSound sign ts :
+  CheckInner sign ts = true ->
+  forall t, In t ts ->
+    (exists s, In s (Corners t) /\ SymbolSign sign s = Plus) /\
+    (forall s, In s (Corners t) -> SymbolSign sign s <> Minus).
+Proof.
+  intros check t inside.
+  unfold CheckInner in check; rewrite forallb_forall in check.
+  specialize (check t inside); cbv beta zeta in check.
+  rewrite andb_true_iff, existsb_exists, forallb_forall in check.
+  destruct check as [(sign_s & corner & plus) none]; split.
+  - apply in_map_iff in corner as (s & <- & inside_s).
+    exists s; split; [easy | now destruct (SymbolSign sign s)].
+  - intros s corner_s minus.
+    specialize (none _ (in_map (SymbolSign sign) _ _ corner_s)).
+    now rewrite minus in none.
+Qed.
+
 Lemma CheckClosedSound sign ts :
   CheckClosed sign ts = true ->
   forall t a b c, In t ts -> HasTriangle t a b c ->
@@ -143,6 +161,7 @@ Proof.
 Qed.
 
 Record FitsInside (sign : Label -> Sign) (ts : list SymbolicTet) : Prop := {
+  fits_inner : CheckInner sign ts = true;
   fits_closed : CheckClosed sign ts = true;
   fits_stays : CheckStaysIn [F1; F2; F3; P] ts = true;
   fits_reaches : forall face, In face Faces -> CheckReachesOff face ts = true;
@@ -160,7 +179,7 @@ Proof.
     (sp := sp) (sq := sq) in check.
   fold sign in check; cbv beta zeta in check.
   rewrite !andb_true_iff, forallb_forall in check.
-  destruct check as [[closed stays] faces].
+  destruct check as [[[inner closed] stays] faces].
   constructor; try assumption; intros face inside;
     now apply faces, andb_true_iff in inside.
 Qed.

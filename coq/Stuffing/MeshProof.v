@@ -120,6 +120,32 @@ Section Inside.
   Variable tid : StructuredTetId.
   Let stuffing := StuffTet th sign cut tid.
 
+  (** A tetrahedron of the output has a corner inside the domain and none
+      outside. *)
+  Theorem TetrahedraInside :
+    forall t, In t stuffing ->
+      (exists v, In v (Corners t) /\ MeshVertexSign th sign cut v = Plus) /\
+      (forall v, In v (Corners t) -> MeshVertexSign th sign cut v <> Minus).
+  Proof.
+    intros t inside.
+    destruct (VerticesNamed tid) as (f1 & f2 & f3 & p & q & distinct & vertices).
+    destruct (StuffTetNamed f1 f2 f3 p q th sign cut tid F1 F2 F3 P vertices)
+      as [h named].
+    unfold stuffing in inside; rewrite named in inside.
+    apply in_map_iff in inside as (s & <- & inside).
+    destruct (CheckInnerSound _ _
+      (fits_inner _ _ (CheckInsideSound _ InsideFits _ _ _ _ _)) s inside)
+      as [(r & corner & plus) none].
+    split.
+    - exists (Name f1 f2 f3 p q r); split.
+      + apply OrientCorners; rewrite MapTetCorners; now apply in_map.
+      + now rewrite <- (SymbolSignName f1 f2 f3 p q th sign cut).
+    - intros v corner_v.
+      apply OrientCorners in corner_v; rewrite MapTetCorners in corner_v.
+      apply in_map_iff in corner_v as (r' & <- & corner_r).
+      rewrite <- (SymbolSignName f1 f2 f3 p q th sign cut); now apply none.
+  Qed.
+
   (** A triangle on a face of the lattice belongs to one tetrahedron of each
       side. *)
   Theorem FaceTriangleOnce :
