@@ -11,6 +11,7 @@
 
 #include "certet/error.hpp"
 #include "certet/image.hpp"
+#include "completeness.hpp"
 
 namespace certet {
 namespace {
@@ -177,6 +178,7 @@ Image read(const fs::path& file, std::uint64_t max_bytes) {
   reader->ReadImageInformation();
   judge_shape(file, *reader);
   const std::uint64_t bytes = judge_bytes(file, *reader, max_bytes);
+  if (!is_complete(file, bytes)) refuse(file, "is truncated: it ends before its last voxel");
   Image image;
   image.name = file.string();
   read_geometry(file, *reader, image);
