@@ -16,7 +16,7 @@ namespace certet::core {
 /// or zero; an edge owns a cut if its ends have opposite signs.
 class RowRanks {
  public:
-  /// Rows with j or k = -1 are allowed; they own nothing.
+  /// Rows outside the lattice are allowed; they own nothing.
   void compute(const SignPlanes& planes, int j, int k);
 
   [[nodiscard]] int words() const { return words_; }

@@ -26,11 +26,8 @@ class SignPlanes {
         row_stride_(words_ + 2),
         layer_stride_(static_cast<std::size_t>(row_stride_) * (cells[1] + 2)) {
     for (int g = 0; g < grid_count; ++g) {
-      // Windows of rows run ahead of the last row and layer: by one layer and two
-      // rows more, whose signs are read but never used.
-      const std::size_t words = layer_stride_ * (cells[2] + 3) + 2 * std::size_t(row_stride_);
-      plus_[g].resize(words);
-      zero_[g].resize(words);
+      plus_[g].resize(layer_stride_ * (cells[2] + 2));
+      zero_[g].resize(layer_stride_ * (cells[2] + 2));
     }
   }
 

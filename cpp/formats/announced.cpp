@@ -1,4 +1,4 @@
-#include "formats/announced.hpp"
+#include "announced.hpp"
 
 namespace certet::formats {
 

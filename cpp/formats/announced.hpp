@@ -7,7 +7,7 @@
 #include <span>
 
 #include "certet/formats.hpp"
-#include "formats/output_file.hpp"
+#include "output_file.hpp"
 
 namespace certet::formats {
 

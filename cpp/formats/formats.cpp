@@ -4,7 +4,7 @@
 #include <string>
 
 #include "certet/error.hpp"
-#include "formats/registry.hpp"
+#include "registry.hpp"
 
 namespace certet {
 namespace {

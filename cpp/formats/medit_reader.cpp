@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/input_file.hpp"
-#include "formats/registry.hpp"
+#include "input_file.hpp"
+#include "registry.hpp"
 
 namespace certet::formats {
 namespace {

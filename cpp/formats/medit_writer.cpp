@@ -3,10 +3,10 @@
 #include <limits>
 #include <string_view>
 
-#include "formats/announced.hpp"
-#include "formats/output_file.hpp"
-#include "formats/registry.hpp"
-#include "formats/section.hpp"
+#include "announced.hpp"
+#include "output_file.hpp"
+#include "registry.hpp"
+#include "section.hpp"
 
 namespace certet::formats {
 namespace {

@@ -1,4 +1,4 @@
-#include "formats/output_file.hpp"
+#include "output_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

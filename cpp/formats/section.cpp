@@ -1,4 +1,4 @@
-#include "formats/section.hpp"
+#include "section.hpp"
 
 namespace certet::formats {
 

@@ -1,11 +1,11 @@
-#include "formats/vtu_header.hpp"
+#include "vtu_header.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string_view>
 
-#include "formats/vtu_layout.hpp"
+#include "vtu_layout.hpp"
 
 namespace certet::formats {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "formats/input_file.hpp"
+#include "input_file.hpp"
 
 namespace certet::formats {
 

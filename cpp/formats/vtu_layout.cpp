@@ -1,4 +1,4 @@
-#include "formats/vtu_layout.hpp"
+#include "vtu_layout.hpp"
 
 #include <limits>
 #include <utility>

@@ -2,10 +2,10 @@
 #include <array>
 #include <string>
 
-#include "formats/input_file.hpp"
-#include "formats/registry.hpp"
-#include "formats/vtu_header.hpp"
-#include "formats/vtu_layout.hpp"
+#include "input_file.hpp"
+#include "registry.hpp"
+#include "vtu_header.hpp"
+#include "vtu_layout.hpp"
 
 namespace certet::formats {
 namespace {

@@ -1,11 +1,11 @@
 #include <array>
 #include <limits>
 
-#include "formats/announced.hpp"
-#include "formats/output_file.hpp"
-#include "formats/registry.hpp"
-#include "formats/section.hpp"
-#include "formats/vtu_layout.hpp"
+#include "announced.hpp"
+#include "output_file.hpp"
+#include "registry.hpp"
+#include "section.hpp"
+#include "vtu_layout.hpp"
 
 namespace certet::formats {
 namespace {

@@ -1,4 +1,4 @@
-#include "quality/angle_bins.hpp"
+#include "angle_bins.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "quality/faces.hpp"
+#include "faces.hpp"
 
 namespace certet {
 namespace {

@@ -1,4 +1,4 @@
-#include "quality/faces.hpp"
+#include "faces.hpp"
 
 namespace certet::quality {
 namespace {

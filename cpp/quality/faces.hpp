@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "certet/mesh.hpp"
-#include "quality/groups.hpp"
+#include "groups.hpp"
 
 namespace certet::quality {
 

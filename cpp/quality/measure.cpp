@@ -3,9 +3,9 @@
 
 #include "certet/error.hpp"
 #include "certet/quality.hpp"
-#include "quality/angle_bins.hpp"
-#include "quality/extremes.hpp"
-#include "quality/tet_block.hpp"
+#include "angle_bins.hpp"
+#include "extremes.hpp"
+#include "tet_block.hpp"
 
 namespace certet {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "quality/extremes.hpp"
+#include "extremes.hpp"
 
 namespace certet {
 

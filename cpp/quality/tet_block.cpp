@@ -1,9 +1,9 @@
-#include "quality/tet_block.hpp"
+#include "tet_block.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "quality/angle_bins.hpp"
+#include "angle_bins.hpp"
 
 namespace certet::quality {
 namespace {

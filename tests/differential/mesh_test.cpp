@@ -162,9 +162,11 @@ domains::Positional random_domain(std::uint64_t seed) {
 /// Where the thresholds of `angles` invert a tetrahedron that is dropped, the
 /// engine warps anew with those of `embedding`.
 TEST(Mesh, OfALatticeThatFoldsIsTheSame) {
-  const std::int32_t cut = certet::angle_thresholds.in_steps(0) - 1;
-  const domains::Positional domain = domains::random_cuts(1, 0, {cut, certet::steps - 1 - cut});
-  const Lattice lattice{{0, 0, 0}, {9, 9, 9}};
+  const std::int32_t near = certet::angle_thresholds.in_steps(0) - 1;
+  constexpr std::int32_t middle = certet::steps / 2;
+  const domains::Positional domain =
+      domains::random_cuts(4, 0, {near, certet::steps - near, middle, middle});
+  const Lattice lattice{{0, 0, 0}, {12, 12, 12}};
   certet::Context context;
   const certet::Stuffing stuffing(domain, lattice, {}, context);
   EXPECT_GT(stuffing.inverted_tets(), 0U);

@@ -1,0 +1,124 @@
+/// What is written is read back, and the bytes do not tell how it was written.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "expect_error.hpp"
+#include "sample_mesh.hpp"
+#include "scratch_folder.hpp"
+
+namespace certet {
+namespace {
+
+using test::bytes_of;
+using test::sample_mesh;
+using test::SampleMesh;
+using test::ScratchFolder;
+
+class RoundTrip : public testing::TestWithParam<const char*> {
+ protected:
+  [[nodiscard]] std::filesystem::path file(const std::string& name = "mesh") const {
+    return folder_ / (name + GetParam());
+  }
+  ScratchFolder folder_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip, testing::Values(".vtu", ".mesh"),
+                         [](const auto& info) { return std::string(info.param).substr(1); });
+
+void expect_same(const FileMesh& read, const SampleMesh& written) {
+  ASSERT_EQ(read.points.size(), written.points.size());
+  for (std::size_t i = 0; i < read.points.size(); ++i)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double a = read.points[i][axis], b = written.points[i][axis];
+      ASSERT_TRUE(a == b && std::signbit(a) == std::signbit(b)) << i << ": " << a << " " << b;
+    }
+  ASSERT_EQ(read.tets, written.wide_tets());
+  ASSERT_EQ(read.labels, written.labels);
+}
+
+TEST_P(RoundTrip, ReadsWhatWasWritten) {
+  for (const bool labels : {false, true})
+    for (const bool wide : {false, true}) {
+      const SampleMesh mesh = sample_mesh(3000, 10'000, labels);
+      test::write(file(), mesh, 1 << 30, wide);
+      expect_same(read_mesh(file()), mesh);
+    }
+}
+
+TEST_P(RoundTrip, ExtremeDoubles) {
+  SampleMesh mesh = sample_mesh(4, 1, false);
+  using Limits = std::numeric_limits<double>;
+  mesh.points = {{Limits::max(), Limits::lowest(), Limits::min()},
+                 {Limits::denorm_min(), -Limits::denorm_min(), Limits::epsilon()},
+                 {0.1, 1.0 / 3, -1e22},
+                 {9007199254740993.0, 5e-324, -0.0}};
+  test::write(file(), mesh);
+  expect_same(read_mesh(file()), mesh);
+}
+
+TEST_P(RoundTrip, PiecesGiveTheBytesOfTheWhole) {
+  // More than a megabyte, so that gathered pieces go to the file now and then.
+  const SampleMesh mesh = sample_mesh(60'000, 90'000, true);
+  test::write(file("whole"), mesh);
+  const std::string whole = bytes_of(file("whole"));
+  for (const std::size_t piece : {std::size_t{1}, std::size_t{977}, std::size_t{50'000}})
+    for (const bool wide : {false, true}) {
+      test::write(file("pieces"), mesh, piece, wide);
+      EXPECT_TRUE(bytes_of(file("pieces")) == whole) << piece << (wide ? " wide" : "");
+    }
+}
+
+TEST_P(RoundTrip, EmptyMesh) {
+  const auto writer = open_writer(file(), *format_of(file()), {});
+  writer->points({});
+  writer->tets(std::span<const Tet<std::uint32_t>>(), {});
+  writer->finish();
+  const FileMesh mesh = read_mesh(file());
+  EXPECT_TRUE(mesh.points.empty());
+  EXPECT_TRUE(mesh.tets.empty());
+}
+
+TEST_P(RoundTrip, SizeIsKnownBefore) {
+  for (const bool labels : {false, true}) {
+    const SampleMesh mesh = sample_mesh(5000, 20'000, labels);
+    test::write(file(), mesh);
+    const auto bytes = static_cast<double>(std::filesystem::file_size(file()));
+    const auto expected = static_cast<double>(file_bytes(*format_of(file()), mesh.size()));
+    if (*format_of(file()) == Format::vtu)
+      EXPECT_EQ(bytes, expected);
+    else
+      EXPECT_NEAR(bytes, expected, 0.3 * bytes);
+  }
+}
+
+TEST_P(RoundTrip, NothingIsLeftBesideTheFile) {
+  test::write(file(), sample_mesh(10, 10, false));
+  EXPECT_EQ(folder_.names(), std::vector<std::string>{file().filename().string()});
+}
+
+TEST(Formats, AreKnownByTheirExtension) {
+  EXPECT_EQ(format_of("a.vtu"), Format::vtu);
+  EXPECT_EQ(format_of("folder.mesh/a.b.MESH"), Format::medit);
+  for (const char* name : {"a", "a.vtk", ".vtu", "a.vtu.gz", "vtu", ""})
+    EXPECT_FALSE(format_of(name)) << name;
+  test::expect_error(ErrorCode::bad_input, ".vtu, .mesh", [] { read_mesh("a.stl"); });
+}
+
+TEST(Formats, IndicesGrowTo64BitsWhereTheyMust) {
+  constexpr std::uint64_t limit = std::uint64_t{1} << 31;
+  const auto bytes = [](std::uint64_t points, std::uint64_t tets) {
+    return file_bytes(Format::vtu, {points, tets, false});
+  };
+  // One more point takes 24 bytes; beyond 2^31 - 1 all indices take 4 more.
+  EXPECT_EQ(bytes(limit - 1, 1000) - bytes(limit - 2, 1000), 24u);
+  EXPECT_EQ(bytes(limit, 1000) - bytes(limit - 1, 1000), 24u + 4 * 4 * 1000);
+  // One more tetrahedron takes 4 indices, an offset and a type.
+  EXPECT_EQ(bytes(9, limit / 4 - 1) - bytes(9, limit / 4 - 2), 21u);
+  EXPECT_GT(bytes(9, limit / 4) - bytes(9, limit / 4 - 1), limit);
+}
+
+}  // namespace
+}  // namespace certet

@@ -1,0 +1,89 @@
+#pragma once
+/// \file
+/// Meshes for files: what matters is the numbers, not the shapes.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "certet/formats.hpp"
+
+namespace certet::test {
+
+struct SampleMesh {
+  std::vector<Point3> points;
+  std::vector<Tet<std::uint32_t>> tets;
+  std::vector<std::int32_t> labels;
+
+  [[nodiscard]] MeshSize size() const { return {points.size(), tets.size(), !labels.empty()}; }
+  [[nodiscard]] std::vector<Tet<std::uint64_t>> wide_tets() const {
+    std::vector<Tet<std::uint64_t>> wide;
+    for (const auto& [a, b, c, d] : tets) wide.push_back({a, b, c, d});
+    return wide;
+  }
+};
+
+/// Doubles of all magnitudes and signs, random indices, labels if asked for.
+inline SampleMesh sample_mesh(std::size_t points, std::size_t tets, bool labels,
+                              std::uint64_t seed = 1) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> mantissa(-2, 2);
+  std::uniform_int_distribution<int> exponent(-300, 300), label(-5, 2000);
+  std::uniform_int_distribution<std::uint32_t> index(0, static_cast<std::uint32_t>(points - 1));
+  SampleMesh mesh;
+  for (std::size_t i = 0; i < points; ++i) {
+    const int e = i % 2 == 0 ? 0 : exponent(random);
+    mesh.points.push_back({std::ldexp(mantissa(random), e), 0.1 * static_cast<double>(i), -0.0});
+  }
+  for (std::size_t i = 0; i < tets; ++i) {
+    mesh.tets.push_back({index(random), index(random), index(random), index(random)});
+    if (labels) mesh.labels.push_back(i == 0 ? 1 : label(random));
+  }
+  return mesh;
+}
+
+/// Writes a mesh in pieces of so many points or tetrahedra.
+template <class Index>
+void write_tets(MeshWriter& writer, const std::vector<Tet<Index>>& tets,
+                const std::vector<std::int32_t>& labels, std::size_t piece) {
+  for (std::size_t begin = 0; begin < tets.size(); begin += piece) {
+    const std::size_t count = std::min(piece, tets.size() - begin);
+    const std::span<const std::int32_t> all(labels);
+    writer.tets(std::span(tets).subspan(begin, count),
+                all.empty() ? all : all.subspan(begin, count));
+  }
+}
+
+inline void write_points(MeshWriter& writer, const std::vector<Point3>& points,
+                         std::size_t piece) {
+  for (std::size_t begin = 0; begin < points.size(); begin += piece)
+    writer.points(std::span(points).subspan(begin, std::min(piece, points.size() - begin)));
+}
+
+inline void write(const std::filesystem::path& file, const SampleMesh& mesh,
+                  std::size_t piece = 1 << 30, bool wide = false) {
+  const auto writer = open_writer(file, *format_of(file), mesh.size());
+  write_points(*writer, mesh.points, piece);
+  if (wide)
+    write_tets(*writer, mesh.wide_tets(), mesh.labels, piece);
+  else
+    write_tets(*writer, mesh.tets, mesh.labels, piece);
+  writer->finish();
+}
+
+inline std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+inline void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+}  // namespace certet::test

@@ -1,0 +1,73 @@
+/// What is added up exactly, and the bounds.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "certet/quality.hpp"
+
+namespace certet {
+namespace {
+
+constexpr std::int64_t greatest = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
+
+TEST(WideSum, HoldsWhatOverflowsSixtyFourBits) {
+  WideSum sum;
+  for (int i = 0; i < 8; ++i) sum += greatest;
+  EXPECT_EQ(sum.value(), std::ldexp(1.0, 66));
+  for (int i = 0; i < 8; ++i) sum += least;
+  EXPECT_EQ(sum.value(), -8.0);
+  sum += 8;
+  EXPECT_EQ(sum, WideSum{});
+}
+
+TEST(WideSum, KeepsSmallNumbersOfBothSigns) {
+  for (const std::int64_t n : {std::int64_t{0}, std::int64_t{1}, std::int64_t{-1}, greatest, least}) {
+    WideSum sum;
+    sum += n;
+    EXPECT_EQ(sum.value(), static_cast<double>(n));
+  }
+}
+
+TEST(WideSum, CarriesBetweenItsWords) {
+  WideSum sum{~std::uint64_t{0}, 0};
+  sum += 1;
+  EXPECT_EQ(sum, (WideSum{0, 1}));
+  sum += -1;
+  EXPECT_EQ(sum, (WideSum{~std::uint64_t{0}, 0}));
+  WideSum negative{0, -1};
+  EXPECT_EQ(negative.value(), -std::ldexp(1.0, 64));
+  negative += WideSum{5, 1};
+  EXPECT_EQ(negative.value(), 5.0);
+}
+
+TEST(Quality, NothingAddsNothing) {
+  Quality quality;
+  quality += Quality{};
+  EXPECT_EQ(quality.tets, 0u);
+  EXPECT_EQ(quality.min_dihedral, 180.0);
+  EXPECT_EQ(quality.max_dihedral, 0.0);
+  EXPECT_EQ(quality.volume, 0.0);
+}
+
+TEST(ProvenBounds, FollowTheThresholds) {
+  const AngleBounds angles = proven_bounds(Cuts::bisect, Guarantee::angles);
+  EXPECT_EQ(angles.theorem, "DihedralBounds");
+  EXPECT_EQ(angles.min_dihedral, 10.77);
+  EXPECT_EQ(angles.max_dihedral, 164.76);
+  const AngleBounds embedding = proven_bounds(Cuts::bisect, Guarantee::embedding);
+  EXPECT_EQ(embedding.theorem, "DihedralBoundsEmbedding");
+  EXPECT_EQ(embedding.min_dihedral, 9.27);
+  EXPECT_EQ(embedding.max_dihedral, 161.46);
+  for (const Guarantee guarantee : {Guarantee::angles, Guarantee::embedding}) {
+    const AngleBounds midpoint = proven_bounds(Cuts::midpoint, guarantee);
+    EXPECT_EQ(midpoint.theorem, "MidpointBounds");
+    EXPECT_EQ(midpoint.min_dihedral, 30.0);
+    EXPECT_EQ(midpoint.max_dihedral, 135.0);
+  }
+}
+
+}  // namespace
+}  // namespace certet
