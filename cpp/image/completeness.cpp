@@ -2,117 +2,89 @@
 
 #include <zlib.h>
 
-#include <array>
-#include <bit>
-#include <cstring>
+#include <cstddef>
 #include <fstream>
-#include <memory>
-#include <string>
+#include <vector>
+
+#include "stored_voxels.hpp"
 
 namespace certet {
 namespace {
 
 namespace fs = std::filesystem;
 
-using GzipFile = std::unique_ptr<gzFile_s, decltype(&gzclose)>;
+/// Unpacks gzip or zlib data and throws the result away.
+class Unpacker {
+ public:
+  Unpacker() { ready_ = inflateInit2(&stream_, automatic_header) == Z_OK; }
+  ~Unpacker() {
+    if (ready_) inflateEnd(&stream_);
+  }
+  Unpacker(const Unpacker&) = delete;
+  Unpacker& operator=(const Unpacker&) = delete;
 
-/// Reads files that are not compressed as well.
-GzipFile open(const fs::path& file) { return {gzopen(file.c_str(), "rb"), &gzclose}; }
-
-template <class T>
-T number(const unsigned char* bytes, bool swapped) {
-  std::array<unsigned char, sizeof(T)> copy;
-  for (std::size_t i = 0; i < sizeof(T); ++i)
-    copy[i] = bytes[swapped ? sizeof(T) - 1 - i : i];
-  return std::bit_cast<T>(copy);
-}
-
-/// Where the voxels of a single-file NIfTI begin, by its header.
-std::uint64_t nifti_offset(const fs::path& file) {
-  std::array<unsigned char, 540> header{};
-  const GzipFile stream = open(file);
-  if (!stream) return 0;
-  gzread(stream.get(), header.data(), static_cast<unsigned>(header.size()));
-  for (const bool swapped : {false, true}) {
-    const auto size = number<std::int32_t>(header.data(), swapped);
-    if (size == 348) {
-      const auto offset = number<float>(header.data() + 108, swapped);
-      return offset > 0 && offset < 1e9F ? static_cast<std::uint64_t>(offset) : 0;
+  /// False where the data is damaged.
+  bool take(std::vector<unsigned char>& packed, std::size_t count) {
+    stream_.next_in = packed.data();
+    stream_.avail_in = static_cast<unsigned>(count);
+    while (ready_ && stream_.avail_in > 0) {
+      if (at_end_ && inflateReset(&stream_) != Z_OK) return false;  // another member
+      at_end_ = false;
+      if (!step()) return whole_members_ > 0 && at_end_;
     }
-    if (size == 540) return number<std::uint64_t>(header.data() + 168, swapped);
+    return ready_;
   }
-  return 0;
-}
 
-/// The length that the end of a gzip file claims, modulo 2^32.
-std::uint32_t claimed_length(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::array<unsigned char, 4> tail{};
-  stream.seekg(-4, std::ios::end);
-  stream.read(reinterpret_cast<char*>(tail.data()), 4);
-  return std::uint32_t{tail[0]} | std::uint32_t{tail[1]} << 8 | std::uint32_t{tail[2]} << 16 |
-         std::uint32_t{tail[3]} << 24;
-}
+  [[nodiscard]] std::uint64_t unpacked() const { return unpacked_; }
+  [[nodiscard]] bool at_end() const { return at_end_; }
 
-/// Unpacks up to `length` bytes and tells whether there are as many.
-bool unpacks_to(const fs::path& file, std::uint64_t length) {
-  const GzipFile stream = open(file);
-  std::array<char, 1 << 16> piece;
-  std::uint64_t found = 0;
-  while (stream && found < length) {
-    const int count = gzread(stream.get(), piece.data(), static_cast<unsigned>(piece.size()));
-    if (count <= 0) return false;
-    found += static_cast<std::uint64_t>(count);
+ private:
+  static constexpr int automatic_header = 32 + 15;
+
+  bool step() {
+    stream_.next_out = sink_.data();
+    stream_.avail_out = static_cast<unsigned>(sink_.size());
+    const int result = inflate(&stream_, Z_NO_FLUSH);
+    unpacked_ += sink_.size() - stream_.avail_out;
+    if (result == Z_STREAM_END) {
+      at_end_ = true;
+      ++whole_members_;
+      return true;
+    }
+    if (result == Z_OK || result == Z_BUF_ERROR) return true;
+    at_end_ = whole_members_ > 0;  // padding behind a whole member does no harm
+    return false;
   }
-  return true;
-}
 
-bool nifti_is_complete(const fs::path& file, std::uint64_t voxel_bytes) {
-  const std::uint64_t needed = nifti_offset(file) + voxel_bytes;
-  if (file.extension() != ".gz") return fs::file_size(file) >= needed;
-  // Only files of one member with nothing behind the voxels agree at once.
-  return claimed_length(file) == static_cast<std::uint32_t>(needed) ||
-         unpacks_to(file, needed);
-}
+  z_stream stream_{};
+  bool ready_ = false, at_end_ = false;
+  int whole_members_ = 0;
+  std::uint64_t unpacked_ = 0;
+  std::vector<unsigned char> sink_ = std::vector<unsigned char>(1 << 17);
+};
 
-/// The value behind "key =" in a line of a MetaImage header, or nothing.
-bool value_of(const std::string& line, const std::string& key, std::string& value) {
-  const std::size_t equals = line.find('=');
-  if (line.rfind(key, 0) != 0 || equals == std::string::npos) return false;
-  const std::size_t first = line.find_first_not_of(" \t", equals + 1);
-  const std::size_t last = line.find_last_not_of(" \t\r");
-  value = first == std::string::npos || last < first ? "" : line.substr(first, last - first + 1);
-  return true;
-}
-
-bool meta_is_complete(const fs::path& file, std::uint64_t voxel_bytes) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string line, value;
-  bool plain = true;
-  while (std::getline(stream, line)) {
-    if (value_of(line, "CompressedData ", value) || value_of(line, "CompressedData=", value))
-      plain = plain && (value.empty() || (value[0] != 'T' && value[0] != 't'));
-    if (value_of(line, "BinaryData ", value))
-      plain = plain && (value.empty() || (value[0] != 'F' && value[0] != 'f'));
-    if (!value_of(line, "ElementDataFile", value)) continue;
-    if (!plain) return true;  // unpacking notices
-    if (value == "LOCAL" || value == "Local" || value == "local")
-      return fs::file_size(file) >= static_cast<std::uint64_t>(stream.tellg()) + voxel_bytes;
-    std::error_code failure;
-    const auto length = fs::file_size(file.parent_path() / value, failure);
-    return failure || length >= voxel_bytes;  // else a list or a pattern of files
+bool unpacks_to(const StoredVoxels& voxels, std::uint64_t length) {
+  std::ifstream stream(voxels.file, std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(voxels.offset));
+  std::vector<unsigned char> packed(1 << 16);
+  Unpacker unpacker;
+  while (stream) {
+    stream.read(reinterpret_cast<char*>(packed.data()),
+                static_cast<std::streamsize>(packed.size()));
+    if (!unpacker.take(packed, static_cast<std::size_t>(stream.gcount()))) break;
   }
-  return true;
+  return unpacker.at_end() && unpacker.unpacked() >= length;
 }
 
 }  // namespace
 
 bool is_complete(const fs::path& file, std::uint64_t voxel_bytes) {
-  const std::string extension = file.extension().string();
-  if (extension == ".mha" || extension == ".mhd") return meta_is_complete(file, voxel_bytes);
-  const bool nifti = extension == ".nii" ||
-                     (extension == ".gz" && file.stem().extension() == ".nii");
-  return !nifti || nifti_is_complete(file, voxel_bytes);
+  const auto voxels = stored_voxels(file);
+  if (!voxels) return true;
+  if (voxels->packed) return unpacks_to(*voxels, voxels->lead + voxel_bytes);
+  std::error_code failure;
+  const auto length = fs::file_size(voxels->file, failure);
+  return failure || length >= voxels->offset + voxels->lead + voxel_bytes;
 }
 
 }  // namespace certet
