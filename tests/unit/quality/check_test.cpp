@@ -8,7 +8,7 @@
 #include "certet/check.hpp"
 #include "certet/stuffing.hpp"
 #include "faces.hpp"
-#include "sample_domains.hpp"
+#include "domains.hpp"
 
 namespace certet {
 namespace {
@@ -174,7 +174,7 @@ TEST(Check, MeshesOfTheEnginePass) {
   Context context;
   const Lattice lattice{{-24, -24, -24}, {24, 24, 24}};
   for (const Guarantee guarantee : {Guarantee::angles, Guarantee::embedding}) {
-    const Mesh mesh = stuff(test::torus(14, 6), lattice, {}, {Cuts::bisect, guarantee}, context);
+    const Mesh mesh = stuff(domains::of_level(domains::torus(0, 0, 0, 14, 6)), lattice, {}, {Cuts::bisect, guarantee}, context);
     std::vector<Point3> points;
     for (const Coord3 p : mesh.points) points.push_back(mesh.frame.world(p));
     const std::span<const Tet32> tets = std::get<Buffer<Tet32>>(mesh.tets);
