@@ -1,18 +1,22 @@
 # certet_find(<part> <arguments of find_package...>)
-# Sets CERTET_HAS_<part> by the switch CERTET_<part>.
-function(certet_find part)
-  set(found FALSE)
+# Sets CERTET_HAS_<part> by the switch CERTET_<part>.  A macro, so that the
+# variables of the package are set where it is called.
+macro(certet_find part package)
+  set(CERTET_HAS_${part} FALSE)
   if(NOT CERTET_${part} STREQUAL "OFF")
-    find_package(${ARGN} QUIET)
-    if(${ARGV1}_FOUND)
-      set(found TRUE)
+    # Some packages talk at length about parts of theirs that are not asked for.
+    set(certet_log_level "${CMAKE_MESSAGE_LOG_LEVEL}")
+    set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
+    find_package(${package} ${ARGN} QUIET)
+    set(CMAKE_MESSAGE_LOG_LEVEL "${certet_log_level}")
+    if(${package}_FOUND)
+      set(CERTET_HAS_${part} TRUE)
     elseif(CERTET_${part} STREQUAL "ON")
-      message(FATAL_ERROR "CERTET_${part} is ON, but ${ARGV1} was not found")
+      message(FATAL_ERROR "CERTET_${part} is ON, but ${package} was not found")
     endif()
   endif()
-  set(CERTET_HAS_${part} ${found} PARENT_SCOPE)
-  message(STATUS "certet: ${part} ${found}")
-endfunction()
+  message(STATUS "certet: ${part} ${CERTET_HAS_${part}}")
+endmacro()
 
 # What every target of the project is compiled with.  Contraction to fused
 # multiply-add would make results depend on compiler and machine; a square root

@@ -2,23 +2,70 @@
 
 namespace certet::core {
 
+namespace {
+
+/// The vertices that are ends of the edges owned by an index.
+constexpr std::array<VertexRef, 12> edge_ends{{
+    {even, {}}, {even, {1, 0, 0}}, {even, {0, 1, 0}}, {even, {0, 0, 1}},
+    {even, {1, 1, 0}}, {even, {1, 0, 1}}, {even, {0, 1, 1}}, {even, {1, 1, 1}},
+    {odd, {}}, {odd, {1, 0, 0}}, {odd, {0, 1, 0}}, {odd, {0, 0, 1}}}};
+
+constexpr int edge_end(const VertexRef& v) {
+  for (int n = 0; n < static_cast<int>(edge_ends.size()); ++n)
+    if (edge_ends[n].grid == v.grid && edge_ends[n].shift.x == v.shift.x &&
+        edge_ends[n].shift.y == v.shift.y && edge_ends[n].shift.z == v.shift.z)
+      return n;
+  throw Error(ErrorCode::bad_option, "no such edge end");  // never at run time
+}
+
+/// The two ends of each family, as numbers of `edge_ends`.
+constexpr std::array<std::array<int, 2>, family_count> family_ends = [] {
+  std::array<std::array<int, 2>, family_count> table{};
+  for (int f = 0; f < family_count; ++f)
+    table[f] = {edge_end(families[f].first), edge_end(families[f].second)};
+  return table;
+}();
+
+/// Where the edges owned by the indices of a word are cut.
+std::array<std::uint64_t, family_count> cut_masks(const SignPlanes& planes, int j, int k, int w) {
+  std::array<std::uint64_t, edge_ends.size()> plus;
+  std::array<std::uint64_t, edge_ends.size()> minus;
+  std::uint64_t any_plus = 0;
+  std::uint64_t any_minus = 0;
+  for (std::size_t n = 0; n < edge_ends.size(); ++n) {
+    const SignWord signs = signs_at(planes, edge_ends[n], j, k, w);
+    any_plus |= plus[n] = signs.plus;
+    any_minus |= minus[n] = signs.minus();
+  }
+  std::array<std::uint64_t, family_count> masks{};
+  if (any_plus == 0 || any_minus == 0) return masks;
+  for (int f = 0; f < family_count; ++f) {
+    const auto [a, b] = family_ends[f];
+    masks[f] = (plus[a] & minus[b]) | (minus[a] & plus[b]);
+  }
+  return masks;
+}
+
+}  // namespace
+
 void RowRanks::compute(const SignPlanes& planes, int j, int k) {
   words_ = planes.words();
-  entries_.resize(static_cast<std::size_t>(words_ * kind_count));
+  entries_.assign(static_cast<std::size_t>(words_ * kind_count), {});
+  count_ = corners_ = 0;
+  if (j < 0 || k < 0 || j >= planes.cells()[1] || k >= planes.cells()[2]) return;
   for (int w = 0; w < words_; ++w) {
     Entry* const entry = &entries_[static_cast<std::size_t>(w * kind_count)];
-    const std::array<SignWord, grid_count> own{
-        SignWord{planes.plus(even, j, k)[w], planes.zero(even, j, k)[w]},
-        SignWord{planes.plus(odd, j, k)[w], planes.zero(odd, j, k)[w]}};
-    entry[even].mask = own[even].plus | own[even].zero;
-    entry[odd].mask = own[odd].plus | own[odd].zero;
-    for (int f = 0; f < family_count; ++f) {
-      const SignWord first = own[families[f].first.grid];
-      const SignWord second = signs_at(planes, families[f].second, j, k, w);
-      entry[corner_kinds + f].mask =
-          (first.plus & second.minus()) | (first.minus() & second.plus);
+    for (const Grid grid : {even, odd}) {
+      const SignWord own = signs_at(planes, {grid, {}}, j, k, w);
+      entry[grid].mask = own.plus | own.zero;
     }
+    const auto masks = cut_masks(planes, j, k, w);
+    for (int f = 0; f < family_count; ++f) entry[corner_kinds + f].mask = masks[f];
   }
+  number_entries();
+}
+
+void RowRanks::number_entries() {
   count_ = 0;
   for (int kind = 0; kind < kind_count; ++kind) {
     if (kind == corner_kinds) corners_ = count_;

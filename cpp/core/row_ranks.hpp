@@ -16,7 +16,7 @@ namespace certet::core {
 /// or zero; an edge owns a cut if its ends have opposite signs.
 class RowRanks {
  public:
-  /// Rows with j or k = -1 are allowed; they own nothing.
+  /// Rows outside the lattice are allowed; they own nothing.
   void compute(const SignPlanes& planes, int j, int k);
 
   [[nodiscard]] int words() const { return words_; }
@@ -38,6 +38,8 @@ class RowRanks {
   [[nodiscard]] const Entry& at(int kind, int w) const {
     return entries_[static_cast<std::size_t>(w * kind_count + kind)];
   }
+
+  void number_entries();
 
   int words_ = 0;
   std::uint32_t count_ = 0;

@@ -12,10 +12,14 @@
 #include "certet/orientation.hpp"
 #include "certet/structured_tet.hpp"
 #include "certet/stuffing.hpp"
-#include "sample_domains.hpp"
+#include "domains.hpp"
 
 namespace certet {
 namespace {
+
+domains::Positional ball(double radius) {
+  return domains::of_level(domains::sphere(0, 0, 0, radius));
+}
 
 constexpr Lattice around_origin(int half) {
   return {{-2 * half, -2 * half, -2 * half}, {2 * half, 2 * half, 2 * half}};
@@ -43,7 +47,7 @@ Mesh mesh_of(const Domain& domain, const Lattice& lattice, int threads = 1,
 }
 
 TEST(Engine, AnyNumberOfThreadsGivesTheSameMesh) {
-  const auto domain = test::torus(40, 15);
+  const auto domain = domains::of_level(domains::torus(0, 0, 0, 40, 15));
   const Lattice lattice = around_origin(32);
   const Mesh one = mesh_of(domain, lattice, 1);
   EXPECT_GT(one.tet_count(), 10'000u);
@@ -51,7 +55,7 @@ TEST(Engine, AnyNumberOfThreadsGivesTheSameMesh) {
 }
 
 TEST(Engine, SlabsAddUpToTheWhole) {
-  const auto domain = test::noise(7);
+  const auto domain = domains::noise(7, 16);
   const Lattice lattice = around_origin(8);
   const Mesh whole = mesh_of(domain, lattice);
   Context context;
@@ -73,7 +77,7 @@ TEST(Engine, SlabsAddUpToTheWhole) {
 }
 
 TEST(Engine, TetrahedraOfALayerUseItsPointsAndTheNextLayersOnly) {
-  const auto domain = test::noise(11);
+  const auto domain = domains::noise(11, 16);
   Context context;
   const Stuffing stuffing(domain, around_origin(8), {}, context);
   const int layers = stuffing.layers();
@@ -89,7 +93,7 @@ TEST(Engine, TetrahedraOfALayerUseItsPointsAndTheNextLayersOnly) {
 }
 
 TEST(Engine, SixtyFourBitIndicesAreTheSameNumbers) {
-  const auto domain = test::ball(11.3);
+  const auto domain = ball(11.3);
   Context context;
   const Stuffing stuffing(domain, around_origin(8), {}, context);
   std::vector<Tet<std::uint32_t>> narrow(stuffing.tet_count());
@@ -101,9 +105,9 @@ TEST(Engine, SixtyFourBitIndicesAreTheSameNumbers) {
 }
 
 /// A ball that knows which boxes lie inside or outside it.
-class BoundedBall : public decltype(test::ball(1)) {
+class BoundedBall : public domains::Positional {
  public:
-  explicit BoundedBall(double radius) : decltype(test::ball(1))(test::ball(radius)), radius_(radius) {}
+  explicit BoundedBall(double radius) : Positional(ball(radius)), radius_(radius) {}
   Extent extent(const LatticeBox& box) const override {
     double nearest = 0;
     double farthest = 0;
@@ -124,12 +128,12 @@ class BoundedBall : public decltype(test::ball(1)) {
 
 TEST(Engine, BlocksSkippedByABoundChangeNothing) {
   for (const double radius : {3.0, 40.5, 61.0})
-    EXPECT_TRUE(same(mesh_of(test::ball(radius), around_origin(36)),
+    EXPECT_TRUE(same(mesh_of(ball(radius), around_origin(36)),
                      mesh_of(BoundedBall(radius), around_origin(36))));
 }
 
 TEST(Engine, TheWordsOfTheBitPlanesDoNotShow) {
-  const auto domain = test::ball(33.7);
+  const auto domain = ball(33.7);
   const Mesh plain = mesh_of(domain, around_origin(18));
   for (int shift = 1; shift <= 65; ++shift)
     EXPECT_TRUE(same(plain, mesh_of(domain, {{-36 - 2 * shift, -36, -36}, {36 + shift, 36, 36}})))
@@ -182,7 +186,7 @@ TEST(Engine, AnInvertedZeroTetrahedronMakesItFallBack) {
   const StructuredTet tet = structured_tet({{0, 0, 0}, StructuredTetCase::I1});
   static_assert(right_handed(StructuredTetCase::I1));
   const std::array<int, 4> moves = most_inverting_moves(tet);
-  const test::PointwiseDomain domain([&](Coord3 p) { return sign_around(tet, moves, p); });
+  const domains::Positional domain([&](Coord3 p) { return sign_around(tet, moves, p); });
   const Lattice lattice = around_origin(8);
   Context context;
   const Stuffing angles(domain, lattice, {Cuts::bisect, Guarantee::angles}, context);
@@ -195,7 +199,7 @@ TEST(Engine, AnInvertedZeroTetrahedronMakesItFallBack) {
 
 ErrorCode code_of(const Lattice& lattice) {
   try {
-    mesh_of(test::ball(4), lattice);
+    mesh_of(ball(4), lattice);
   } catch (const Error& error) {
     return error.code();
   }
@@ -212,14 +216,14 @@ TEST(Engine, ALatticeOutsideTheRangeIsRefused) {
 }
 
 TEST(Engine, AnEmptyDomainIsAnError) {
-  const auto nowhere = test::PointwiseDomain([](Coord3) { return Sign::minus; });
+  const auto nowhere = domains::Positional([](Coord3) { return Sign::minus; });
   Context context;
   EXPECT_EQ(Stuffing(nowhere, around_origin(4), {}, context).tet_count(), 0u);
   EXPECT_THROW(stuff(nowhere, around_origin(4), {}, {}, context), Error);
 }
 
 TEST(Engine, ItStopsWhereverItIsCancelled) {
-  const auto domain = test::ball(20);
+  const auto domain = ball(20);
   for (const Stage stage : {Stage::sample, Stage::cut, Stage::warp, Stage::count, Stage::emit}) {
     Context context;
     context.threads = 2;
@@ -242,7 +246,7 @@ TEST(Engine, ProgressIsReportedStageByStage) {
     EXPECT_LE(done, total);
     if (order.empty() || order.back() != stage) order.push_back(stage);
   };
-  stuff(test::ball(10), around_origin(8), {}, {}, context);
+  stuff(ball(10), around_origin(8), {}, {}, context);
   EXPECT_EQ(order, (std::vector{Stage::sample, Stage::cut, Stage::warp, Stage::count, Stage::emit}));
 }
 

@@ -1,0 +1,163 @@
+#include "certified.hpp"
+
+#include "closures.hpp"
+#include "narrow.hpp"
+#include "runtime.hpp"
+
+namespace certified {
+namespace {
+
+using runtime::call_int;
+using runtime::call_ints;
+using runtime::Frame;
+
+/// Takes the numbers of an answer one by one.
+class Reader {
+ public:
+  explicit Reader(std::vector<std::int64_t> numbers) : numbers_(std::move(numbers)) {}
+  [[nodiscard]] bool done() const { return next_ == numbers_.size(); }
+  std::int64_t number() { return numbers_.at(next_++); }
+  Coord3 coord3() {
+    const std::int32_t x = narrow(number());
+    const std::int32_t y = narrow(number());
+    const std::int32_t z = narrow(number());
+    return {x, y, z};
+  }
+  Thresholds thresholds() {
+    const std::int64_t long_edge = number();
+    return {long_edge, number()};
+  }
+
+ private:
+  std::vector<std::int64_t> numbers_;
+  std::size_t next_ = 0;
+};
+
+std::int64_t number(certet::StructuredTetCase orientation) {
+  return static_cast<std::int64_t>(orientation);
+}
+
+}  // namespace
+
+void start() { runtime::start(); }
+
+Constants constants() {
+  Reader reader(call_ints("certified.constants", {}));
+  Constants c{};
+  c.step_bits = reader.number();
+  c.steps = reader.number();
+  c.midpoint_cut = reader.number();
+  c.angle = reader.thresholds();
+  c.embedding = reader.thresholds();
+  c.no_warp = reader.thresholds();
+  for (Direction& d : c.directions) {
+    d.offset = reader.coord3();
+    d.is_long = reader.number() != 0;
+    d.length_squared = reader.number();
+  }
+  if (!reader.done()) throw Failure("there are more than fourteen directions");
+  return c;
+}
+
+std::int64_t threshold_steps(Thresholds t, bool is_long) {
+  return call_int("certified.threshold_steps", {t.long_edge, t.short_edge, is_long ? 1 : 0});
+}
+
+std::vector<certet::StructuredTetCase> all_cases() {
+  std::vector<certet::StructuredTetCase> cases;
+  const std::int64_t count = call_int("certified.case_count", {});
+  for (std::int64_t i = 0; i < count; ++i)
+    cases.push_back(static_cast<certet::StructuredTetCase>(i));
+  return cases;
+}
+
+bool right_handed(certet::StructuredTetCase orientation) {
+  return call_int("certified.right_handed", {number(orientation)}) != 0;
+}
+
+certet::StructuredTet structured_tet(const certet::StructuredTetId& id) {
+  const auto& [anchor, orientation] = id;
+  Reader reader(call_ints("certified.structured_tet",
+                          {anchor.x, anchor.y, anchor.z, number(orientation)}));
+  certet::StructuredTet tet{};
+  for (Coord3& v : tet.vertices) v = reader.coord3();
+  for (certet::FaceNeighbor& n : tet.neighbors) {
+    n.id.anchor = reader.coord3();
+    n.id.orientation = static_cast<certet::StructuredTetCase>(reader.number());
+    for (std::uint8_t& place : n.order) place = static_cast<std::uint8_t>(reader.number());
+  }
+  return tet;
+}
+
+std::vector<std::array<Handle, 4>> unstructured_tets(
+    const GetSign& get_sign, const GetIntersection& get_intersection,
+    const std::array<Handle, 4>& v) {
+  const closures::Stencil closures{get_sign, get_intersection};
+  Frame frame(&closures);
+  Reader reader(call_ints("certified.unstructured_tets",
+                          {frame.handle(), v[0], v[1], v[2], v[3]}, &frame));
+  std::vector<std::array<Handle, 4>> tets;
+  while (!reader.done())
+    for (Handle& vertex : tets.emplace_back()) vertex = reader.number();
+  return tets;
+}
+
+Warping warp(Thresholds t, Sign sign, const std::function<Sign(int)>& neighbor_sign,
+             const std::function<std::int64_t(int)>& cut) {
+  const closures::Warp closures{neighbor_sign, cut};
+  Frame frame(&closures);
+  Reader reader(call_ints(
+      "certified.warp",
+      {frame.handle(), t.long_edge, t.short_edge, static_cast<std::int64_t>(sign)}, &frame));
+  const std::int64_t direction = reader.number();
+  return {static_cast<int>(direction), reader.number()};
+}
+
+Sign warped_sign(Sign sign, Warping w) {
+  return static_cast<Sign>(call_int("certified.warped_sign",
+                                    {static_cast<std::int64_t>(sign), w.direction, w.distance}));
+}
+
+Coord3 warped_position(Coord3 v, Warping w) {
+  return Reader(call_ints("certified.warped_position",
+                          {v.x, v.y, v.z, w.direction, w.distance}))
+      .coord3();
+}
+
+std::int64_t bisect(const std::function<Sign(std::int64_t)>& sign) {
+  const closures::Bisect closures{sign};
+  Frame frame(&closures);
+  return call_int("certified.bisect", {frame.handle()}, &frame);
+}
+
+Coord3 point_on_edge(Coord3 a, Coord3 b, std::int64_t t) {
+  return Reader(call_ints("certified.point_on_edge", {a.x, a.y, a.z, b.x, b.y, b.z, t}))
+      .coord3();
+}
+
+std::vector<PlacedTet> stuff_tet(Thresholds t, const Domain& domain,
+                                 const certet::StructuredTetId& id) {
+  std::vector<PlacedTet> tets;
+  const closures::Stuffing closures{domain, tets};
+  Frame frame(&closures);
+  runtime::call("certified.stuff_tet",
+                {frame.handle(), t.long_edge, t.short_edge, id.anchor.x, id.anchor.y,
+                 id.anchor.z, number(id.orientation)},
+                &frame);
+  return tets;
+}
+
+std::vector<PlacedTet> stuff(Thresholds t, const certet::Lattice& lattice,
+                             const Domain& domain) {
+  std::vector<PlacedTet> tets;
+  const closures::Stuffing closures{domain, tets};
+  Frame frame(&closures);
+  const auto& [origin, cells] = lattice;
+  runtime::call("certified.stuff",
+                {frame.handle(), t.long_edge, t.short_edge, origin.x, origin.y, origin.z,
+                 cells[0], cells[1], cells[2]},
+                &frame);
+  return tets;
+}
+
+}  // namespace certified

@@ -1,0 +1,121 @@
+#pragma once
+/// \file
+/// The certified functions, called as they were extracted from the proofs.
+/// This is the only place where C++ and OCaml meet.
+///
+/// All functions but `start` need a started runtime and belong to the thread
+/// that started it.  They throw `Failure` when called from elsewhere or when an
+/// integer does not fit in OCaml's 63 bits.  What a closure throws passes
+/// through to the caller.  Closures may call certified functions in turn.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+#include "certet/coord3.hpp"
+#include "certet/direction.hpp"
+#include "certet/sign.hpp"
+#include "certet/structured_tet.hpp"
+#include "certet/stuffing.hpp"
+#include "certet/warp.hpp"
+
+namespace certified {
+
+using certet::Coord3;
+using certet::Sign;
+
+class Failure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Starts the OCaml runtime, which cannot be started anew, and binds it to the
+/// calling thread.  Further calls from that thread do nothing.
+void start();
+
+/// alpha of long and of short edges, in 256ths.
+struct Thresholds {
+  std::int64_t long_edge, short_edge;
+  friend constexpr bool operator==(const Thresholds&, const Thresholds&) = default;
+};
+
+/// A row of `AllDirections`.
+struct Direction {
+  Coord3 offset;
+  bool is_long;
+  std::int64_t length_squared;
+};
+
+/// The numbers that the certificate fixes.
+struct Constants {
+  std::int64_t step_bits, steps, midpoint_cut;
+  Thresholds angle, embedding, no_warp;
+  std::array<Direction, certet::direction_count> directions;
+};
+Constants constants();
+
+/// `ThresholdSteps`.
+std::int64_t threshold_steps(Thresholds thresholds, bool is_long);
+
+/// `GetStructuredTet`.  `Failure` if a coordinate does not fit 32 bits.
+certet::StructuredTet structured_tet(const certet::StructuredTetId& id);
+
+/// `AllCases`.
+std::vector<certet::StructuredTetCase> all_cases();
+
+/// `CaseHandedness`.
+bool right_handed(certet::StructuredTetCase orientation);
+
+/// The caller's vertex: any number it likes, a handle.
+using Handle = std::int64_t;
+using GetSign = std::function<Sign(Handle)>;
+using GetIntersection = std::function<Handle(Handle, Handle)>;
+
+/// `GetUnstructuredTets`.
+std::vector<std::array<Handle, 4>> unstructured_tets(
+    const GetSign& get_sign, const GetIntersection& get_intersection,
+    const std::array<Handle, 4>& vertices);
+
+/// What becomes of a vertex; direction -1: it stays.
+struct Warping {
+  int direction = -1;
+  std::int64_t distance = 0;
+  friend constexpr bool operator==(const Warping&, const Warping&) = default;
+};
+
+/// `Warp`; the closures get the number of a direction.
+Warping warp(Thresholds thresholds, Sign sign, const std::function<Sign(int)>& neighbor_sign,
+             const std::function<std::int64_t(int)>& cut);
+
+/// `WarpedSign` and `WarpedPosition` of a lattice point, in steps.
+Sign warped_sign(Sign sign, Warping warping);
+Coord3 warped_position(Coord3 lattice_point, Warping warping);
+
+/// `Bisect`; the closure gets steps from the + end.
+std::int64_t bisect(const std::function<Sign(std::int64_t)>& sign);
+
+/// `PointOnEdge`, in steps.
+Coord3 point_on_edge(Coord3 a, Coord3 b, std::int64_t t);
+
+/// A domain: the sign of each lattice point, and the cut of each edge in steps
+/// from its + end, given first.
+struct Domain {
+  std::function<Sign(Coord3)> sign;
+  std::function<std::int64_t(Coord3 plus, Coord3 minus)> cut;
+};
+
+/// Four positions in steps.
+using PlacedTet = std::array<Coord3, 4>;
+
+/// `StuffTet` with `MeshPosition`: the tetrahedra that fill one structured one.
+std::vector<PlacedTet> stuff_tet(Thresholds thresholds, const Domain& domain,
+                                 const certet::StructuredTetId& id);
+
+/// The whole mesh of the reference mesher, in its order.  The lattice's
+/// outermost points count as outside.
+std::vector<PlacedTet> stuff(Thresholds thresholds, const certet::Lattice& lattice,
+                             const Domain& domain);
+
+}  // namespace certified

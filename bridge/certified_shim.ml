@@ -1,0 +1,170 @@
+(* The OCaml side of the bridge: the only place where the constructors of the
+   extracted code are matched for C++.
+
+   Into C++ and out of it go integers and arrays of integers:
+   - a sign is 0 for -, 1 for 0, 2 for +
+   - a case or a direction is its place in [allCases] or [allDirections]
+   - a coordinate triple is three integers
+   - the C++ closures of a call are named by one integer, the frame. *)
+
+open Certified
+
+external get_sign : int -> int -> int = "certified_get_sign"
+external get_intersection : int -> int -> int -> int = "certified_get_intersection"
+external neighbor_sign : int -> int -> int = "certified_neighbor_sign"
+external neighbor_cut : int -> int -> int = "certified_neighbor_cut"
+external sign_at_step : int -> int -> int = "certified_sign_at_step"
+external domain_sign : int -> int array -> int = "certified_domain_sign"
+external domain_cut : int -> int array -> int = "certified_domain_cut"
+external emit : int -> int array -> unit = "certified_emit"
+
+(* Raised by the stubs after they have put a C++ exception aside. *)
+exception Parked
+
+let z = Convert.z_of_int
+let int = Convert.int_of_z
+
+let sign_of_int = function
+  | 0 -> Minus
+  | 1 -> OnSurface
+  | 2 -> Plus
+  | n -> invalid_arg (Printf.sprintf "%d is no sign" n)
+
+let int_of_sign = function Minus -> 0 | OnSurface -> 1 | Plus -> 2
+
+let index_of list element =
+  let rec search i = function
+    | [] -> invalid_arg "the element is not in its list"
+    | head :: tail -> if head = element then i else search (i + 1) tail
+  in
+  search 0 list
+
+let case_of_int = List.nth allCases
+let int_of_case = index_of allCases
+let direction_of_int = List.nth allDirections
+let int_of_direction = index_of allDirections
+let coord3 x y z' = C3 (z x, z y, z z')
+let ints_of_coord3 (C3 (x, y, z)) = [ int x; int y; int z ]
+let thresholds long short = TH (z long, z short)
+let ints_of_thresholds (TH (long, short)) = [ int long; int short ]
+
+(* {1 The lattice} *)
+
+let constants () =
+  let direction d =
+    let kind = directionKind d in
+    ints_of_coord3 (offset d)
+    @ [ (match kind with Long -> 1 | Short -> 0); int (lengthSquared kind) ]
+  in
+  Array.of_list
+    ([ Convert.int_of_nat stepBits; int steps; int midpointCut ]
+    @ ints_of_thresholds angleThresholds
+    @ ints_of_thresholds embeddingThresholds
+    @ ints_of_thresholds noWarpThresholds
+    @ List.concat_map direction allDirections)
+
+let threshold_steps long short is_long =
+  int (thresholdSteps (thresholds long short) (if is_long <> 0 then Long else Short))
+
+let case_count () = List.length allCases
+
+let is_right_handed case =
+  match caseHandedness (case_of_int case) with RightHanded -> 1 | LeftHanded -> 0
+
+(* An order is shown by what it does to four points. *)
+let ints_of_order order =
+  let mark n = coord3 n 0 0 in
+  let ((a, b), c), d = order (mark 0) (mark 1) (mark 2) (mark 3) in
+  List.map (fun (C3 (n, _, _)) -> int n) [ a; b; c; d ]
+
+let structured_tet x y z case =
+  let neighbor (STId (anchor, case), order) =
+    ints_of_coord3 anchor @ (int_of_case case :: ints_of_order order)
+  in
+  match getStructuredTet (STId (coord3 x y z, case_of_int case)) with
+  | ST (v1, v2, v3, v4, n1, n2, n3, n4) ->
+      Array.of_list
+        (List.concat_map ints_of_coord3 [ v1; v2; v3; v4 ]
+        @ List.concat_map neighbor [ n1; n2; n3; n4 ])
+
+(* {1 The stencils} *)
+
+let unstructured_tets frame v1 v2 v3 v4 =
+  let sign v = sign_of_int (get_sign frame v) in
+  let intersection = get_intersection frame in
+  getUnstructuredTets sign intersection v1 v2 v3 v4
+  |> List.concat_map (fun (UT (a, b, c, d)) -> [ a; b; c; d ])
+  |> Array.of_list
+
+(* {1 Warping} *)
+
+let warping direction distance =
+  if direction < 0 then Stays else Moves (direction_of_int direction, z distance)
+
+let warp_vertex frame long short sign =
+  let neighbor_sign d = sign_of_int (neighbor_sign frame (int_of_direction d)) in
+  let cut d = z (neighbor_cut frame (int_of_direction d)) in
+  match warp (thresholds long short) (sign_of_int sign) neighbor_sign cut with
+  | Stays -> [| -1; 0 |]
+  | Moves (d, t) -> [| int_of_direction d; int t |]
+
+let warped_sign sign direction distance =
+  int_of_sign (warpedSign (sign_of_int sign) (warping direction distance))
+
+let warped_position x y z direction distance =
+  Array.of_list
+    (ints_of_coord3 (warpedPosition (coord3 x y z) (warping direction distance)))
+
+(* {1 Cuts} *)
+
+let bisection frame =
+  int (bisect (fun t -> sign_of_int (sign_at_step frame (int t))))
+
+let edge_point ax ay az bx by bz t =
+  Array.of_list (ints_of_coord3 (pointOnEdge (coord3 ax ay az) (coord3 bx by bz) (z t)))
+
+(* {1 Meshes} *)
+
+let domain frame =
+  let sign v = sign_of_int (domain_sign frame (Array.of_list (ints_of_coord3 v))) in
+  let cut plus minus =
+    z (domain_cut frame (Array.of_list (ints_of_coord3 plus @ ints_of_coord3 minus)))
+  in
+  { Domain.sign; cut }
+
+let emit_tet frame thresholds domain (UT (a, b, c, d)) =
+  let position v =
+    let { Convert.x; y; z } = Mesher.position thresholds domain v in
+    [ x; y; z ]
+  in
+  emit frame (Array.of_list (List.concat_map position [ a; b; c; d ]))
+
+let stuff_one frame long short x y z case =
+  let thresholds = thresholds long short in
+  let domain = domain frame in
+  stuffTet thresholds domain.sign domain.cut (STId (coord3 x y z, case_of_int case))
+  |> List.iter (emit_tet frame thresholds domain)
+
+let stuff_all frame long short ox oy oz nx ny nz =
+  let thresholds = thresholds long short in
+  let lattice =
+    { Lattice.origin = { x = ox; y = oy; z = oz }; cells = { x = nx; y = ny; z = nz } }
+  in
+  let domain = Domain.within lattice (domain frame) in
+  Mesher.iter_tets thresholds lattice domain (emit_tet frame thresholds domain)
+
+let () =
+  Callback.register_exception "certified.parked" Parked;
+  Callback.register "certified.constants" constants;
+  Callback.register "certified.threshold_steps" threshold_steps;
+  Callback.register "certified.case_count" case_count;
+  Callback.register "certified.right_handed" is_right_handed;
+  Callback.register "certified.structured_tet" structured_tet;
+  Callback.register "certified.unstructured_tets" unstructured_tets;
+  Callback.register "certified.warp" warp_vertex;
+  Callback.register "certified.warped_sign" warped_sign;
+  Callback.register "certified.warped_position" warped_position;
+  Callback.register "certified.bisect" bisection;
+  Callback.register "certified.point_on_edge" edge_point;
+  Callback.register "certified.stuff_tet" stuff_one;
+  Callback.register "certified.stuff" stuff_all

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// Private to the bridge: the closures that a call hands to its stubs.
+
+#include "certified.hpp"
+
+namespace certified::closures {
+
+struct Stencil {
+  const GetSign& get_sign;
+  const GetIntersection& get_intersection;
+};
+
+struct Warp {
+  const std::function<Sign(int)>& neighbor_sign;
+  const std::function<std::int64_t(int)>& cut;
+};
+
+struct Bisect {
+  const std::function<Sign(std::int64_t)>& sign;
+};
+
+struct Stuffing {
+  const Domain& domain;
+  std::vector<PlacedTet>& out;
+};
+
+}  // namespace certified::closures

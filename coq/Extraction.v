@@ -1,0 +1,29 @@
+(** * Extraction: the executable functions as OCaml
+
+    What the theorems of [Certificate] speak of is what is extracted here, with
+    nothing in between.  Integers stay the inductive [Z] of the proofs, which
+    cannot overflow; only booleans, lists, pairs and options become OCaml's own.
+
+    [make extract] runs this file and writes the result to [extracted/]. *)
+
+From Coq Require Import Extraction ExtrOcamlBasic.
+From Certet Require Import Lattice.Coord3 Lattice.Direction.
+From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
+From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
+
+Extraction Language OCaml.
+
+Extraction "certified.ml"
+  (* the lattice *)
+  Translate Scale Difference Coord3Equal
+  AllDirections Offset DirectionKind LengthSquared
+  AllCases CaseHandedness GetStructuredTet
+  (* the stencils *)
+  GetUnstructuredTets
+  (* cuts *)
+  StepBits Steps Bisect MidpointCut PointOnEdge
+  (* warping *)
+  AngleThresholds EmbeddingThresholds NoWarpThresholds ThresholdSteps
+  Warp.Warp.Warp WarpedSign WarpedPosition
+  (* the whole of it *)
+  MeshVertexSign MeshIntersection MeshPosition Orient WarpVertex StuffTet.

@@ -1,0 +1,26 @@
+(** * Two other stencil sets: a good one and a bad one
+
+    They show that the verification depends on no particular stencils, and that
+    it can say no. *)
+
+From Coq Require Import List.
+From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
+Import ListNotations.
+
+(** The Parity Rule mirrored.  Exchanging [v1] and [v2] keeps long edges long,
+    and turns the diagonal of every face with two short cut edges. *)
+Definition MirroredStencils : StencilSet :=
+  fun Vertex GetSign GetIntersection v1 v2 v3 v4 =>
+    GetUnstructuredTets Vertex GetSign GetIntersection v2 v1 v3 v4.
+
+(** The paper's stencils with one diagonal swapped, in one of the 81 patterns:
+    the mistake that made holes in the first marching cubes. *)
+Definition HoledStencils : StencilSet :=
+  fun Vertex GetSign GetIntersection v1 v2 v3 v4 =>
+    match GetSign v1, GetSign v2, GetSign v3, GetSign v4 with
+    | Plus, Plus, OnSurface, Minus =>
+        [UT Vertex v2 v1 (GetIntersection v2 v4) v3;
+         UT Vertex v1 (GetIntersection v1 v4) (GetIntersection v2 v4) v3]
+    | _, _, _, _ =>
+        GetUnstructuredTets Vertex GetSign GetIntersection v1 v2 v3 v4
+    end.

@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "report.hpp"
+
+namespace certet::command {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// 64 bits do not fit the numbers of every JSON reader.
+std::string hexadecimal(std::uint64_t number) { return fmt::format("0x{:016x}", number); }
+
+std::string print(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json guarantee(const MeshReport& report) {
+  Json json{{"asked", name(report.asked)},
+            {"used", name(report.used)},
+            {"theorem", report.bounds.theorem},
+            {"min_dihedral", report.bounds.min_dihedral},
+            {"max_dihedral", report.bounds.max_dihedral},
+            {"inverted_tets", report.inverted_tets}};
+  if (!report.dry_run) json["holds"] = holds(report);
+  return json;
+}
+
+Json seconds(const MeshReport& report) {
+  Json json{{"read", report.read_seconds},
+            {"sample", report.sample_seconds},
+            {"cut", report.cut_seconds},
+            {"warp", report.warp_seconds},
+            {"count", report.count_seconds}};
+  if (!report.dry_run) {
+    json["emit"] = report.written.emit_seconds;
+    json["measure"] = report.written.measure_seconds;
+    json["write"] = report.written.write_seconds;
+  }
+  json["total"] = report.total_seconds;
+  return json;
+}
+
+}  // namespace
+
+std::string json(const MeshReport& report) {
+  const WrittenMesh& written = report.written;
+  Json json;
+  json["certet"] = CERTET_VERSION;
+  json["command"] = "mesh";
+  json["dry_run"] = report.dry_run;
+  json["input"] = {{"kind", report.input_kind}, {"name", report.input_name}};
+  json["output"] = {
+      {"file", report.output}, {"format", report.format}, {"bytes", report.output_bytes}};
+  json["lattice"] = {
+      {"cells", report.cells}, {"size", report.size}, {"cuts", name(report.cuts)}};
+  json["mesh"] = {{"points", report.points}, {"tets", report.tets}};
+  if (!report.dry_run) {
+    json["mesh"]["volume"] = written.world.volume;
+    json["mesh"]["checksum"] = hexadecimal(written.checksum);
+    json["dihedral"] = {{"min", written.world.min_dihedral},
+                        {"max", written.world.max_dihedral},
+                        {"lattice_min", written.lattice.min_dihedral},
+                        {"lattice_max", written.lattice.max_dihedral},
+                        {"histogram", written.world.histogram}};
+  }
+  json["guarantee"] = guarantee(report);
+  json["seconds"] = seconds(report);
+  json["memory"] = {{"limit", report.memory_limit},
+                    {"needed", report.memory_needed},
+                    {"least", report.memory_least},
+                    {"peak", report.memory_peak}};
+  return print(json);
+}
+
+std::string json(const CheckedFile& checked) {
+  const CheckReport& report = checked.report;
+  Json json;
+  json["certet"] = CERTET_VERSION;
+  json["command"] = "check";
+  json["file"] = checked.file;
+  json["ok"] = report.failures.empty();
+  json["failures"] = report.failures;
+  json["mesh"] = {{"points", report.points},
+                  {"tets", report.quality.tets},
+                  {"volume", report.quality.volume},
+                  {"unused_points", report.unused_points},
+                  {"nonfinite_points", report.nonfinite_points},
+                  {"bad_indices", report.bad_indices},
+                  {"nonpositive_tets", report.quality.nonpositive},
+                  {"overfull_faces", report.overfull_faces},
+                  {"misoriented_faces", report.misoriented_faces},
+                  {"boundary_faces", report.boundary_faces},
+                  {"open_edges", report.open_edges}};
+  json["dihedral"] = {{"min", report.quality.min_dihedral},
+                      {"max", report.quality.max_dihedral},
+                      {"histogram", report.quality.histogram}};
+  json["seconds"] = {{"read", checked.read_seconds},
+                     {"check", checked.check_seconds},
+                     {"total", checked.total_seconds}};
+  json["memory"] = {{"peak", checked.memory_peak}};
+  return print(json);
+}
+
+}  // namespace certet::command

@@ -1,0 +1,158 @@
+#include <limits>
+#include <string>
+
+#include "certet/error.hpp"
+#include "commands.hpp"
+#include "memory.hpp"
+#include "outputs.hpp"
+#include "progress.hpp"
+#include "report.hpp"
+#include "signals.hpp"
+#include "source.hpp"
+
+namespace certet::command {
+namespace {
+
+/// Slabs larger than this are no faster: they leave the processor's cache.
+constexpr std::uint64_t slab_bytes = 32 << 20;
+/// What the process needs besides voxels, lattice and slabs.
+constexpr std::uint64_t base_bytes = 256 << 20;
+
+std::uint64_t memory_limit(const MeshOptions& options) {
+  if (options.max_memory != 0) return options.max_memory;
+  const std::uint64_t available = available_memory();
+  return available == 0 ? std::numeric_limits<std::uint64_t>::max() / 2 : available / 4 * 3;
+}
+
+void judge_outputs(const MeshOptions& options) {
+  const bool json_file = !options.json.empty() && options.json != "-";
+  if (!options.input.empty()) {
+    if (!options.output.empty() && same_file(options.input, options.output))
+      throw Error(ErrorCode::bad_option,
+                  "input and output are the same file '" + options.input.string() + "'");
+    if (json_file && same_file(options.input, options.json))
+      throw Error(ErrorCode::bad_option, "input and --json are the same file '" +
+                                             options.input.string() + "'");
+  }
+  if (json_file && !options.output.empty() && same_file(options.output, options.json))
+    throw Error(ErrorCode::bad_option,
+                "output and --json are the same file '" + options.output.string() + "'");
+  if (!options.dry_run) judge_output(options.output);
+  if (json_file) judge_output(options.json);
+}
+
+[[noreturn]] void refuse_memory(const std::string& what, std::uint64_t needed,
+                                std::uint64_t limit) {
+  throw Error(ErrorCode::too_large, what + " needs " + std::to_string(needed) +
+                                        " bytes of memory, more than the " +
+                                        std::to_string(limit) +
+                                        " allowed; choose a larger --size");
+}
+
+/// The engine holds a sign in two bits for two points in each cell, twice while
+/// it warps, and the numbers of every row.
+void judge_lattice(const Source& source, std::uint64_t limit) {
+  const auto& cells = source.lattice.cells;
+  const double rows = static_cast<double>(cells[1]) * cells[2];
+  const double needed = rows * (static_cast<double>(cells[0]) + 32) +
+                        static_cast<double>(source.bytes);
+  if (needed > static_cast<double>(limit))
+    refuse_memory("a lattice of " + std::to_string(cells[0]) + " x " +
+                      std::to_string(cells[1]) + " x " + std::to_string(cells[2]) + " cells",
+                  static_cast<std::uint64_t>(needed), limit);
+}
+
+/// Chooses the slabs by the memory that is left.
+Slabs plan(const Stuffing& stuffing, const Source& source, MeshReport& report) {
+  const std::uint64_t held = source.bytes + stuffing.bytes();
+  report.memory_least = held + cut_slabs(stuffing, 0).bytes;
+  if (report.memory_least > report.memory_limit)
+    refuse_memory("the mesh", report.memory_least, report.memory_limit);
+  Slabs slabs = cut_slabs(stuffing, std::min(slab_bytes, report.memory_limit - held));
+  report.memory_needed = held + slabs.bytes;
+  return slabs;
+}
+
+void write(const MeshOptions& options, const Stuffing& stuffing, const Source& source,
+           const Slabs& slabs, const MeshSize& size, Context& context, Progress& progress,
+           MeshReport& report) {
+  judge_room(options.output, report.output_bytes);
+  const auto file = open_writer(options.output, options.format, size);
+  WatchedWriter writer(*file, size, progress);
+  report.written =
+      write_mesh(stuffing, source.frame, slabs, source.labeller, writer, context);
+  if (!holds(report))
+    throw Error(ErrorCode::check_failed,
+                "the angles measured, " + std::to_string(report.written.lattice.min_dihedral) +
+                    " to " + std::to_string(report.written.lattice.max_dihedral) +
+                    " degrees, are outside the proven bounds, so '" +
+                    options.output.string() + "' was not written");
+  const Stopwatch finishing;
+  writer.finish();
+  report.written.write_seconds += finishing.seconds();
+}
+
+void describe(const MeshOptions& options, const Source& source, MeshReport& report) {
+  report.dry_run = options.dry_run;
+  report.input_kind = source.kind;
+  report.input_name = source.name;
+  report.output = options.output.string();
+  report.format = options.format == Format::vtu ? "vtu" : "medit";
+  report.cells = source.lattice.cells;
+  report.size = source.frame.size;
+  report.cuts = options.stuffing.cuts;
+  report.asked = options.stuffing.guarantee;
+}
+
+void describe(const MeshOptions& options, const Stuffing& stuffing, const Progress& progress,
+              MeshReport& report) {
+  report.used = stuffing.guarantee();
+  report.inverted_tets = stuffing.inverted_tets();
+  report.bounds = proven_bounds(options.stuffing.cuts, report.used);
+  report.points = stuffing.point_count();
+  report.tets = stuffing.tet_count();
+  report.sample_seconds = progress.seconds(Stage::sample);
+  report.cut_seconds = progress.seconds(Stage::cut);
+  report.warp_seconds = progress.seconds(Stage::warp);
+  report.count_seconds = progress.seconds(Stage::count);
+}
+
+MeshReport run(const MeshOptions& options, Context& context) {
+  const Stopwatch clock;
+  MeshReport report;
+  report.memory_limit = memory_limit(options);
+  limit_memory(report.memory_limit + base_bytes);
+  judge_outputs(options);
+  const Source source = open_source(options, report.memory_limit);
+  report.read_seconds = clock.seconds();
+  describe(options, source, report);
+  judge_lattice(source, report.memory_limit);
+  Progress progress(context);
+  const Stuffing stuffing(*source.domain, source.lattice, options.stuffing, context);
+  progress.stop();
+  describe(options, stuffing, progress, report);
+  if (report.tets == 0)
+    throw Error(ErrorCode::empty_domain,
+                "nothing of '" + source.name + "' is inside at size " +
+                    std::to_string(source.frame.size) + ", so there is no mesh");
+  const MeshSize size{report.points, report.tets, static_cast<bool>(source.labeller)};
+  report.output_bytes = file_bytes(options.format, size);
+  const Slabs slabs = plan(stuffing, source, report);
+  if (!options.dry_run)
+    write(options, stuffing, source, slabs, size, context, progress, report);
+  report.total_seconds = clock.seconds();
+  report.memory_peak = peak_memory();
+  return report;
+}
+
+}  // namespace
+
+Status mesh(const MeshOptions& options) {
+  Context context;
+  context.threads = options.threads;
+  const Signals signals(context);
+  tell(run(options, context), options.json);
+  return Status::ok;
+}
+
+}  // namespace certet::command

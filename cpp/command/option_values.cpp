@@ -1,0 +1,69 @@
+#include "option_values.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "certet/error.hpp"
+
+namespace certet::command {
+namespace {
+
+[[noreturn]] void refuse(const std::string& sentence) {
+  throw Error(ErrorCode::bad_option, sentence);
+}
+
+/// Reads a whole number at the front of `text` and removes it.
+bool take_integer(std::string_view& text, std::int64_t& value) {
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failure != std::errc{}) return false;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return true;
+}
+
+bool take_range(std::string_view& text, LabelRange& range) {
+  if (!take_integer(text, range.first)) return false;
+  range.last = range.first;
+  if (!text.starts_with('-')) return true;
+  text.remove_prefix(1);
+  return take_integer(text, range.last) && range.first <= range.last;
+}
+
+}  // namespace
+
+std::vector<LabelRange> parse_labels(const std::string& text) {
+  std::vector<LabelRange> ranges;
+  std::string_view rest = text;
+  while (true) {
+    LabelRange range{};
+    if (!take_range(rest, range) || (!rest.empty() && rest[0] != ','))
+      refuse("--labels takes labels and ranges like 1,5-9, not '" + text + "'");
+    ranges.push_back(range);
+    if (rest.empty()) return ranges;
+    rest.remove_prefix(1);
+  }
+}
+
+double parse_number(const std::string& option, const std::string& text) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, failure] = std::from_chars(text.data(), end, value);
+  if (failure != std::errc{} || stop != end || !std::isfinite(value))
+    refuse(option + " takes finite numbers, not '" + text + "'");
+  return value;
+}
+
+Bounds parse_bounds(const std::string& text) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    numbers.push_back(parse_number("--bounds", text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  if (numbers.size() != 6)
+    refuse("--bounds takes six numbers x0,y0,z0,x1,y1,z1, not " +
+           std::to_string(numbers.size()));
+  return {{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
+}
+
+}  // namespace certet::command

@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// Values of options that are more than one number.
+
+#include <string>
+#include <vector>
+
+#include "certet/expression.hpp"
+#include "certet/image.hpp"
+
+namespace certet::command {
+
+/// "1,5-9": labels and ranges of labels, which may be negative.
+/// \throws Error `bad_option`.
+std::vector<LabelRange> parse_labels(const std::string& text);
+
+/// "x0,y0,z0,x1,y1,z1".  \throws Error `bad_option`.
+Bounds parse_bounds(const std::string& text);
+
+/// A finite number.  \throws Error `bad_option` naming the option.
+double parse_number(const std::string& option, const std::string& text);
+
+}  // namespace certet::command

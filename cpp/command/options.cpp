@@ -1,0 +1,180 @@
+#include "options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <map>
+
+#include "certet/error.hpp"
+#include "option_values.hpp"
+
+namespace certet::command {
+namespace {
+
+constexpr const char* mesh_footer = R"(
+World coordinates are the image's own: millimetres, LPS (x to the left, y to the
+back, z to the head), as ITK has them, for NIfTI too.
+
+Keys of the JSON: certet, command, dry_run, input {kind, name}, output {file,
+format, bytes}, lattice {cells, size, cuts}, mesh {points, tets, volume, checksum},
+dihedral {min, max, lattice_min, lattice_max, histogram}, guarantee {asked, used,
+theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
+cut, warp, count, emit, measure, write, total}, memory {limit, needed, least,
+peak}.  Lengths are in world units, angles in degrees, memory in bytes; the
+histogram has 36 bins of 5 degrees; a dry run leaves out what it does not know.)";
+
+constexpr const char* check_footer = R"(
+Keys of the JSON: certet, command, file, ok, failures, mesh {points, tets, volume,
+unused_points, nonfinite_points, bad_indices, nonpositive_tets, overfull_faces,
+misoriented_faces, boundary_faces, open_edges}, dihedral {min, max, histogram},
+seconds {read, check, total}, memory {peak}.)";
+
+constexpr const char* main_footer = R"(
+Exit status: 0 all is well; 1 `check` found a defect; 2 wrong usage; 3 an input
+that cannot be read; 4 nothing is inside; 5 too large for the memory or the
+coordinate range; 6 an output cannot be written; 7 a mesh outside its proven
+bounds (not written); 130 interrupted.  A run that fails says why in one sentence
+on stderr and leaves no output.)";
+
+[[noreturn]] void refuse(const std::string& sentence) {
+  throw Error(ErrorCode::bad_option, sentence);
+}
+
+/// Options whose values need more than CLI11's own reading.
+struct RawMesh {
+  std::string size, iso, labels, bounds, format;
+};
+
+void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
+  mesh.add_option("input", options.input, "Image: NIfTI, NRRD or MetaImage")
+      ->option_text("INPUT");
+  mesh.add_option("--labels", raw.labels,
+                  "Labels that make the solid, like 1,5-9 (default: all but 0)")
+      ->option_text("LIST");
+  mesh.add_option("--iso", raw.iso, "The solid is where the image is above V")
+      ->option_text("V");
+  mesh.add_option("--expr", options.formula,
+                  "The solid is where a formula in x, y, z is negative")
+      ->option_text("FORMULA");
+  mesh.add_option("--bounds", raw.bounds, "Box around the formula's solid")
+      ->option_text("x0,y0,z0,x1,y1,z1");
+}
+
+void declare_lattice(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
+  mesh.add_option("--size", raw.size,
+                  "Long edge in world units (default: the smallest voxel spacing; "
+                  "with --expr a 64th of the longest side)")
+      ->option_text("H");
+  mesh.add_option("--margin", options.margin, "Lattice cells around the solid (default: 2)")
+      ->check(CLI::Range(1, 1000))
+      ->option_text("N");
+  mesh.add_option("--cuts", options.stuffing.cuts,
+                  "bisect: on the surface (default); midpoint: in the middle of edges")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Cuts>{
+          {"bisect", Cuts::bisect}, {"midpoint", Cuts::midpoint}}))
+      ->option_text("WHERE");
+  mesh.add_option("--guarantee", options.stuffing.guarantee,
+                  "angles: the widest dihedral angles (default); embedding: the warped "
+                  "lattice never folds")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Guarantee>{
+          {"angles", Guarantee::angles}, {"embedding", Guarantee::embedding}}))
+      ->option_text("WHICH");
+}
+
+void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
+  mesh.add_option("-o,--output", options.output, "Mesh: .vtu or .mesh")->option_text("OUT");
+  mesh.add_option("--format", raw.format, "vtu or medit (default: by the extension)")
+      ->option_text("F");
+  mesh.add_option("--threads", options.threads, "Threads (default: as many as there are)")
+      ->check(CLI::Range(0, 1024))
+      ->option_text("N");
+  mesh.add_option("--max-memory", options.max_memory,
+                  "Memory to use, like 800M or 4G (default: three quarters of what is free)")
+      ->transform(CLI::AsSizeValue(false))
+      ->option_text("BYTES");
+  mesh.add_flag("--dry-run", options.dry_run, "Count, but write nothing");
+  mesh.add_option("--json", options.json, "Report for programs; - is stdout")
+      ->option_text("FILE|-");
+}
+
+Format chosen_format(const MeshOptions& options, const std::string& name) {
+  if (name == "vtu") return Format::vtu;
+  if (name == "medit" || name == "mesh") return Format::medit;
+  if (!name.empty()) refuse("--format is vtu or medit, not '" + name + "'");
+  if (options.output.empty()) return Format::vtu;
+  const auto format = format_of(options.output);
+  if (!format)
+    refuse("the extension of '" + options.output.string() +
+           "' is neither .vtu nor .mesh; name a format with --format");
+  return *format;
+}
+
+void judge_source(const MeshOptions& options, const RawMesh& raw) {
+  const bool formula = !options.formula.empty();
+  if (formula == !options.input.empty())
+    refuse(formula ? "an image and --expr exclude each other"
+                   : "mesh needs an image or --expr");
+  if (formula && (!raw.labels.empty() || !raw.iso.empty()))
+    refuse("--labels and --iso go with an image, not with --expr");
+  if (formula == raw.bounds.empty())
+    refuse(formula ? "--expr needs --bounds" : "--bounds goes with --expr");
+  if (!raw.labels.empty() && !raw.iso.empty())
+    refuse("--labels and --iso exclude each other");
+}
+
+MeshOptions finish(MeshOptions options, const RawMesh& raw) {
+  judge_source(options, raw);
+  if (!raw.size.empty()) {
+    options.size = parse_number("--size", raw.size);
+    if (options.size <= 0) refuse("--size takes a positive number, not '" + raw.size + "'");
+  }
+  if (!raw.iso.empty()) options.iso = parse_number("--iso", raw.iso);
+  if (!raw.labels.empty()) options.labels = parse_labels(raw.labels);
+  if (!raw.bounds.empty()) options.bounds = parse_bounds(raw.bounds);
+  if (options.output.empty() && !options.dry_run) refuse("mesh needs an output: -o OUT");
+  options.format = chosen_format(options, raw.format);
+  return options;
+}
+
+/// CLI11 may say more than one sentence; the first line is the cause.
+std::string first_line(const CLI::ParseError& error) {
+  std::string line = error.what();
+  line.resize(std::min(line.find('\n'), line.size()));
+  return line.empty() ? "wrong usage" : line;
+}
+
+}  // namespace
+
+Options parse_options(int argc, char** argv) {
+  CLI::App app("Tetrahedral meshes with proven angles, by isosurface stuffing", "certet");
+  app.set_version_flag("--version", "certet " CERTET_VERSION);
+  app.require_subcommand(1);
+  app.footer(main_footer);
+  MeshOptions mesh_options;
+  CheckOptions check_options;
+  RawMesh raw;
+  CLI::App* mesh = app.add_subcommand("mesh", "Mesh an image or a formula");
+  declare_source(*mesh, mesh_options, raw);
+  declare_lattice(*mesh, mesh_options, raw);
+  declare_run(*mesh, mesh_options, raw);
+  mesh->footer(mesh_footer);
+  CLI::App* check = app.add_subcommand("check", "Verify a mesh anew, from its file alone");
+  check->add_option("mesh", check_options.mesh, "Mesh: .vtu or .mesh")
+      ->required()
+      ->option_text("MESH");
+  check->add_option("--json", check_options.json, "Report for programs; - is stdout")
+      ->option_text("FILE|-");
+  check->footer(check_footer);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    const CLI::App* asked = mesh->parsed() ? mesh : check->parsed() ? check : &app;
+    return Notice{asked->help()};
+  } catch (const CLI::CallForVersion&) {
+    return Notice{"certet " CERTET_VERSION "\n"};
+  } catch (const CLI::ParseError& error) {
+    refuse(first_line(error));
+  }
+  if (check->parsed()) return check_options;
+  return finish(std::move(mesh_options), raw);
+}
+
+}  // namespace certet::command

@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// Files that a run writes: judged before the long work.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace certet::command {
+
+/// \throws Error `write_failed` where a file could not be put there.
+void judge_output(const std::filesystem::path& file);
+
+/// \throws Error `write_failed` where the disk has less room than this.
+void judge_room(const std::filesystem::path& file, std::uint64_t bytes);
+
+/// Whether two names mean one file.
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// Writes a text under a temporary name and renames it; `-` is stdout.
+/// \throws Error `write_failed`.
+void write_text(const std::string& target, const std::string& text);
+
+}  // namespace certet::command

@@ -1,0 +1,57 @@
+#include "source.hpp"
+
+#include <utility>
+
+#include "certet/error.hpp"
+#include "silence.hpp"
+
+namespace certet::command {
+namespace {
+
+Source from_formula(const MeshOptions& options) {
+  Source source;
+  auto domain = std::make_unique<ExpressionDomain>(options.formula, options.bounds,
+                                                   options.size, options.margin);
+  source.lattice = domain->lattice();
+  source.frame = domain->frame();
+  source.domain = std::move(domain);
+  source.kind = "formula";
+  source.name = options.formula;
+  return source;
+}
+
+Image read(const MeshOptions& options, std::uint64_t max_bytes) {
+  const Silence silence;
+  return read_image(options.input, max_bytes);
+}
+
+Source from_image(const MeshOptions& options, std::uint64_t max_bytes) {
+  Image image = read(options, max_bytes);
+  if (!options.iso && !image.integral())
+    throw Error(ErrorCode::bad_option, "the voxels of '" + image.name +
+                                           "' are not whole numbers: choose a level with --iso");
+  const ImageLattice lattice{options.size, options.margin};
+  Source source;
+  source.kind = options.iso ? "level" : "labels";
+  source.name = image.name;
+  std::unique_ptr<ImageDomain> domain =
+      options.iso ? level_domain(std::move(image), *options.iso, lattice)
+                  : label_domain(std::move(image), options.labels, lattice);
+  source.lattice = domain->lattice();
+  source.frame = domain->frame();
+  source.bytes = domain->bytes();
+  if (!options.iso)
+    source.labeller = [labels = domain.get()](const std::array<Coord3, 4>& corners) {
+      return labels->label(corners);
+    };
+  source.domain = std::move(domain);
+  return source;
+}
+
+}  // namespace
+
+Source open_source(const MeshOptions& options, std::uint64_t max_bytes) {
+  return options.formula.empty() ? from_image(options, max_bytes) : from_formula(options);
+}
+
+}  // namespace certet::command

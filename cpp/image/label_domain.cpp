@@ -1,0 +1,229 @@
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "axis_table.hpp"
+#include "certet/error.hpp"
+#include "certet/image.hpp"
+#include "voxel_mask.hpp"
+
+namespace certet {
+namespace {
+
+/// A set of labels as disjoint ascending ranges.
+class LabelSet {
+ public:
+  explicit LabelSet(std::vector<LabelRange> ranges) : ranges_(std::move(ranges)) {
+    std::sort(ranges_.begin(), ranges_.end(),
+              [](LabelRange a, LabelRange b) { return a.first < b.first; });
+    std::vector<LabelRange> joined;
+    for (const LabelRange range : ranges_) {
+      if (!joined.empty() && range.first <= joined.back().last)
+        joined.back().last = std::max(joined.back().last, range.last);
+      else
+        joined.push_back(range);
+    }
+    ranges_ = std::move(joined);
+  }
+
+  [[nodiscard]] bool contains(std::int64_t label) const {
+    if (ranges_.empty()) return label != 0;
+    const auto after = std::upper_bound(
+        ranges_.begin(), ranges_.end(), label,
+        [](std::int64_t value, LabelRange range) { return value < range.first; });
+    return after != ranges_.begin() && label <= std::prev(after)->last;
+  }
+
+ private:
+  std::vector<LabelRange> ranges_;  ///< empty: all but 0
+};
+
+/// Labels come in runs, so the last answer is usually the next one.
+template <class T>
+void mark_row(const T* voxels, std::int64_t count, const LabelSet& set,
+              std::uint64_t* bits) {
+  T last = 0;
+  std::uint64_t hit = set.contains(0);
+  for (std::int64_t x = 0; x < count; ++x) {
+    if (voxels[x] != last) {
+      last = voxels[x];
+      hit = set.contains(static_cast<std::int64_t>(last));
+    }
+    bits[x >> 6] |= hit << (x & 63);
+  }
+}
+
+template <class T>
+VoxelMask mark(const Image& image, const Buffer<T>& voxels, const LabelSet& set) {
+  VoxelMask mask(image.size);
+  const T* row = voxels.data();
+  for (std::int64_t z = 0; z < image.size[2]; ++z)
+    for (std::int64_t y = 0; y < image.size[1]; ++y, row += image.size[0])
+      mark_row(row, image.size[0], set, mask.row(y, z));
+  mask.summarise();
+  return mask;
+}
+
+/// The cell field of labels has 32-bit signed numbers.
+template <class T>
+void refuse_wide_labels(const Image& image, const Buffer<T>& voxels, const LabelSet& set) {
+  if constexpr (std::is_same_v<T, std::uint32_t>) {
+    const auto wide = std::find_if(voxels.begin(), voxels.end(), [&](T label) {
+      return label > std::uint32_t{std::numeric_limits<std::int32_t>::max()} &&
+             set.contains(label);
+    });
+    if (wide != voxels.end())
+      throw Error(ErrorCode::bad_input, "'" + image.name + "' has label " +
+                                            std::to_string(*wide) +
+                                            ", which does not fit 32 bits with a sign");
+  }
+}
+
+template <class T>
+class LabelDomain final : public ImageDomain {
+ public:
+  LabelDomain(const Image& image, Buffer<T> voxels, VoxelMask mask,
+              const Placement& placement)
+      : size_(image.size),
+        voxels_(std::move(voxels)),
+        mask_(std::move(mask)),
+        placement_(placement),
+        along_x_(placement.lattice.origin.x, placement.lattice.cells[0],
+                 [this](double x) { return column(x); }) {}
+
+  [[nodiscard]] const Frame& frame() const override { return placement_.frame; }
+  [[nodiscard]] const Lattice& lattice() const override { return placement_.lattice; }
+
+  [[nodiscard]] std::uint64_t bytes() const override {
+    return voxels_.size() * sizeof(T) + mask_.bytes();
+  }
+
+  void row(Coord3 first, std::span<Sign> out) const override {
+    const std::int64_t y = placement_.axis[1].nearest(first.y);
+    const std::int64_t z = placement_.axis[2].nearest(first.z);
+    if (y < 0 || z < 0) return std::fill(out.begin(), out.end(), Sign::minus);
+    const std::uint64_t* bits = mask_.row(y, z);
+    if (!along_x_.holds(first.x, out.size())) {
+      for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = sign(bits, column(first.x + 2.0 * static_cast<double>(i)));
+      return;
+    }
+    const std::int64_t* x = along_x_.from(first.x);
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = sign(bits, x[2 * i]);
+  }
+
+  void at(std::span<const Coord3> positions, std::span<Sign> out) const override {
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] = voxel(positions[i]) < 0 ? Sign::minus : Sign::plus;
+  }
+
+  [[nodiscard]] Extent extent(const LatticeBox& box) const override {
+    const double low[3] = {double(box.low.x), double(box.low.y), double(box.low.z)};
+    const double high[3] = {double(box.high.x), double(box.high.y), double(box.high.z)};
+    VoxelBox reach;
+    bool whole = true;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const auto voxels = voxels_between(placement_.axis[a], low[a], high[a], false);
+      if (voxels.low > voxels.high) return Extent::outside;
+      reach.low[a] = voxels.low;
+      reach.high[a] = voxels.high;
+      whole = whole && voxels.whole;
+    }
+    const Extent found = mask_.extent(reach);
+    return found == Extent::inside && !whole ? Extent::mixed : found;
+  }
+
+  [[nodiscard]] std::int32_t label(const std::array<Coord3, 4>& corners) const override {
+    // Four times the centroid fits 64 bits, and 1/4 is exact.
+    const double unit = 0.25 / steps;
+    const auto& [a, b, c, d] = corners;
+    const double center[3] = {
+        unit * static_cast<double>(std::int64_t{a.x} + b.x + c.x + d.x),
+        unit * static_cast<double>(std::int64_t{a.y} + b.y + c.y + d.y),
+        unit * static_cast<double>(std::int64_t{a.z} + b.z + c.z + d.z)};
+    std::int64_t best = chosen_voxel(center[0], center[1], center[2]);
+    if (best < 0) best = voxel_of_nearest_corner(corners, center);
+    return best < 0 ? 0
+                    : static_cast<std::int32_t>(voxels_[static_cast<std::size_t>(best)]);
+  }
+
+ private:
+  static Sign sign(const std::uint64_t* bits, std::int64_t x) {
+    static_assert(static_cast<int>(Sign::plus) == 2 && static_cast<int>(Sign::minus) == 0);
+    return static_cast<Sign>(VoxelMask::test(bits, x) << 1);
+  }
+
+  [[nodiscard]] std::int64_t column(double x) const {
+    const std::int64_t voxel = placement_.axis[0].nearest(x);
+    return voxel < 0 ? mask_.outside() : voxel;
+  }
+
+  /// The index of the voxel at a lattice position, or -1 where it is not chosen.
+  [[nodiscard]] std::int64_t chosen_voxel(double lx, double ly, double lz) const {
+    const std::int64_t x = placement_.axis[0].nearest(lx);
+    const std::int64_t y = placement_.axis[1].nearest(ly);
+    const std::int64_t z = placement_.axis[2].nearest(lz);
+    if (x < 0 || y < 0 || z < 0 || !mask_.test(x, y, z)) return -1;
+    return (z * size_[1] + y) * size_[0] + x;
+  }
+
+  /// `position` is in steps.
+  [[nodiscard]] std::int64_t voxel(Coord3 position) const {
+    constexpr double unit = 1.0 / steps;
+    return chosen_voxel(unit * position.x, unit * position.y, unit * position.z);
+  }
+
+  /// Every tetrahedron of the mesh has a corner inside, which is a lattice
+  /// point that was not warped, so that there always is one.
+  [[nodiscard]] std::int64_t voxel_of_nearest_corner(const std::array<Coord3, 4>& corners,
+                                                     const double (&center)[3]) const {
+    std::int64_t best = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Coord3 corner : corners) {
+      const std::int64_t candidate = voxel(corner);
+      const double dx = corner.x / double(steps) - center[0];
+      const double dy = corner.y / double(steps) - center[1];
+      const double dz = corner.z / double(steps) - center[2];
+      const double distance = dx * dx + dy * dy + dz * dz;
+      if (candidate < 0 || distance >= least) continue;
+      best = candidate;
+      least = distance;
+    }
+    return best;
+  }
+
+  std::array<std::int64_t, 3> size_;
+  Buffer<T> voxels_;
+  VoxelMask mask_;
+  Placement placement_;
+  AxisTable<std::int64_t> along_x_;
+};
+
+}  // namespace
+
+std::unique_ptr<ImageDomain> label_domain(Image image, std::vector<LabelRange> labels,
+                                          const ImageLattice& lattice) {
+  const bool all = labels.empty();
+  const LabelSet set(std::move(labels));
+  return std::visit(
+      [&]<class T>(Buffer<T>& voxels) -> std::unique_ptr<ImageDomain> {
+        if constexpr (std::is_floating_point_v<T>) {
+          throw Error(ErrorCode::bad_input,
+                      "the voxels of '" + image.name +
+                          "' are not whole numbers, so they are no labels; choose a level");
+        } else {
+          refuse_wide_labels(image, voxels, set);
+          VoxelMask mask = mark(image, voxels, set);
+          if (mask.bounds().high[0] < 0)
+            throw Error(ErrorCode::empty_domain,
+                        "no voxel of '" + image.name + "' has " +
+                            (all ? "a label other than 0" : "one of the chosen labels"));
+          const Placement placement = place(image, mask.bounds(), lattice);
+          return std::make_unique<LabelDomain<T>>(image, std::move(voxels), std::move(mask),
+                                                  placement);
+        }
+      },
+      image.voxels);
+}
+
+}  // namespace certet

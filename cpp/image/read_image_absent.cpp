@@ -1,0 +1,15 @@
+// Stands in for read_image.cpp where ITK was left out.
+
+#include "certet/error.hpp"
+#include "certet/image.hpp"
+
+namespace certet {
+
+bool can_read_images() { return false; }
+
+Image read_image(const std::filesystem::path& file, std::uint64_t) {
+  throw Error(ErrorCode::bad_input,
+              "'" + file.string() + "' cannot be read: reading images was not built in");
+}
+
+}  // namespace certet

@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// From a counted mesh to a file, slab by slab, measuring it on the way.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "certet/context.hpp"
+#include "certet/formats.hpp"
+#include "certet/frame.hpp"
+#include "certet/quality.hpp"
+#include "certet/stuffing.hpp"
+
+namespace certet {
+
+/// The label of a tetrahedron by its four corners, in steps; called from
+/// several threads at once.
+using Labeller = std::function<std::int32_t(const std::array<Coord3, 4>&)>;
+
+/// A mesh cut into slabs of whole layers.
+struct Slabs {
+  std::vector<std::int32_t> bounds;  ///< slab s is the layers [bounds[s], bounds[s+1])
+  std::uint64_t bytes = 0;           ///< that writing the mesh this way needs
+};
+
+/// Slabs of as many layers as can be written with `max_bytes`; of at least one,
+/// so that `bytes` may turn out greater.
+Slabs cut_slabs(const Stuffing& stuffing, std::uint64_t max_bytes);
+
+/// What is known of a mesh that has been written.
+struct WrittenMesh {
+  Quality lattice;  ///< in exact lattice coordinates
+  Quality world;    ///< in the coordinates that the file has
+  std::uint64_t checksum = 0;
+  double emit_seconds = 0, measure_seconds = 0, write_seconds = 0;
+};
+
+/// Writes all points, then all tetrahedra, with labels if there is a labeller.
+/// Does not finish the file, so that the caller may judge the mesh first.  What is written and returned (but for the seconds)
+/// does not depend on slabs and threads.
+/// \throws Error `write_failed`, `cancelled`, `too_large` (out of memory).
+WrittenMesh write_mesh(const Stuffing& stuffing, const Frame& frame, const Slabs& slabs,
+                       const Labeller& labeller, MeshWriter& writer, Context& context);
+
+}  // namespace certet

@@ -1,0 +1,1057 @@
+(* Generated from coq/Extraction.v by "make -C coq extract": do not edit. *)
+
+type nat =
+| O
+| S of nat
+
+type comparison =
+| Eq
+| Lt
+| Gt
+
+(** val compOpp : comparison -> comparison **)
+
+let compOpp = function
+| Eq -> Eq
+| Lt -> Gt
+| Gt -> Lt
+
+type positive =
+| XI of positive
+| XO of positive
+| XH
+
+type z =
+| Z0
+| Zpos of positive
+| Zneg of positive
+
+module Pos =
+ struct
+  (** val succ : positive -> positive **)
+
+  let rec succ = function
+  | XI p -> XO (succ p)
+  | XO p -> XI p
+  | XH -> XO XH
+
+  (** val add : positive -> positive -> positive **)
+
+  let rec add x y =
+    match x with
+    | XI p ->
+      (match y with
+       | XI q -> XO (add_carry p q)
+       | XO q -> XI (add p q)
+       | XH -> XO (succ p))
+    | XO p ->
+      (match y with
+       | XI q -> XI (add p q)
+       | XO q -> XO (add p q)
+       | XH -> XI p)
+    | XH -> (match y with
+             | XI q -> XO (succ q)
+             | XO q -> XI q
+             | XH -> XO XH)
+
+  (** val add_carry : positive -> positive -> positive **)
+
+  and add_carry x y =
+    match x with
+    | XI p ->
+      (match y with
+       | XI q -> XI (add_carry p q)
+       | XO q -> XO (add_carry p q)
+       | XH -> XI (succ p))
+    | XO p ->
+      (match y with
+       | XI q -> XO (add_carry p q)
+       | XO q -> XI (add p q)
+       | XH -> XO (succ p))
+    | XH ->
+      (match y with
+       | XI q -> XI (succ q)
+       | XO q -> XO (succ q)
+       | XH -> XI XH)
+
+  (** val pred_double : positive -> positive **)
+
+  let rec pred_double = function
+  | XI p -> XI (XO p)
+  | XO p -> XI (pred_double p)
+  | XH -> XH
+
+  (** val mul : positive -> positive -> positive **)
+
+  let rec mul x y =
+    match x with
+    | XI p -> add y (XO (mul p y))
+    | XO p -> XO (mul p y)
+    | XH -> y
+
+  (** val iter : ('a1 -> 'a1) -> 'a1 -> positive -> 'a1 **)
+
+  let rec iter f x = function
+  | XI n' -> f (iter f (iter f x n') n')
+  | XO n' -> iter f (iter f x n') n'
+  | XH -> f x
+
+  (** val compare_cont : comparison -> positive -> positive -> comparison **)
+
+  let rec compare_cont r x y =
+    match x with
+    | XI p ->
+      (match y with
+       | XI q -> compare_cont r p q
+       | XO q -> compare_cont Gt p q
+       | XH -> Gt)
+    | XO p ->
+      (match y with
+       | XI q -> compare_cont Lt p q
+       | XO q -> compare_cont r p q
+       | XH -> Gt)
+    | XH -> (match y with
+             | XH -> r
+             | _ -> Lt)
+
+  (** val compare : positive -> positive -> comparison **)
+
+  let compare =
+    compare_cont Eq
+
+  (** val eqb : positive -> positive -> bool **)
+
+  let rec eqb p q =
+    match p with
+    | XI p0 -> (match q with
+                | XI q0 -> eqb p0 q0
+                | _ -> false)
+    | XO p0 -> (match q with
+                | XO q0 -> eqb p0 q0
+                | _ -> false)
+    | XH -> (match q with
+             | XH -> true
+             | _ -> false)
+
+  (** val of_succ_nat : nat -> positive **)
+
+  let rec of_succ_nat = function
+  | O -> XH
+  | S x -> succ (of_succ_nat x)
+ end
+
+module Z =
+ struct
+  (** val double : z -> z **)
+
+  let double = function
+  | Z0 -> Z0
+  | Zpos p -> Zpos (XO p)
+  | Zneg p -> Zneg (XO p)
+
+  (** val succ_double : z -> z **)
+
+  let succ_double = function
+  | Z0 -> Zpos XH
+  | Zpos p -> Zpos (XI p)
+  | Zneg p -> Zneg (Pos.pred_double p)
+
+  (** val pred_double : z -> z **)
+
+  let pred_double = function
+  | Z0 -> Zneg XH
+  | Zpos p -> Zpos (Pos.pred_double p)
+  | Zneg p -> Zneg (XI p)
+
+  (** val pos_sub : positive -> positive -> z **)
+
+  let rec pos_sub x y =
+    match x with
+    | XI p ->
+      (match y with
+       | XI q -> double (pos_sub p q)
+       | XO q -> succ_double (pos_sub p q)
+       | XH -> Zpos (XO p))
+    | XO p ->
+      (match y with
+       | XI q -> pred_double (pos_sub p q)
+       | XO q -> double (pos_sub p q)
+       | XH -> Zpos (Pos.pred_double p))
+    | XH ->
+      (match y with
+       | XI q -> Zneg (XO q)
+       | XO q -> Zneg (Pos.pred_double q)
+       | XH -> Z0)
+
+  (** val add : z -> z -> z **)
+
+  let add x y =
+    match x with
+    | Z0 -> y
+    | Zpos x' ->
+      (match y with
+       | Z0 -> x
+       | Zpos y' -> Zpos (Pos.add x' y')
+       | Zneg y' -> pos_sub x' y')
+    | Zneg x' ->
+      (match y with
+       | Z0 -> x
+       | Zpos y' -> pos_sub y' x'
+       | Zneg y' -> Zneg (Pos.add x' y'))
+
+  (** val opp : z -> z **)
+
+  let opp = function
+  | Z0 -> Z0
+  | Zpos x0 -> Zneg x0
+  | Zneg x0 -> Zpos x0
+
+  (** val sub : z -> z -> z **)
+
+  let sub m n =
+    add m (opp n)
+
+  (** val mul : z -> z -> z **)
+
+  let mul x y =
+    match x with
+    | Z0 -> Z0
+    | Zpos x' ->
+      (match y with
+       | Z0 -> Z0
+       | Zpos y' -> Zpos (Pos.mul x' y')
+       | Zneg y' -> Zneg (Pos.mul x' y'))
+    | Zneg x' ->
+      (match y with
+       | Z0 -> Z0
+       | Zpos y' -> Zneg (Pos.mul x' y')
+       | Zneg y' -> Zpos (Pos.mul x' y'))
+
+  (** val pow_pos : z -> positive -> z **)
+
+  let pow_pos z0 =
+    Pos.iter (mul z0) (Zpos XH)
+
+  (** val pow : z -> z -> z **)
+
+  let pow x = function
+  | Z0 -> Zpos XH
+  | Zpos p -> pow_pos x p
+  | Zneg _ -> Z0
+
+  (** val compare : z -> z -> comparison **)
+
+  let compare x y =
+    match x with
+    | Z0 -> (match y with
+             | Z0 -> Eq
+             | Zpos _ -> Lt
+             | Zneg _ -> Gt)
+    | Zpos x' -> (match y with
+                  | Zpos y' -> Pos.compare x' y'
+                  | _ -> Gt)
+    | Zneg x' ->
+      (match y with
+       | Zneg y' -> compOpp (Pos.compare x' y')
+       | _ -> Lt)
+
+  (** val leb : z -> z -> bool **)
+
+  let leb x y =
+    match compare x y with
+    | Gt -> false
+    | _ -> true
+
+  (** val ltb : z -> z -> bool **)
+
+  let ltb x y =
+    match compare x y with
+    | Lt -> true
+    | _ -> false
+
+  (** val eqb : z -> z -> bool **)
+
+  let eqb x y =
+    match x with
+    | Z0 -> (match y with
+             | Z0 -> true
+             | _ -> false)
+    | Zpos p -> (match y with
+                 | Zpos q -> Pos.eqb p q
+                 | _ -> false)
+    | Zneg p -> (match y with
+                 | Zneg q -> Pos.eqb p q
+                 | _ -> false)
+
+  (** val of_nat : nat -> z **)
+
+  let of_nat = function
+  | O -> Z0
+  | S n0 -> Zpos (Pos.of_succ_nat n0)
+
+  (** val pos_div_eucl : positive -> z -> z * z **)
+
+  let rec pos_div_eucl a b =
+    match a with
+    | XI a' ->
+      let (q, r) = pos_div_eucl a' b in
+      let r' = add (mul (Zpos (XO XH)) r) (Zpos XH) in
+      if ltb r' b
+      then ((mul (Zpos (XO XH)) q), r')
+      else ((add (mul (Zpos (XO XH)) q) (Zpos XH)), (sub r' b))
+    | XO a' ->
+      let (q, r) = pos_div_eucl a' b in
+      let r' = mul (Zpos (XO XH)) r in
+      if ltb r' b
+      then ((mul (Zpos (XO XH)) q), r')
+      else ((add (mul (Zpos (XO XH)) q) (Zpos XH)), (sub r' b))
+    | XH -> if leb (Zpos (XO XH)) b then (Z0, (Zpos XH)) else ((Zpos XH), Z0)
+
+  (** val div_eucl : z -> z -> z * z **)
+
+  let div_eucl a b =
+    match a with
+    | Z0 -> (Z0, Z0)
+    | Zpos a' ->
+      (match b with
+       | Z0 -> (Z0, a)
+       | Zpos _ -> pos_div_eucl a' b
+       | Zneg b' ->
+         let (q, r) = pos_div_eucl a' (Zpos b') in
+         (match r with
+          | Z0 -> ((opp q), Z0)
+          | _ -> ((opp (add q (Zpos XH))), (add b r))))
+    | Zneg a' ->
+      (match b with
+       | Z0 -> (Z0, a)
+       | Zpos _ ->
+         let (q, r) = pos_div_eucl a' b in
+         (match r with
+          | Z0 -> ((opp q), Z0)
+          | _ -> ((opp (add q (Zpos XH))), (sub b r)))
+       | Zneg b' -> let (q, r) = pos_div_eucl a' (Zpos b') in (q, (opp r)))
+
+  (** val div : z -> z -> z **)
+
+  let div a b =
+    let (q, _) = div_eucl a b in q
+ end
+
+(** val map : ('a1 -> 'a2) -> 'a1 list -> 'a2 list **)
+
+let rec map f = function
+| [] -> []
+| a :: t -> (f a) :: (map f t)
+
+(** val fold_left : ('a1 -> 'a2 -> 'a1) -> 'a2 list -> 'a1 -> 'a1 **)
+
+let rec fold_left f l a0 =
+  match l with
+  | [] -> a0
+  | b :: t -> fold_left f t (f a0 b)
+
+type coord3 =
+| C3 of z * z * z
+
+(** val translate : coord3 -> coord3 -> coord3 **)
+
+let translate a b =
+  let C3 (ax, ay, az) = a in
+  let C3 (bx, by_, bz) = b in
+  C3 ((Z.add ax bx), (Z.add ay by_), (Z.add az bz))
+
+(** val scale : z -> coord3 -> coord3 **)
+
+let scale n = function
+| C3 (x, y, z0) -> C3 ((Z.mul n x), (Z.mul n y), (Z.mul n z0))
+
+(** val difference : coord3 -> coord3 -> coord3 **)
+
+let difference a b =
+  let C3 (ax, ay, az) = a in
+  let C3 (bx, by_, bz) = b in
+  C3 ((Z.sub bx ax), (Z.sub by_ ay), (Z.sub bz az))
+
+(** val coord3Equal : coord3 -> coord3 -> bool **)
+
+let coord3Equal a b =
+  let C3 (ax, ay, az) = a in
+  let C3 (bx, by_, bz) = b in
+  (&&) ((&&) (Z.eqb ax bx) (Z.eqb ay by_)) (Z.eqb az bz)
+
+type direction =
+| Dir_p00
+| Dir_m00
+| Dir_0p0
+| Dir_0m0
+| Dir_00p
+| Dir_00m
+| Dir_ppp
+| Dir_mmm
+| Dir_ppm
+| Dir_mmp
+| Dir_pmp
+| Dir_mpm
+| Dir_mpp
+| Dir_pmm
+
+(** val allDirections : direction list **)
+
+let allDirections =
+  Dir_p00 :: (Dir_m00 :: (Dir_0p0 :: (Dir_0m0 :: (Dir_00p :: (Dir_00m :: (Dir_ppp :: (Dir_mmm :: (Dir_ppm :: (Dir_mmp :: (Dir_pmp :: (Dir_mpm :: (Dir_mpp :: (Dir_pmm :: [])))))))))))))
+
+(** val offset : direction -> coord3 **)
+
+let offset = function
+| Dir_p00 -> C3 ((Zpos (XO XH)), Z0, Z0)
+| Dir_m00 -> C3 ((Zneg (XO XH)), Z0, Z0)
+| Dir_0p0 -> C3 (Z0, (Zpos (XO XH)), Z0)
+| Dir_0m0 -> C3 (Z0, (Zneg (XO XH)), Z0)
+| Dir_00p -> C3 (Z0, Z0, (Zpos (XO XH)))
+| Dir_00m -> C3 (Z0, Z0, (Zneg (XO XH)))
+| Dir_ppp -> C3 ((Zpos XH), (Zpos XH), (Zpos XH))
+| Dir_mmm -> C3 ((Zneg XH), (Zneg XH), (Zneg XH))
+| Dir_ppm -> C3 ((Zpos XH), (Zpos XH), (Zneg XH))
+| Dir_mmp -> C3 ((Zneg XH), (Zneg XH), (Zpos XH))
+| Dir_pmp -> C3 ((Zpos XH), (Zneg XH), (Zpos XH))
+| Dir_mpm -> C3 ((Zneg XH), (Zpos XH), (Zneg XH))
+| Dir_mpp -> C3 ((Zneg XH), (Zpos XH), (Zpos XH))
+| Dir_pmm -> C3 ((Zpos XH), (Zneg XH), (Zneg XH))
+
+type edgeKind =
+| Long
+| Short
+
+(** val directionKind : direction -> edgeKind **)
+
+let directionKind = function
+| Dir_p00 -> Long
+| Dir_m00 -> Long
+| Dir_0p0 -> Long
+| Dir_0m0 -> Long
+| Dir_00p -> Long
+| Dir_00m -> Long
+| _ -> Short
+
+(** val lengthSquared : edgeKind -> z **)
+
+let lengthSquared = function
+| Long -> Zpos (XO (XO XH))
+| Short -> Zpos (XI XH)
+
+type structuredTetCase =
+| Tet_I1
+| Tet_I2
+| Tet_I3
+| Tet_I4
+| Tet_J1
+| Tet_J2
+| Tet_J3
+| Tet_J4
+| Tet_K1
+| Tet_K2
+| Tet_K3
+| Tet_K4
+
+type structuredTetId =
+| STId of coord3 * structuredTetCase
+
+type vertexOrder =
+  coord3 -> coord3 -> coord3 -> coord3 ->
+  ((coord3 * coord3) * coord3) * coord3
+
+type structuredTet =
+| ST of coord3 * coord3 * coord3 * coord3 * (structuredTetId * vertexOrder)
+   * (structuredTetId * vertexOrder) * (structuredTetId * vertexOrder)
+   * (structuredTetId * vertexOrder)
+
+(** val order1234 : vertexOrder **)
+
+let order1234 a b c d =
+  (((a, b), c), d)
+
+(** val order2143 : vertexOrder **)
+
+let order2143 a b c d =
+  (((b, a), d), c)
+
+type handedness =
+| RightHanded
+| LeftHanded
+
+(** val caseHandedness : structuredTetCase -> handedness **)
+
+let caseHandedness = function
+| Tet_I1 -> RightHanded
+| Tet_I4 -> RightHanded
+| Tet_J2 -> RightHanded
+| Tet_J3 -> RightHanded
+| Tet_K1 -> RightHanded
+| Tet_K4 -> RightHanded
+| _ -> LeftHanded
+
+(** val getStructuredTet : structuredTetId -> structuredTet **)
+
+let getStructuredTet = function
+| STId (anchor, case) ->
+  let v = fun x y z0 -> translate anchor (C3 (x, y, z0)) in
+  let nei = fun x y z0 c -> STId ((v x y z0), c) in
+  (match case with
+   | Tet_I1 ->
+     ST ((v Z0 (Zpos (XO XH)) (Zpos (XO XH))),
+       (v (Zpos (XO XH)) (Zpos (XO XH)) (Zpos (XO XH))),
+       (v (Zpos XH) (Zpos (XI XH)) (Zpos XH)),
+       (v (Zpos XH) (Zpos (XI XH)) (Zpos (XI XH))),
+       ((nei Z0 (Zpos (XO XH)) Z0 Tet_J4), order2143),
+       ((nei (Zneg (XO XH)) (Zpos (XO XH)) Z0 Tet_J1), order1234),
+       ((nei Z0 Z0 Z0 Tet_I3), order1234), ((nei Z0 Z0 Z0 Tet_I2), order1234))
+   | Tet_I2 ->
+     ST ((v Z0 (Zpos (XO XH)) (Zpos (XO XH))),
+       (v (Zpos (XO XH)) (Zpos (XO XH)) (Zpos (XO XH))),
+       (v (Zpos XH) (Zpos (XI XH)) (Zpos XH)),
+       (v (Zpos XH) (Zpos XH) (Zpos XH)), ((nei Z0 Z0 Z0 Tet_K4), order1234),
+       ((nei (Zneg (XO XH)) Z0 Z0 Tet_K1), order2143),
+       ((nei Z0 Z0 Z0 Tet_I4), order1234), ((nei Z0 Z0 Z0 Tet_I1), order1234))
+   | Tet_I3 ->
+     ST ((v Z0 (Zpos (XO XH)) (Zpos (XO XH))),
+       (v (Zpos (XO XH)) (Zpos (XO XH)) (Zpos (XO XH))),
+       (v (Zpos XH) (Zpos XH) (Zpos (XI XH))),
+       (v (Zpos XH) (Zpos (XI XH)) (Zpos (XI XH))),
+       ((nei Z0 Z0 (Zpos (XO XH)) Tet_K4), order2143),
+       ((nei (Zneg (XO XH)) Z0 (Zpos (XO XH)) Tet_K1), order1234),
+       ((nei Z0 Z0 Z0 Tet_I1), order1234), ((nei Z0 Z0 Z0 Tet_I4), order1234))
+   | Tet_I4 ->
+     ST ((v Z0 (Zpos (XO XH)) (Zpos (XO XH))),
+       (v (Zpos (XO XH)) (Zpos (XO XH)) (Zpos (XO XH))),
+       (v (Zpos XH) (Zpos XH) (Zpos (XI XH))),
+       (v (Zpos XH) (Zpos XH) (Zpos XH)), ((nei Z0 Z0 Z0 Tet_J4), order1234),
+       ((nei (Zneg (XO XH)) Z0 Z0 Tet_J1), order2143),
+       ((nei Z0 Z0 Z0 Tet_I2), order1234), ((nei Z0 Z0 Z0 Tet_I3), order1234))
+   | Tet_J1 ->
+     ST ((v (Zpos (XO XH)) Z0 (Zpos (XO XH))),
+       (v (Zpos (XO XH)) (Zpos (XO XH)) (Zpos (XO XH))),
+       (v (Zpos (XI XH)) (Zpos XH) (Zpos XH)),
+       (v (Zpos (XI XH)) (Zpos XH) (Zpos (XI XH))),
+       ((nei (Zpos (XO XH)) Z0 Z0 Tet_I4), order2143),
+       ((nei (Zpos (XO XH)) (Zneg (XO XH)) Z0 Tet_I1), order1234),
+       ((nei Z0 Z0 Z0 Tet_J3), order1234), ((nei Z0 Z0 Z0 Tet_J2), order1234))
+   | Tet_J2 ->
+     ST ((v (Zpos (XO XH)) Z0 (Zpos (XO XH))),
+       (v (Zpos (XO XH)) (Zpos (XO XH)) (Zpos (XO XH))),
+       (v (Zpos (XI XH)) (Zpos XH) (Zpos XH)),
+       (v (Zpos XH) (Zpos XH) (Zpos XH)), ((nei Z0 Z0 Z0 Tet_K2), order1234),
+       ((nei Z0 (Zneg (XO XH)) Z0 Tet_K3), order2143),
+       ((nei Z0 Z0 Z0 Tet_J4), order1234), ((nei Z0 Z0 Z0 Tet_J1), order1234))
+   | Tet_J3 ->
+     ST ((v (Zpos (XO XH)) Z0 (Zpos (XO XH))),
+       (v (Zpos (XO XH)) (Zpos (XO XH)) (Zpos (XO XH))),
+       (v (Zpos XH) (Zpos XH) (Zpos (XI XH))),
+       (v (Zpos (XI XH)) (Zpos XH) (Zpos (XI XH))),
+       ((nei Z0 Z0 (Zpos (XO XH)) Tet_K2), order2143),
+       ((nei Z0 (Zneg (XO XH)) (Zpos (XO XH)) Tet_K3), order1234),
+       ((nei Z0 Z0 Z0 Tet_J1), order1234), ((nei Z0 Z0 Z0 Tet_J4), order1234))
+   | Tet_J4 ->
+     ST ((v (Zpos (XO XH)) Z0 (Zpos (XO XH))),
+       (v (Zpos (XO XH)) (Zpos (XO XH)) (Zpos (XO XH))),
+       (v (Zpos XH) (Zpos XH) (Zpos (XI XH))),
+       (v (Zpos XH) (Zpos XH) (Zpos XH)), ((nei Z0 Z0 Z0 Tet_I4), order1234),
+       ((nei Z0 (Zneg (XO XH)) Z0 Tet_I1), order2143),
+       ((nei Z0 Z0 Z0 Tet_J2), order1234), ((nei Z0 Z0 Z0 Tet_J3), order1234))
+   | Tet_K1 ->
+     ST ((v (Zpos (XO XH)) (Zpos (XO XH)) Z0),
+       (v (Zpos (XO XH)) (Zpos (XO XH)) (Zpos (XO XH))),
+       (v (Zpos (XI XH)) (Zpos XH) (Zpos XH)),
+       (v (Zpos (XI XH)) (Zpos (XI XH)) (Zpos XH)),
+       ((nei (Zpos (XO XH)) Z0 Z0 Tet_I2), order2143),
+       ((nei (Zpos (XO XH)) Z0 (Zneg (XO XH)) Tet_I3), order1234),
+       ((nei Z0 Z0 Z0 Tet_K3), order1234), ((nei Z0 Z0 Z0 Tet_K2), order1234))
+   | Tet_K2 ->
+     ST ((v (Zpos (XO XH)) (Zpos (XO XH)) Z0),
+       (v (Zpos (XO XH)) (Zpos (XO XH)) (Zpos (XO XH))),
+       (v (Zpos (XI XH)) (Zpos XH) (Zpos XH)),
+       (v (Zpos XH) (Zpos XH) (Zpos XH)), ((nei Z0 Z0 Z0 Tet_J2), order1234),
+       ((nei Z0 Z0 (Zneg (XO XH)) Tet_J3), order2143),
+       ((nei Z0 Z0 Z0 Tet_K4), order1234), ((nei Z0 Z0 Z0 Tet_K1), order1234))
+   | Tet_K3 ->
+     ST ((v (Zpos (XO XH)) (Zpos (XO XH)) Z0),
+       (v (Zpos (XO XH)) (Zpos (XO XH)) (Zpos (XO XH))),
+       (v (Zpos XH) (Zpos (XI XH)) (Zpos XH)),
+       (v (Zpos (XI XH)) (Zpos (XI XH)) (Zpos XH)),
+       ((nei Z0 (Zpos (XO XH)) Z0 Tet_J2), order2143),
+       ((nei Z0 (Zpos (XO XH)) (Zneg (XO XH)) Tet_J3), order1234),
+       ((nei Z0 Z0 Z0 Tet_K1), order1234), ((nei Z0 Z0 Z0 Tet_K4), order1234))
+   | Tet_K4 ->
+     ST ((v (Zpos (XO XH)) (Zpos (XO XH)) Z0),
+       (v (Zpos (XO XH)) (Zpos (XO XH)) (Zpos (XO XH))),
+       (v (Zpos XH) (Zpos (XI XH)) (Zpos XH)),
+       (v (Zpos XH) (Zpos XH) (Zpos XH)), ((nei Z0 Z0 Z0 Tet_I2), order1234),
+       ((nei Z0 Z0 (Zneg (XO XH)) Tet_I3), order2143),
+       ((nei Z0 Z0 Z0 Tet_K2), order1234), ((nei Z0 Z0 Z0 Tet_K3), order1234)))
+
+(** val allCases : structuredTetCase list **)
+
+let allCases =
+  Tet_I1 :: (Tet_I2 :: (Tet_I3 :: (Tet_I4 :: (Tet_J1 :: (Tet_J2 :: (Tet_J3 :: (Tet_J4 :: (Tet_K1 :: (Tet_K2 :: (Tet_K3 :: (Tet_K4 :: [])))))))))))
+
+type sign =
+| Plus
+| OnSurface
+| Minus
+
+type 'vertex unstructuredTet =
+| UT of 'vertex * 'vertex * 'vertex * 'vertex
+
+(** val getUnstructuredTets :
+    ('a1 -> sign) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 -> 'a1 -> 'a1
+    unstructuredTet list **)
+
+let getUnstructuredTets getSign getIntersection v1 v2 v3 v4 =
+  match getSign v1 with
+  | Plus ->
+    (match getSign v2 with
+     | Plus ->
+       (match getSign v3 with
+        | Plus ->
+          (match getSign v4 with
+           | Minus ->
+             (UT (v2, v1, (getIntersection v3 v4), v3)) :: ((UT (v2, v1,
+               (getIntersection v1 v4), (getIntersection v3 v4))) :: ((UT
+               (v2, (getIntersection v1 v4), (getIntersection v2 v4),
+               (getIntersection v3 v4))) :: []))
+           | _ -> (UT (v1, v2, v3, v4)) :: [])
+        | OnSurface ->
+          (match getSign v4 with
+           | Minus ->
+             (UT (v2, v1, (getIntersection v1 v4), v3)) :: ((UT (v2,
+               (getIntersection v1 v4), (getIntersection v2 v4), v3)) :: [])
+           | _ -> (UT (v1, v2, v3, v4)) :: [])
+        | Minus ->
+          (match getSign v4 with
+           | Plus ->
+             (UT (v1, v2, (getIntersection v4 v3), v4)) :: ((UT (v1, v2,
+               (getIntersection v2 v3), (getIntersection v4 v3))) :: ((UT
+               (v1, (getIntersection v2 v3), (getIntersection v1 v3),
+               (getIntersection v4 v3))) :: []))
+           | OnSurface ->
+             (UT (v1, v2, (getIntersection v2 v3), v4)) :: ((UT (v1,
+               (getIntersection v2 v3), (getIntersection v1 v3), v4)) :: [])
+           | Minus ->
+             (UT (v1, v2, (getIntersection v2 v3),
+               (getIntersection v1 v4))) :: ((UT (v1,
+               (getIntersection v2 v3), (getIntersection v1 v3),
+               (getIntersection v1 v4))) :: ((UT (v2,
+               (getIntersection v2 v3), (getIntersection v1 v4),
+               (getIntersection v2 v4))) :: []))))
+     | OnSurface ->
+       (match getSign v3 with
+        | Plus ->
+          (match getSign v4 with
+           | Minus ->
+             (UT (v1, v3, (getIntersection v3 v4), v2)) :: ((UT (v1,
+               (getIntersection v3 v4), (getIntersection v1 v4), v2)) :: [])
+           | _ -> (UT (v1, v2, v3, v4)) :: [])
+        | OnSurface ->
+          (match getSign v4 with
+           | Minus -> (UT (v1, v2, v3, (getIntersection v1 v4))) :: []
+           | _ -> (UT (v1, v2, v3, v4)) :: [])
+        | Minus ->
+          (match getSign v4 with
+           | Plus ->
+             (UT (v1, v4, v2, (getIntersection v4 v3))) :: ((UT (v1,
+               (getIntersection v4 v3), v2, (getIntersection v1 v3))) :: [])
+           | OnSurface -> (UT (v1, v2, (getIntersection v1 v3), v4)) :: []
+           | Minus ->
+             (UT (v1, v2, (getIntersection v1 v3),
+               (getIntersection v1 v4))) :: []))
+     | Minus ->
+       (match getSign v3 with
+        | Plus ->
+          (match getSign v4 with
+           | Plus ->
+             (UT (v4, v3, (getIntersection v1 v2), v1)) :: ((UT (v4, v3,
+               (getIntersection v3 v2), (getIntersection v1 v2))) :: ((UT
+               (v4, (getIntersection v3 v2), (getIntersection v4 v2),
+               (getIntersection v1 v2))) :: []))
+           | OnSurface ->
+             (UT (v3, v1, (getIntersection v1 v2), v4)) :: ((UT (v3,
+               (getIntersection v1 v2), (getIntersection v3 v2), v4)) :: [])
+           | Minus ->
+             (UT (v1, v3, (getIntersection v3 v4),
+               (getIntersection v1 v2))) :: ((UT (v1,
+               (getIntersection v3 v4), (getIntersection v1 v4),
+               (getIntersection v1 v2))) :: ((UT (v3,
+               (getIntersection v3 v4), (getIntersection v1 v2),
+               (getIntersection v3 v2))) :: [])))
+        | OnSurface ->
+          (match getSign v4 with
+           | Plus ->
+             (UT (v4, v1, v3, (getIntersection v1 v2))) :: ((UT (v4,
+               (getIntersection v1 v2), v3, (getIntersection v4 v2))) :: [])
+           | OnSurface -> (UT (v1, (getIntersection v1 v2), v3, v4)) :: []
+           | Minus ->
+             (UT (v1, (getIntersection v1 v2), v3,
+               (getIntersection v1 v4))) :: [])
+        | Minus ->
+          (match getSign v4 with
+           | Plus ->
+             (UT (v1, v4, (getIntersection v1 v2),
+               (getIntersection v4 v3))) :: ((UT (v1,
+               (getIntersection v4 v3), (getIntersection v1 v2),
+               (getIntersection v1 v3))) :: ((UT (v4,
+               (getIntersection v4 v3), (getIntersection v4 v2),
+               (getIntersection v1 v2))) :: []))
+           | OnSurface ->
+             (UT (v1, (getIntersection v1 v2), (getIntersection v1 v3),
+               v4)) :: []
+           | Minus ->
+             (UT (v1, (getIntersection v1 v2), (getIntersection v1 v3),
+               (getIntersection v1 v4))) :: [])))
+  | OnSurface ->
+    (match getSign v2 with
+     | Plus ->
+       (match getSign v3 with
+        | Plus ->
+          (match getSign v4 with
+           | Minus ->
+             (UT (v2, v3, v1, (getIntersection v3 v4))) :: ((UT (v2,
+               (getIntersection v3 v4), v1, (getIntersection v2 v4))) :: [])
+           | _ -> (UT (v1, v2, v3, v4)) :: [])
+        | OnSurface ->
+          (match getSign v4 with
+           | Minus -> (UT (v2, v1, (getIntersection v2 v4), v3)) :: []
+           | _ -> (UT (v1, v2, v3, v4)) :: [])
+        | Minus ->
+          (match getSign v4 with
+           | Plus ->
+             (UT (v2, v4, (getIntersection v4 v3), v1)) :: ((UT (v2,
+               (getIntersection v4 v3), (getIntersection v2 v3), v1)) :: [])
+           | OnSurface -> (UT (v2, v1, v4, (getIntersection v2 v3))) :: []
+           | Minus ->
+             (UT (v2, v1, (getIntersection v2 v4),
+               (getIntersection v2 v3))) :: []))
+     | OnSurface ->
+       (match getSign v3 with
+        | Plus ->
+          (match getSign v4 with
+           | Minus -> (UT (v3, (getIntersection v3 v4), v1, v2)) :: []
+           | _ -> (UT (v1, v2, v3, v4)) :: [])
+        | OnSurface ->
+          (match getSign v4 with
+           | Plus -> (UT (v1, v2, v3, v4)) :: []
+           | _ -> [])
+        | Minus ->
+          (match getSign v4 with
+           | Plus -> (UT (v4, (getIntersection v4 v3), v2, v1)) :: []
+           | _ -> []))
+     | Minus ->
+       (match getSign v3 with
+        | Plus ->
+          (match getSign v4 with
+           | Plus ->
+             (UT (v4, v3, (getIntersection v3 v2), v1)) :: ((UT (v4,
+               (getIntersection v3 v2), (getIntersection v4 v2), v1)) :: [])
+           | OnSurface -> (UT (v3, v4, v1, (getIntersection v3 v2))) :: []
+           | Minus ->
+             (UT (v3, (getIntersection v3 v4), v1,
+               (getIntersection v3 v2))) :: [])
+        | OnSurface ->
+          (match getSign v4 with
+           | Plus -> (UT (v4, v3, (getIntersection v4 v2), v1)) :: []
+           | _ -> [])
+        | Minus ->
+          (match getSign v4 with
+           | Plus ->
+             (UT (v4, (getIntersection v4 v3), (getIntersection v4 v2),
+               v1)) :: []
+           | _ -> [])))
+  | Minus ->
+    (match getSign v2 with
+     | Plus ->
+       (match getSign v3 with
+        | Plus ->
+          (match getSign v4 with
+           | Plus ->
+             (UT (v3, v4, (getIntersection v2 v1), v2)) :: ((UT (v3, v4,
+               (getIntersection v4 v1), (getIntersection v2 v1))) :: ((UT
+               (v3, (getIntersection v4 v1), (getIntersection v3 v1),
+               (getIntersection v2 v1))) :: []))
+           | OnSurface ->
+             (UT (v3, v2, v4, (getIntersection v2 v1))) :: ((UT (v3,
+               (getIntersection v2 v1), v4, (getIntersection v3 v1))) :: [])
+           | Minus ->
+             (UT (v2, v3, (getIntersection v2 v1),
+               (getIntersection v3 v4))) :: ((UT (v2,
+               (getIntersection v3 v4), (getIntersection v2 v1),
+               (getIntersection v2 v4))) :: ((UT (v3,
+               (getIntersection v3 v4), (getIntersection v3 v1),
+               (getIntersection v2 v1))) :: [])))
+        | OnSurface ->
+          (match getSign v4 with
+           | Plus ->
+             (UT (v4, v2, (getIntersection v2 v1), v3)) :: ((UT (v4,
+               (getIntersection v2 v1), (getIntersection v4 v1), v3)) :: [])
+           | OnSurface -> (UT (v2, (getIntersection v2 v1), v4, v3)) :: []
+           | Minus ->
+             (UT (v2, (getIntersection v2 v1), (getIntersection v2 v4),
+               v3)) :: [])
+        | Minus ->
+          (match getSign v4 with
+           | Plus ->
+             (UT (v2, v4, (getIntersection v4 v3),
+               (getIntersection v2 v1))) :: ((UT (v2,
+               (getIntersection v4 v3), (getIntersection v2 v3),
+               (getIntersection v2 v1))) :: ((UT (v4,
+               (getIntersection v4 v3), (getIntersection v2 v1),
+               (getIntersection v4 v1))) :: []))
+           | OnSurface ->
+             (UT (v2, (getIntersection v2 v1), v4,
+               (getIntersection v2 v3))) :: []
+           | Minus ->
+             (UT (v2, (getIntersection v2 v1), (getIntersection v2 v4),
+               (getIntersection v2 v3))) :: []))
+     | OnSurface ->
+       (match getSign v3 with
+        | Plus ->
+          (match getSign v4 with
+           | Plus ->
+             (UT (v3, v4, (getIntersection v4 v1), v2)) :: ((UT (v3,
+               (getIntersection v4 v1), (getIntersection v3 v1), v2)) :: [])
+           | OnSurface -> (UT (v3, v4, (getIntersection v3 v1), v2)) :: []
+           | Minus ->
+             (UT (v3, (getIntersection v3 v4), (getIntersection v3 v1),
+               v2)) :: [])
+        | OnSurface ->
+          (match getSign v4 with
+           | Plus -> (UT (v4, v3, v2, (getIntersection v4 v1))) :: []
+           | _ -> [])
+        | Minus ->
+          (match getSign v4 with
+           | Plus ->
+             (UT (v4, (getIntersection v4 v3), v2,
+               (getIntersection v4 v1))) :: []
+           | _ -> []))
+     | Minus ->
+       (match getSign v3 with
+        | Plus ->
+          (match getSign v4 with
+           | Plus ->
+             (UT (v3, v4, (getIntersection v4 v1),
+               (getIntersection v3 v2))) :: ((UT (v3,
+               (getIntersection v4 v1), (getIntersection v3 v1),
+               (getIntersection v3 v2))) :: ((UT (v4,
+               (getIntersection v4 v1), (getIntersection v3 v2),
+               (getIntersection v4 v2))) :: []))
+           | OnSurface ->
+             (UT (v3, v4, (getIntersection v3 v1),
+               (getIntersection v3 v2))) :: []
+           | Minus ->
+             (UT (v3, (getIntersection v3 v4), (getIntersection v3 v1),
+               (getIntersection v3 v2))) :: [])
+        | OnSurface ->
+          (match getSign v4 with
+           | Plus ->
+             (UT (v4, v3, (getIntersection v4 v2),
+               (getIntersection v4 v1))) :: []
+           | _ -> [])
+        | Minus ->
+          (match getSign v4 with
+           | Plus ->
+             (UT (v4, (getIntersection v4 v3), (getIntersection v4 v2),
+               (getIntersection v4 v1))) :: []
+           | _ -> [])))
+
+(** val stepBits : nat **)
+
+let stepBits =
+  S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S O)))))))))))))))
+
+(** val steps : z **)
+
+let steps =
+  Z.pow (Zpos (XO XH)) (Z.of_nat stepBits)
+
+(** val bisectFrom : (z -> sign) -> nat -> z -> z **)
+
+let rec bisectFrom sign0 rounds lo =
+  match rounds with
+  | O -> lo
+  | S r ->
+    let middle = Z.add lo (Z.pow (Zpos (XO XH)) (Z.of_nat r)) in
+    (match sign0 middle with
+     | Plus -> bisectFrom sign0 r middle
+     | OnSurface -> middle
+     | Minus -> bisectFrom sign0 r lo)
+
+(** val bisect : (z -> sign) -> z **)
+
+let bisect sign0 =
+  bisectFrom sign0 stepBits Z0
+
+(** val midpointCut : z **)
+
+let midpointCut =
+  Z.div steps (Zpos (XO XH))
+
+(** val pointOnEdge : coord3 -> coord3 -> z -> coord3 **)
+
+let pointOnEdge a b t =
+  translate (scale steps a) (scale t (difference a b))
+
+type thresholds =
+| TH of z * z
+
+(** val angleThresholds : thresholds **)
+
+let angleThresholds =
+  TH ((Zpos (XI (XO (XO (XI (XO (XO XH))))))), (Zpos (XO (XI (XI (XO (XO (XI
+    XH))))))))
+
+(** val embeddingThresholds : thresholds **)
+
+let embeddingThresholds =
+  TH ((Zpos (XO (XO (XO (XO (XO (XO XH))))))), (Zpos (XI (XO (XO (XI (XO (XI
+    XH))))))))
+
+(** val noWarpThresholds : thresholds **)
+
+let noWarpThresholds =
+  TH (Z0, Z0)
+
+(** val thresholdSteps : thresholds -> edgeKind -> z **)
+
+let thresholdSteps th k =
+  let TH (long, short) = th in
+  (match k with
+   | Long ->
+     Z.mul long
+       (Z.div steps (Zpos (XO (XO (XO (XO (XO (XO (XO (XO XH))))))))))
+   | Short ->
+     Z.mul short
+       (Z.div steps (Zpos (XO (XO (XO (XO (XO (XO (XO (XO XH)))))))))))
+
+type warping =
+| Stays
+| Moves of direction * z
+
+(** val opposite : sign -> sign -> bool **)
+
+let opposite a b =
+  match a with
+  | Plus -> (match b with
+             | Minus -> true
+             | _ -> false)
+  | OnSurface -> false
+  | Minus -> (match b with
+              | Plus -> true
+              | _ -> false)
+
+(** val violates :
+    thresholds -> sign -> (direction -> sign) -> (direction -> z) ->
+    direction -> bool **)
+
+let violates th sign0 neighbor_sign cut d =
+  (&&) (opposite sign0 (neighbor_sign d))
+    (Z.ltb (cut d) (thresholdSteps th (directionKind d)))
+
+(** val cutDistanceSquared : (direction -> z) -> direction -> z **)
+
+let cutDistanceSquared cut d =
+  Z.mul (lengthSquared (directionKind d)) (Z.mul (cut d) (cut d))
+
+(** val nearerOf :
+    thresholds -> sign -> (direction -> sign) -> (direction -> z) -> warping
+    -> direction -> warping **)
+
+let nearerOf th sign0 neighbor_sign cut best d =
+  if violates th sign0 neighbor_sign cut d
+  then (match best with
+        | Stays -> Moves (d, (cut d))
+        | Moves (e, _) ->
+          if Z.ltb (cutDistanceSquared cut d) (cutDistanceSquared cut e)
+          then Moves (d, (cut d))
+          else best)
+  else best
+
+(** val warp :
+    thresholds -> sign -> (direction -> sign) -> (direction -> z) -> warping **)
+
+let warp th sign0 neighbor_sign cut =
+  fold_left (nearerOf th sign0 neighbor_sign cut) allDirections Stays
+
+(** val warpedSign : sign -> warping -> sign **)
+
+let warpedSign sign0 = function
+| Stays -> sign0
+| Moves (_, _) -> OnSurface
+
+(** val warpedPosition : coord3 -> warping -> coord3 **)
+
+let warpedPosition v = function
+| Stays -> scale steps v
+| Moves (d, t) -> translate (scale steps v) (scale t (offset d))
+
+type signField = coord3 -> sign
+
+type cutField = coord3 -> coord3 -> z
+
+type meshVertex =
+| Corner of coord3
+| Cut of coord3 * coord3
+
+(** val cutFrom : signField -> cutField -> coord3 -> direction -> z **)
+
+let cutFrom sign0 cut v d =
+  let u = translate v (offset d) in
+  (match sign0 v with
+   | Plus -> cut v u
+   | _ -> Z.sub steps (cut u v))
+
+(** val warpVertex :
+    thresholds -> signField -> cutField -> coord3 -> warping **)
+
+let warpVertex th sign0 cut v =
+  warp th (sign0 v) (fun d -> sign0 (translate v (offset d)))
+    (cutFrom sign0 cut v)
+
+(** val meshVertexSign :
+    thresholds -> signField -> cutField -> meshVertex -> sign **)
+
+let meshVertexSign th sign0 cut = function
+| Corner c -> warpedSign (sign0 c) (warpVertex th sign0 cut c)
+| Cut (_, _) -> OnSurface
+
+(** val meshIntersection : meshVertex -> meshVertex -> meshVertex **)
+
+let meshIntersection a b =
+  match a with
+  | Corner plus ->
+    (match b with
+     | Corner minus -> Cut (plus, minus)
+     | Cut (_, _) -> a)
+  | Cut (_, _) -> a
+
+(** val meshPosition :
+    thresholds -> signField -> cutField -> meshVertex -> coord3 **)
+
+let meshPosition th sign0 cut = function
+| Corner c -> warpedPosition c (warpVertex th sign0 cut c)
+| Cut (plus, minus) -> pointOnEdge plus minus (cut plus minus)
+
+(** val orient :
+    handedness -> meshVertex unstructuredTet -> meshVertex unstructuredTet **)
+
+let orient h t =
+  match h with
+  | RightHanded -> t
+  | LeftHanded -> let UT (a, b, c, d) = t in UT (a, b, d, c)
+
+(** val stuffTet :
+    thresholds -> signField -> cutField -> structuredTetId -> meshVertex
+    unstructuredTet list **)
+
+let stuffTet th sign0 cut = function
+| STId (c, case) ->
+  let ST (v1, v2, v3, v4, _, _, _, _) = getStructuredTet (STId (c, case)) in
+  map (orient (caseHandedness case))
+    (getUnstructuredTets (meshVertexSign th sign0 cut) meshIntersection
+      (Corner v1) (Corner v2) (Corner v3) (Corner v4))

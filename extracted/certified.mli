@@ -1,0 +1,250 @@
+(* Generated from coq/Extraction.v by "make -C coq extract": do not edit. *)
+
+type nat =
+| O
+| S of nat
+
+type comparison =
+| Eq
+| Lt
+| Gt
+
+val compOpp : comparison -> comparison
+
+type positive =
+| XI of positive
+| XO of positive
+| XH
+
+type z =
+| Z0
+| Zpos of positive
+| Zneg of positive
+
+module Pos :
+ sig
+  val succ : positive -> positive
+
+  val add : positive -> positive -> positive
+
+  val add_carry : positive -> positive -> positive
+
+  val pred_double : positive -> positive
+
+  val mul : positive -> positive -> positive
+
+  val iter : ('a1 -> 'a1) -> 'a1 -> positive -> 'a1
+
+  val compare_cont : comparison -> positive -> positive -> comparison
+
+  val compare : positive -> positive -> comparison
+
+  val eqb : positive -> positive -> bool
+
+  val of_succ_nat : nat -> positive
+ end
+
+module Z :
+ sig
+  val double : z -> z
+
+  val succ_double : z -> z
+
+  val pred_double : z -> z
+
+  val pos_sub : positive -> positive -> z
+
+  val add : z -> z -> z
+
+  val opp : z -> z
+
+  val sub : z -> z -> z
+
+  val mul : z -> z -> z
+
+  val pow_pos : z -> positive -> z
+
+  val pow : z -> z -> z
+
+  val compare : z -> z -> comparison
+
+  val leb : z -> z -> bool
+
+  val ltb : z -> z -> bool
+
+  val eqb : z -> z -> bool
+
+  val of_nat : nat -> z
+
+  val pos_div_eucl : positive -> z -> z * z
+
+  val div_eucl : z -> z -> z * z
+
+  val div : z -> z -> z
+ end
+
+val map : ('a1 -> 'a2) -> 'a1 list -> 'a2 list
+
+val fold_left : ('a1 -> 'a2 -> 'a1) -> 'a2 list -> 'a1 -> 'a1
+
+type coord3 =
+| C3 of z * z * z
+
+val translate : coord3 -> coord3 -> coord3
+
+val scale : z -> coord3 -> coord3
+
+val difference : coord3 -> coord3 -> coord3
+
+val coord3Equal : coord3 -> coord3 -> bool
+
+type direction =
+| Dir_p00
+| Dir_m00
+| Dir_0p0
+| Dir_0m0
+| Dir_00p
+| Dir_00m
+| Dir_ppp
+| Dir_mmm
+| Dir_ppm
+| Dir_mmp
+| Dir_pmp
+| Dir_mpm
+| Dir_mpp
+| Dir_pmm
+
+val allDirections : direction list
+
+val offset : direction -> coord3
+
+type edgeKind =
+| Long
+| Short
+
+val directionKind : direction -> edgeKind
+
+val lengthSquared : edgeKind -> z
+
+type structuredTetCase =
+| Tet_I1
+| Tet_I2
+| Tet_I3
+| Tet_I4
+| Tet_J1
+| Tet_J2
+| Tet_J3
+| Tet_J4
+| Tet_K1
+| Tet_K2
+| Tet_K3
+| Tet_K4
+
+type structuredTetId =
+| STId of coord3 * structuredTetCase
+
+type vertexOrder =
+  coord3 -> coord3 -> coord3 -> coord3 ->
+  ((coord3 * coord3) * coord3) * coord3
+
+type structuredTet =
+| ST of coord3 * coord3 * coord3 * coord3 * (structuredTetId * vertexOrder)
+   * (structuredTetId * vertexOrder) * (structuredTetId * vertexOrder)
+   * (structuredTetId * vertexOrder)
+
+val order1234 : vertexOrder
+
+val order2143 : vertexOrder
+
+type handedness =
+| RightHanded
+| LeftHanded
+
+val caseHandedness : structuredTetCase -> handedness
+
+val getStructuredTet : structuredTetId -> structuredTet
+
+val allCases : structuredTetCase list
+
+type sign =
+| Plus
+| OnSurface
+| Minus
+
+type 'vertex unstructuredTet =
+| UT of 'vertex * 'vertex * 'vertex * 'vertex
+
+val getUnstructuredTets :
+  ('a1 -> sign) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 -> 'a1 -> 'a1
+  unstructuredTet list
+
+val stepBits : nat
+
+val steps : z
+
+val bisectFrom : (z -> sign) -> nat -> z -> z
+
+val bisect : (z -> sign) -> z
+
+val midpointCut : z
+
+val pointOnEdge : coord3 -> coord3 -> z -> coord3
+
+type thresholds =
+| TH of z * z
+
+val angleThresholds : thresholds
+
+val embeddingThresholds : thresholds
+
+val noWarpThresholds : thresholds
+
+val thresholdSteps : thresholds -> edgeKind -> z
+
+type warping =
+| Stays
+| Moves of direction * z
+
+val opposite : sign -> sign -> bool
+
+val violates :
+  thresholds -> sign -> (direction -> sign) -> (direction -> z) -> direction
+  -> bool
+
+val cutDistanceSquared : (direction -> z) -> direction -> z
+
+val nearerOf :
+  thresholds -> sign -> (direction -> sign) -> (direction -> z) -> warping ->
+  direction -> warping
+
+val warp :
+  thresholds -> sign -> (direction -> sign) -> (direction -> z) -> warping
+
+val warpedSign : sign -> warping -> sign
+
+val warpedPosition : coord3 -> warping -> coord3
+
+type signField = coord3 -> sign
+
+type cutField = coord3 -> coord3 -> z
+
+type meshVertex =
+| Corner of coord3
+| Cut of coord3 * coord3
+
+val cutFrom : signField -> cutField -> coord3 -> direction -> z
+
+val warpVertex : thresholds -> signField -> cutField -> coord3 -> warping
+
+val meshVertexSign : thresholds -> signField -> cutField -> meshVertex -> sign
+
+val meshIntersection : meshVertex -> meshVertex -> meshVertex
+
+val meshPosition : thresholds -> signField -> cutField -> meshVertex -> coord3
+
+val orient :
+  handedness -> meshVertex unstructuredTet -> meshVertex unstructuredTet
+
+val stuffTet :
+  thresholds -> signField -> cutField -> structuredTetId -> meshVertex
+  unstructuredTet list

@@ -1,0 +1,18 @@
+(** A domain as the certified functions see it: the sign of every lattice
+    vertex, and the cut of every edge from a + vertex to a - vertex. *)
+
+type t = { sign : Certified.signField; cut : Certified.cutField }
+
+val bisected : (Certified.coord3 -> Certified.sign) -> Certified.cutField
+(** The cuts of the certificate's [Bisect], given the sign at any position in
+    steps. *)
+
+val midpoint : Certified.cutField
+(** Every edge is cut in the middle. *)
+
+val of_position_sign : (Certified.coord3 -> Certified.sign) -> t
+(** A domain known by its sign at any position in steps. *)
+
+val within : Lattice.t -> t -> t
+(** The domain with everything outside but the inner points of the lattice, and
+    with every answer remembered, so that each is asked for once. *)

@@ -1,0 +1,257 @@
+/// \file
+/// Whole meshes: the engine and the reference mesher give the same tetrahedra,
+/// in the same order, each with the same four positions.
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <functional>
+#include <sstream>
+
+#include "certet/stuffing.hpp"
+#include "certified.hpp"
+#include "differences.hpp"
+#include "domains.hpp"
+
+namespace {
+
+using certet::Coord3;
+using certet::Guarantee;
+using certet::Lattice;
+using certet::Sign;
+using certet::StuffingOptions;
+using certified::PlacedTet;
+
+/// A mesh with the thresholds that it was made with.
+struct PlacedMesh {
+  std::vector<PlacedTet> tets;
+  certet::Thresholds thresholds;
+};
+
+certet::Thresholds thresholds_of(certet::Cuts cuts, Guarantee guarantee) {
+  if (cuts == certet::Cuts::midpoint) return certet::no_warp_thresholds;
+  return guarantee == Guarantee::angles ? certet::angle_thresholds
+                                        : certet::embedding_thresholds;
+}
+
+/// The production side of the comparison.
+using Engine = std::function<PlacedMesh(const domains::Positional&, const Lattice&,
+                                        const StuffingOptions&)>;
+
+PlacedMesh engine(const domains::Positional& domain, const Lattice& lattice,
+                  const StuffingOptions& options) {
+  certet::Context context;
+  const certet::Stuffing stuffing(domain, lattice, options, context);
+  const certet::Mesh mesh = certet::emit(stuffing, {}, context);
+  PlacedMesh placed{{}, thresholds_of(options.cuts, stuffing.guarantee())};
+  std::visit(
+      [&](const auto& tets) {
+        for (const auto& [a, b, c, d] : tets)
+          placed.tets.push_back({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]});
+      },
+      mesh.tets);
+  return placed;
+}
+
+std::vector<PlacedTet> reference(const domains::Positional& domain, const Lattice& lattice,
+                                 certet::Cuts cuts, certet::Thresholds thresholds) {
+  const auto bisected = [&](Coord3 plus, Coord3 minus) {
+    return certified::bisect([&](std::int64_t t) {
+      return domain.sign_at(certified::point_on_edge(plus, minus, t));
+    });
+  };
+  const std::int64_t midpoint = certified::constants().midpoint_cut;
+  const certified::Domain seen{
+      [&](Coord3 v) { return domain.sign_at(certified::warped_position(v, {})); },
+      [&](Coord3 plus, Coord3 minus) {
+        return cuts == certet::Cuts::midpoint ? midpoint : bisected(plus, minus);
+      }};
+  return certified::stuff({thresholds.long_edge, thresholds.short_edge}, lattice, seen);
+}
+
+Differences compare(const Engine& production, const domains::Positional& domain,
+                    const Lattice& lattice, const StuffingOptions& options) {
+  Differences differences;
+  const PlacedMesh ours = production(domain, lattice, options);
+  const std::vector<PlacedTet> theirs =
+      reference(domain, lattice, options.cuts, ours.thresholds);
+  differences.expect(ours.tets.size() == theirs.size(), [&] {
+    std::ostringstream out;
+    out << ours.tets.size() << " tetrahedra instead of " << theirs.size();
+    return out.str();
+  });
+  for (std::size_t i = 0; i < std::min(ours.tets.size(), theirs.size()); ++i)
+    differences.expect(ours.tets[i] == theirs[i], [&] {
+      std::ostringstream out;
+      out << "tetrahedron " << i;
+      for (const auto* tet : {&ours.tets[i], &theirs[i]}) {
+        out << (tet == &theirs[i] ? " instead of" : ":");
+        for (const Coord3 v : *tet) out << " (" << v.x << ' ' << v.y << ' ' << v.z << ')';
+      }
+      return out.str();
+    });
+  return differences;
+}
+
+constexpr StuffingOptions all_options[] = {
+    {certet::Cuts::bisect, Guarantee::angles},
+    {certet::Cuts::bisect, Guarantee::embedding},
+    {certet::Cuts::midpoint, Guarantee::angles},
+};
+
+void expect_same(const domains::Positional& domain, const Lattice& lattice) {
+  for (const StuffingOptions& options : all_options) {
+    const Differences differences = compare(engine, domain, lattice, options);
+    EXPECT_TRUE(differences.empty()) << differences;
+    EXPECT_GT(differences.compared(), 100);
+  }
+}
+
+TEST(Mesh, OfASphereIsTheSame) {
+  expect_same(domains::of_level(domains::sphere(1.37, -2.81, 0.59, 5.3)), {{-6, -10, -6}, {9, 9, 8}});
+}
+
+TEST(Mesh, OfATorusIsTheSame) {
+  expect_same(domains::of_level(domains::torus(0.3, 0.2, 0.1, 5.1, 2.3)), {{-8, -8, -4}, {9, 9, 5}});
+}
+
+TEST(Mesh, OfABoxThroughLatticePointsIsTheSame) {
+  expect_same(domains::of_level(domains::box(-4, 4)), {{-8, -8, -8}, {9, 9, 9}});
+}
+
+TEST(Mesh, OfADomainThatLeavesTheLatticeIsTheSame) {
+  expect_same(domains::of_level(domains::sphere(0, 0, 0, 9)), {{-4, -6, -4}, {6, 7, 5}});
+}
+
+TEST(Mesh, FarFromTheOriginIsTheSame) {
+  const std::int32_t far = certet::anchor_limit - 20;
+  expect_same(domains::of_level(domains::sphere(far + 6.1, 5.7 - far, far + 6.2, 3.3)),
+              {{far, -far, far}, {6, 6, 6}});
+}
+
+/// A row of more than 64 points crosses the words of a bit plane.
+TEST(Mesh, OfALongRodIsTheSame) {
+  expect_same(domains::of_level([](double x, double y, double z) {
+                return std::hypot(y - 3.1, z - 2.9 - 0.01 * x) - 1.4;
+              }),
+              {{0, 0, 0}, {70, 4, 5}});
+}
+
+/// Cuts on, just below and just above each threshold seen from either end, and
+/// at both ends of the edge.
+std::vector<std::int32_t> boundary_cuts() {
+  std::vector<std::int32_t> cuts{0, 1, certet::steps / 2, certet::steps - 1};
+  for (const certet::Thresholds t : {certet::angle_thresholds, certet::embedding_thresholds})
+    for (const int direction : {0, 6})
+      for (const std::int32_t beside : {-1, 0, 1}) {
+        cuts.push_back(t.in_steps(direction) + beside);
+        cuts.push_back(certet::steps - t.in_steps(direction) + beside);
+      }
+  return cuts;
+}
+
+domains::Positional random_domain(std::uint64_t seed) {
+  const unsigned zeros = std::array{0U, 20U, 100U}[seed / 3 % 3];
+  switch (seed % 3) {
+    case 0: return domains::noise(seed, zeros);
+    case 1: return domains::random_cuts(seed, zeros, boundary_cuts());
+    default: return domains::random_cuts(seed, zeros, {seed / 9 % 2 == 0 ? 0 : certet::steps - 1});
+  }
+}
+
+/// Where the thresholds of `angles` invert a tetrahedron that is dropped, the
+/// engine warps anew with those of `embedding`.
+TEST(Mesh, OfALatticeThatFoldsIsTheSame) {
+  const std::int32_t near = certet::angle_thresholds.in_steps(0) - 1;
+  constexpr std::int32_t middle = certet::steps / 2;
+  const domains::Positional domain =
+      domains::random_cuts(4, 0, {near, certet::steps - near, middle, middle});
+  const Lattice lattice{{0, 0, 0}, {12, 12, 12}};
+  certet::Context context;
+  const certet::Stuffing stuffing(domain, lattice, {}, context);
+  EXPECT_GT(stuffing.inverted_tets(), 0U);
+  EXPECT_EQ(stuffing.guarantee(), Guarantee::embedding);
+  const Differences differences = compare(engine, domain, lattice, {});
+  EXPECT_TRUE(differences.empty()) << differences;
+}
+
+bool survives_random_domains(const Engine& production) {
+  return rc::check("random domains give the same mesh", [&] {
+    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+    const auto options = *rc::gen::elementOf(
+        std::vector<StuffingOptions>(std::begin(all_options), std::end(all_options)));
+    const auto extent = rc::gen::inRange(3, 9);
+    const auto place = rc::gen::map(rc::gen::inRange(-50, 50), [](int c) { return 2 * c; });
+    const Lattice lattice{{*place, *place, *place}, {*extent, *extent, *extent}};
+    const Differences differences =
+        compare(production, random_domain(seed), lattice, options);
+    if (!differences.empty()) {
+      std::ostringstream out;
+      out << "seed " << seed << ": " << differences;
+      RC_FAIL(out.str());
+    }
+  });
+}
+
+TEST(Mesh, OfRandomDomainsIsTheSame) { EXPECT_TRUE(survives_random_domains(engine)); }
+
+/// Each planted bug changes the mesh that the engine gave.
+Engine spoiled(const std::function<void(PlacedMesh&)>& spoil) {
+  return [=](const auto& domain, const Lattice& lattice, const StuffingOptions& options) {
+    PlacedMesh mesh = engine(domain, lattice, options);
+    if (!mesh.tets.empty()) spoil(mesh);
+    return mesh;
+  };
+}
+
+bool caught(const Engine& broken) {
+  return !compare(broken, domains::of_level(domains::sphere(0.3, 0.2, 0.1, 3.1)),
+                  {{-4, -4, -4}, {5, 5, 5}}, {})
+              .empty();
+}
+
+TEST(Mesh, CatchesOneStepOfOneVertex) {
+  EXPECT_TRUE(caught(spoiled([](PlacedMesh& m) { m.tets.back()[2].y += 1; })));
+}
+
+TEST(Mesh, CatchesATetrahedronOutOfOrder) {
+  EXPECT_TRUE(caught(spoiled([](PlacedMesh& m) { std::swap(m.tets[0], m.tets[1]); })));
+}
+
+TEST(Mesh, CatchesAMissingTetrahedron) {
+  EXPECT_TRUE(caught(spoiled([](PlacedMesh& m) { m.tets.pop_back(); })));
+}
+
+TEST(Mesh, CatchesAMirroredTetrahedron) {
+  EXPECT_TRUE(caught(spoiled([](PlacedMesh& m) { std::swap(m.tets[5][2], m.tets[5][3]); })));
+}
+
+/// The surface is found one step too near: a bisection that loses a round.
+TEST(Mesh, CatchesABisectionThatIsOneStepOff) {
+  const Engine broken = [](const domains::Positional& domain, const Lattice& lattice,
+                           const StuffingOptions& options) {
+    const domains::Positional shifted([&](Coord3 p) {
+      const auto even = [](std::int32_t c) { return c & ~1; };
+      return domain.sign_at({even(p.x), even(p.y), even(p.z)});
+    });
+    return engine(shifted, lattice, options);
+  };
+  EXPECT_TRUE(caught(broken));
+  EXPECT_FALSE(survives_random_domains(broken));
+}
+
+/// The mesh was not warped with the thresholds that it names.
+TEST(Mesh, CatchesThresholdsOfTheOtherGuarantee) {
+  const Engine broken = [](const auto& domain, const Lattice& lattice, StuffingOptions options) {
+    options.guarantee = options.guarantee == Guarantee::angles ? Guarantee::embedding
+                                                               : Guarantee::angles;
+    PlacedMesh mesh = engine(domain, lattice, options);
+    options.guarantee = options.guarantee == Guarantee::angles ? Guarantee::embedding
+                                                               : Guarantee::angles;
+    mesh.thresholds = thresholds_of(options.cuts, options.guarantee);
+    return mesh;
+  };
+  EXPECT_TRUE(caught(broken));
+}
+
+}  // namespace
