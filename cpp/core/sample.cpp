@@ -46,8 +46,9 @@ SignWord pack(const Sign* signs) {
 /// Samples the rows of one block-row: all indices i, `block` values of j and k.
 class BlockRowSampler {
  public:
-  BlockRowSampler(const Domain& domain, const Lattice& lattice, SignPlanes& planes)
-      : domain_(domain), lattice_(lattice), planes_(planes),
+  BlockRowSampler(const Domain& domain, const Lattice& lattice, Cuts cuts, SignPlanes& planes)
+      : domain_(domain), lattice_(lattice), surface_is_inside_(cuts == Cuts::midpoint),
+        planes_(planes),
         extents_(static_cast<std::size_t>(blocks_in(lattice.cells[0]))),
         signs_(static_cast<std::size_t>(planes.words()) * 64) {}
 
@@ -81,8 +82,8 @@ class BlockRowSampler {
     std::uint64_t* const zero = planes_.zero(grid, j, k);
     for (int w = 0; w < planes_.words(); ++w) {
       const SignWord word = pack(&signs_[static_cast<std::size_t>(w) * 64]);
-      plus[w] = word.plus;
-      zero[w] = word.zero;
+      plus[w] = surface_is_inside_ ? word.plus | word.zero : word.plus;
+      zero[w] = surface_is_inside_ ? 0 : word.zero;
     }
   }
 
@@ -109,6 +110,7 @@ class BlockRowSampler {
 
   const Domain& domain_;
   const Lattice& lattice_;
+  bool surface_is_inside_;
   SignPlanes& planes_;
   std::vector<Extent> extents_;
   std::vector<Sign> signs_;
@@ -116,12 +118,12 @@ class BlockRowSampler {
 
 }  // namespace
 
-SignPlanes sample(const Domain& domain, const Lattice& lattice, Context& context) {
+SignPlanes sample(const Domain& domain, const Lattice& lattice, Cuts cuts, Context& context) {
   SignPlanes planes(lattice.cells);
   const int blocks_j = blocks_in(lattice.cells[1]);
   const int blocks_k = blocks_in(lattice.cells[2]);
   parallel_for(context, Stage::sample, std::int64_t{blocks_j} * blocks_k, [&](std::int64_t task) {
-    BlockRowSampler(domain, lattice, planes)
+    BlockRowSampler(domain, lattice, cuts, planes)
         .sample(static_cast<int>(task % blocks_j), static_cast<int>(task / blocks_j));
   });
   return planes;

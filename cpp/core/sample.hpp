@@ -9,7 +9,9 @@
 
 namespace certet::core {
 
-/// Signs of all lattice vertices; those on the rim are minus.
-SignPlanes sample(const Domain& domain, const Lattice& lattice, Context& context);
+/// Signs of all lattice vertices; those on the rim are minus.  With midpoint
+/// cuts a vertex on the surface counts as inside: the angles proven for them
+/// are those of a domain that is either in or out.
+SignPlanes sample(const Domain& domain, const Lattice& lattice, Cuts cuts, Context& context);
 
 }  // namespace certet::core

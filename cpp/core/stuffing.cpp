@@ -93,7 +93,7 @@ Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, const StuffingO
   state_ = within_memory([&] {
     Guarantee guarantee = options.guarantee;
     std::uint64_t inverted = 0;
-    const SignPlanes planes = sample(domain, lattice, context);
+    const SignPlanes planes = sample(domain, lattice, options.cuts, context);
     const std::vector<CutLayer> cuts = find_cuts(planes, domain, lattice, options.cuts, context);
     WarpedLattice warped = warp_lattice(planes, cuts, lattice, options, guarantee, inverted, context);
     RowNumbers numbers = count_rows(warped.planes, context);

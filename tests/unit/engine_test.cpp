@@ -215,6 +215,17 @@ TEST(Engine, ALatticeOutsideTheRangeIsRefused) {
   EXPECT_EQ(code_of({{0, 0, 0}, {1, 10, 10}}), ErrorCode::bad_option);
 }
 
+TEST(Engine, WithMidpointCutsTheSurfaceCountsAsInside) {
+  const auto noise = domains::noise(3, 64);
+  const domains::Positional rounded([&](Coord3 p) {
+    return noise.sign_at(p) == Sign::minus ? Sign::minus : Sign::plus;
+  });
+  const StuffingOptions midpoint{Cuts::midpoint, Guarantee::angles};
+  EXPECT_TRUE(same(mesh_of(noise, around_origin(8), 1, midpoint),
+                   mesh_of(rounded, around_origin(8), 1, midpoint)));
+  EXPECT_FALSE(same(mesh_of(noise, around_origin(8)), mesh_of(rounded, around_origin(8))));
+}
+
 TEST(Engine, AnEmptyDomainIsAnError) {
   const auto nowhere = domains::Positional([](Coord3) { return Sign::minus; });
   Context context;

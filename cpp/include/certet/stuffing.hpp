@@ -26,7 +26,8 @@ struct Lattice {
 /// Where the cuts are put.
 enum class Cuts {
   bisect,    ///< on the surface, found by bisection to one step
-  midpoint,  ///< in the middle of each edge; no vertex is warped
+  midpoint,  ///< in the middle of each edge; no vertex is warped, and one that
+             ///< lies on the surface counts as inside
 };
 
 /// Which theorem shall cover the mesh.
