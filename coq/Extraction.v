@@ -21,7 +21,7 @@ Extraction "certified.ml"
   (* the stencils *)
   GetUnstructuredTets
   (* cuts *)
-  StepBits Steps Bisect MidpointCut PointOnEdge
+  StepBits Steps Bisect MidpointCut InOrOut PointOnEdge
   (* warping *)
   AngleThresholds EmbeddingThresholds NoWarpThresholds ThresholdSteps
   Warp.Warp.Warp WarpedSign WarpedPosition

@@ -87,7 +87,7 @@ let domain_of request =
     | _ -> raise (Usage "give --signs, or --solid and --lattice")
   in
   let domain =
-    if request.midpoint then { domain with cut = Domain.midpoint } else domain
+    if request.midpoint then Domain.midpoint domain else domain
   in
   (lattice, Domain.within lattice domain)
 

@@ -892,6 +892,12 @@ let bisect sign0 =
 let midpointCut =
   Z.div steps (Zpos (XO XH))
 
+(** val inOrOut : sign -> sign **)
+
+let inOrOut = function
+| Minus -> Minus
+| _ -> Plus
+
 (** val pointOnEdge : coord3 -> coord3 -> z -> coord3 **)
 
 let pointOnEdge a b t =

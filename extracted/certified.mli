@@ -188,6 +188,8 @@ val bisect : (z -> sign) -> z
 
 val midpointCut : z
 
+val inOrOut : sign -> sign
+
 val pointOnEdge : coord3 -> coord3 -> z -> coord3
 
 type thresholds =

@@ -5,7 +5,8 @@ type t = { sign : signField; cut : cutField }
 let bisected position_sign plus minus =
   bisect (fun t -> position_sign (pointOnEdge plus minus t))
 
-let midpoint _ _ = midpointCut
+let midpoint { sign; _ } =
+  { sign = (fun v -> inOrOut (sign v)); cut = (fun _ _ -> midpointCut) }
 
 let of_position_sign position_sign =
   {

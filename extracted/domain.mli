@@ -7,8 +7,8 @@ val bisected : (Certified.coord3 -> Certified.sign) -> Certified.cutField
 (** The cuts of the certificate's [Bisect], given the sign at any position in
     steps. *)
 
-val midpoint : Certified.cutField
-(** Every edge is cut in the middle. *)
+val midpoint : t -> t
+(** The domain with every edge cut in the middle, and its surface inside. *)
 
 val of_position_sign : (Certified.coord3 -> Certified.sign) -> t
 (** A domain known by its sign at any position in steps. *)

@@ -30,8 +30,13 @@ Fixpoint BisectFrom (sign : Z -> Sign) (rounds : nat) (lo : Z) : Z :=
 (** The cut of an edge from a + end (0 steps) to a - end ([Steps] steps). *)
 Definition Bisect (sign : Z -> Sign) : Z := BisectFrom sign StepBits 0.
 
-(** The cut that label images ask for. *)
+(** The cut that label images ask for.  It tells nothing of a surface, so a
+    domain that is cut so is either in or out: what lies on its surface counts
+    as inside. *)
 Definition MidpointCut : Z := Steps / 2.
+
+Definition InOrOut (s : Sign) : Sign :=
+  match s with Minus => Minus | _ => Plus end.
 
 (** Positions of the output are in steps: lattice coordinates times [Steps].
     [PointOnEdge a b t] lies [t] steps from [a] on the edge from [a] to [b]. *)

@@ -63,7 +63,11 @@ std::vector<PlacedTet> reference(const domains::Positional& domain, const Lattic
   };
   const std::int64_t midpoint = certified::constants().midpoint_cut;
   const certified::Domain seen{
-      [&](Coord3 v) { return domain.sign_at(certified::warped_position(v, {})); },
+      [&](Coord3 v) {
+        const Sign sign = domain.sign_at(certified::warped_position(v, {}));
+        // `InOrOut` of the certificate.
+        return cuts == certet::Cuts::midpoint && sign == Sign::on_surface ? Sign::plus : sign;
+      },
       [&](Coord3 plus, Coord3 minus) {
         return cuts == certet::Cuts::midpoint ? midpoint : bisected(plus, minus);
       }};
