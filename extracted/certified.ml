@@ -482,13 +482,13 @@ type handedness =
 (** val caseHandedness : structuredTetCase -> handedness **)
 
 let caseHandedness = function
-| Tet_I1 -> LeftHanded
-| Tet_I4 -> LeftHanded
-| Tet_J2 -> LeftHanded
-| Tet_J3 -> LeftHanded
-| Tet_K2 -> LeftHanded
-| Tet_K3 -> LeftHanded
-| _ -> RightHanded
+| Tet_I1 -> RightHanded
+| Tet_I4 -> RightHanded
+| Tet_J2 -> RightHanded
+| Tet_J3 -> RightHanded
+| Tet_K1 -> RightHanded
+| Tet_K4 -> RightHanded
+| _ -> LeftHanded
 
 (** val getStructuredTet : structuredTetId -> structuredTet **)
 
