@@ -169,8 +169,8 @@ Proof. exact NeighborProof.NeighborInvolution. Qed.
 Theorem TetrahedraInside :
   forall th sign cut tid t,
     In t (StuffTet th sign cut tid) ->
-    (exists v, In v (Corners t) /\ MeshVertexSign th sign cut v = Plus) /\
-    (forall v, In v (Corners t) -> MeshVertexSign th sign cut v <> Minus).
+    (exists v, In v (TetCorners t) /\ MeshVertexSign th sign cut v = Plus) /\
+    (forall v, In v (TetCorners t) -> MeshVertexSign th sign cut v <> Minus).
 Proof. exact MeshProof.TetrahedraInside. Qed.
 
 (** If a face of the lattice has a + corner, both sides divide it into the same

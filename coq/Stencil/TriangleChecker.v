@@ -22,14 +22,14 @@ Definition Distinct (a b c : Symbol) : bool :=
 
 (** In every order. *)
 Definition Triangles (t : SymbolicTet) : list Triangle :=
-  let corners := Corners t in
+  let corners := TetCorners t in
   filter (fun '(a, b, c) => Distinct a b c)
     (list_prod (list_prod corners corners) corners).
 
 (** For three distinct symbols. *)
 Definition Has (t : SymbolicTet) (abc : Triangle) : bool :=
   let '(a, b, c) := abc in
-  let corners := Corners t in
+  let corners := TetCorners t in
   Member a corners && Member b corners && Member c corners.
 
 Definition SomeHas (ts : list SymbolicTet) (abc : Triangle) : bool :=
@@ -77,11 +77,11 @@ Definition CheckIncluded (face : list Label) (ts us : list SymbolicTet) : bool :
 
 (** No tetrahedron has all its corners on the face. *)
 Definition CheckReachesOff (face : list Label) (ts : list SymbolicTet) : bool :=
-  forallb (fun t => negb (forallb (LiesOn face) (Corners t))) ts.
+  forallb (fun t => negb (forallb (LiesOn face) (TetCorners t))) ts.
 
 (** All corners of all tetrahedra combine the labels given. *)
 Definition CheckStaysIn (labels : list Label) (ts : list SymbolicTet) : bool :=
-  forallb (fun t => forallb (LiesOn labels) (Corners t)) ts.
+  forallb (fun t => forallb (LiesOn labels) (TetCorners t)) ts.
 
 (** A triangle on the face belongs to one tetrahedron. *)
 Definition CheckOnce (face : list Label) (ts : list SymbolicTet) : bool :=
@@ -99,7 +99,7 @@ Definition Faces : list (list Label) :=
 (** Every tetrahedron has a + corner, and none has a - corner. *)
 Definition CheckInner (sign : Label -> Sign) (ts : list SymbolicTet) : bool :=
   forallb (fun t =>
-    let signs := map (SymbolSign sign) (Corners t) in
+    let signs := map (SymbolSign sign) (TetCorners t) in
     existsb IsPlus signs && forallb (fun s => negb (IsMinus s)) signs) ts.
 
 (** A triangle that has an inner corner belongs to two tetrahedra, or lies on

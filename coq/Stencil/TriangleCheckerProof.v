@@ -92,8 +92,8 @@ Qed.
 Lemma CheckInnerSound sign ts :
   CheckInner sign ts = true ->
   forall t, In t ts ->
-    (exists s, In s (Corners t) /\ SymbolSign sign s = Plus) /\
-    (forall s, In s (Corners t) -> SymbolSign sign s <> Minus).
+    (exists s, In s (TetCorners t) /\ SymbolSign sign s = Plus) /\
+    (forall s, In s (TetCorners t) -> SymbolSign sign s <> Minus).
 Proof.
   intros check t inside.
   unfold CheckInner in check; rewrite forallb_forall in check.
@@ -143,7 +143,7 @@ Qed.
 
 Lemma CheckStaysInSound labels ts :
   CheckStaysIn labels ts = true ->
-  forall t s, In t ts -> In s (Corners t) -> LiesOn labels s = true.
+  forall t s, In t ts -> In s (TetCorners t) -> LiesOn labels s = true.
 Proof.
   intros check t s inside corner.
   unfold CheckStaysIn in check; rewrite forallb_forall in check.
@@ -153,7 +153,7 @@ Qed.
 Lemma CheckReachesOffSound face ts :
   CheckReachesOff face ts = true ->
   forall t, In t ts ->
-    ~ (forall s, In s (Corners t) -> LiesOn face s = true).
+    ~ (forall s, In s (TetCorners t) -> LiesOn face s = true).
 Proof.
   intros check t inside; rewrite <- forallb_forall, not_true_iff_false.
   unfold CheckReachesOff in check; rewrite forallb_forall in check.

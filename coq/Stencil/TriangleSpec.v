@@ -9,12 +9,12 @@ Import ListNotations.
 Section Triangle.
   Variable Vertex : Type.
 
-  Definition Corners (t : UnstructuredTet Vertex) : list Vertex :=
+  Definition TetCorners (t : UnstructuredTet Vertex) : list Vertex :=
     match t with UT _ a b c d => [a; b; c; d] end.
 
   (** [a b c] are three different corners of [t]. *)
   Definition HasTriangle (t : UnstructuredTet Vertex) (a b c : Vertex) : Prop :=
-    (In a (Corners t) /\ In b (Corners t) /\ In c (Corners t)) /\
+    (In a (TetCorners t) /\ In b (TetCorners t) /\ In c (TetCorners t)) /\
     (a <> b /\ b <> c /\ a <> c).
 
   Definition AmongTriangles (ts : list (UnstructuredTet Vertex))
@@ -22,6 +22,6 @@ Section Triangle.
     exists t, In t ts /\ HasTriangle t a b c.
 End Triangle.
 
-Arguments Corners {Vertex}.
+Arguments TetCorners {Vertex}.
 Arguments HasTriangle {Vertex}.
 Arguments AmongTriangles {Vertex}.

@@ -124,8 +124,8 @@ Section Inside.
       outside. *)
   Theorem TetrahedraInside :
     forall t, In t stuffing ->
-      (exists v, In v (Corners t) /\ MeshVertexSign th sign cut v = Plus) /\
-      (forall v, In v (Corners t) -> MeshVertexSign th sign cut v <> Minus).
+      (exists v, In v (TetCorners t) /\ MeshVertexSign th sign cut v = Plus) /\
+      (forall v, In v (TetCorners t) -> MeshVertexSign th sign cut v <> Minus).
   Proof.
     intros t inside.
     destruct (VerticesNamed tid) as (f1 & f2 & f3 & p & q & distinct & vertices).
@@ -178,7 +178,7 @@ Section Inside.
   (** A tetrahedron of the output has a corner off any given face, *)
   Lemma ReachesOff :
     forall i t, In t stuffing ->
-      ~ (forall v, In v (Corners t) -> LiesIn (FaceOf tid i) v).
+      ~ (forall v, In v (TetCorners t) -> LiesIn (FaceOf tid i) v).
   Proof.
     intros i t inside on.
     destruct (VerticesNamed tid) as (f1 & f2 & f3 & p & q & distinct & vertices).
@@ -197,7 +197,7 @@ Section Inside.
 
   (** but none outside the structured tetrahedron. *)
   Lemma StaysIn :
-    forall t v, In t stuffing -> In v (Corners t) ->
+    forall t v, In t stuffing -> In v (TetCorners t) ->
       match GetStructuredTet tid with ST v1 v2 v3 v4 _ _ _ _ =>
         LiesIn [v1; v2; v3; v4] v
       end.

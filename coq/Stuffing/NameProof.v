@@ -18,7 +18,7 @@ Local Opaque WarpVertex.
 
 (** ** Orientation moves no corner to another tetrahedron *)
 
-Lemma OrientCorners h t m : In m (Corners (Orient h t)) <-> In m (Corners t).
+Lemma OrientCorners h t m : In m (TetCorners (Orient h t)) <-> In m (TetCorners t).
 Proof. destruct h, t; cbn; tauto. Qed.
 
 Lemma OrientHasTriangle h t a b c :
@@ -105,7 +105,7 @@ Section Names.
   (** ** Triangles *)
 
   Lemma MapTetCorners (t : SymbolicTet) :
-    Corners (MapTet Name t) = map Name (Corners t).
+    TetCorners (MapTet Name t) = map Name (TetCorners t).
   Proof. now destruct t. Qed.
 
   Lemma InNames (s : Symbol) (symbols : list Symbol) :
