@@ -19,13 +19,16 @@ From Certet Require Export Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Export Lattice.StructuredTetSpec Lattice.NeighborSpec.
 From Certet Require Export Stencil.CompatibilitySpec.
 From Certet Require Export Stencil.StencilSet Stencil.OtherStencils.
+From Certet Require Export Stencil.TriangleSpec Stuffing.MeshSpec.
 
 (** Why it holds. *)
 From Certet Require Lattice.StructuredTetProof Lattice.NeighborProof.
 From Certet Require Stencil.CompatibilityChecker.
+From Certet Require Stencil.CompatibilityCheckerProof.
 From Certet Require Stencil.CompatibilityProof.
 From Certet Require Stencil.LatticeCompatibilityProof.
 From Certet Require Stencil.OtherStencilsProof.
+From Certet Require Stuffing.MeshProof.
 
 (** ** The paper's certificate *)
 
@@ -125,6 +128,14 @@ Proof. exact LatticeCompatibilityProof.Face4Compatible. Qed.
 
 (** ** Beyond the paper: the verification is not tied to these stencils *)
 
+(** A stencil set that looks at its vertices through their signs alone, and that
+    the checker accepts, is compatible in all six arrangements. *)
+Theorem CheckCompatibilitySound :
+  forall T : StencilSet,
+    Natural T -> CompatibilityChecker.CheckCompatibility T = true ->
+    CompatibleStencils T.
+Proof. exact CompatibilityCheckerProof.CheckCompatibilitySound. Qed.
+
 (** Another stencil set, with the Parity Rule mirrored, is compatible too. *)
 Theorem MirroredStencilsCompatible : CompatibleStencils MirroredStencils.
 Proof. exact OtherStencilsProof.MirroredStencilsCompatible. Qed.
@@ -153,4 +164,50 @@ Theorem NeighborInvolution :
       Undoes back_order order /\ Undoes order back_order.
 Proof. exact NeighborProof.NeighborInvolution. Qed.
 
-(** ** Beyond the paper: angle bounds *)
+(** A tetrahedron of the output has a corner inside the domain, and none
+    outside. *)
+Theorem TetrahedraInside :
+  forall th sign cut tid t,
+    In t (StuffTet th sign cut tid) ->
+    (exists v, In v (Corners t) /\ MeshVertexSign th sign cut v = Plus) /\
+    (forall v, In v (Corners t) -> MeshVertexSign th sign cut v <> Minus).
+Proof. exact MeshProof.TetrahedraInside. Qed.
+
+(** If a face of the lattice has a + corner, both sides divide it into the same
+    triangles, whatever the domain and the thresholds. *)
+Theorem FaceTriangulationsAgree :
+  forall th sign cut tid i,
+    let face := FaceOf tid i in
+    (exists f, In f face /\ MeshVertexSign th sign cut (Corner f) = Plus) ->
+    forall a b c, LiesIn face a -> LiesIn face b -> LiesIn face c ->
+      AmongTriangles (StuffTet th sign cut tid) a b c <->
+      AmongTriangles (StuffTet th sign cut (NeighborOf tid i)) a b c.
+Proof. exact MeshProof.FaceTriangulationsAgree. Qed.
+
+(** Such a triangle belongs to no more than one tetrahedron of either side. *)
+Theorem FaceTriangleOnce :
+  forall th sign cut tid i t u a b c,
+    In t (StuffTet th sign cut tid) -> In u (StuffTet th sign cut tid) ->
+    HasTriangle t a b c -> HasTriangle u a b c ->
+    LiesIn (FaceOf tid i) a -> LiesIn (FaceOf tid i) b ->
+    LiesIn (FaceOf tid i) c ->
+    t = u.
+Proof. exact MeshProof.FaceTriangleOnce. Qed.
+
+(** A triangle of the output either has its three vertices on the surface, or
+    belongs to another tetrahedron of the output as well, in the same structured
+    tetrahedron or a face neighbour of it. *)
+Theorem BoundaryOnSurface :
+  forall th sign cut tid t a b c,
+    In t (StuffTet th sign cut tid) -> HasTriangle t a b c ->
+    (MeshVertexSign th sign cut a = OnSurface /\
+     MeshVertexSign th sign cut b = OnSurface /\
+     MeshVertexSign th sign cut c = OnSurface) \/
+    (exists u, u <> t /\ HasTriangle u a b c /\
+       (In u (StuffTet th sign cut tid) \/
+        exists i, In u (StuffTet th sign cut (NeighborOf tid i)))).
+Proof. exact MeshProof.BoundaryOnSurface. Qed.
+
+(** ** Beyond the paper: angle bounds
+
+    The bounds on the dihedral angles of the output go here. *)

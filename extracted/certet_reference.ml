@@ -23,6 +23,12 @@ type request = {
   mutable output : string option;
 }
 
+(* Of what [Arg] says: the program's name, the fault, and the usage. *)
+let first_line text =
+  let line = List.hd (String.split_on_char '\n' text) in
+  let after = String.length Sys.argv.(0) + 2 in
+  String.sub line after (String.length line - after)
+
 let read_request () =
   let r =
     {
@@ -53,7 +59,7 @@ let read_request () =
   in
   (match Arg.parse_argv Sys.argv options (fun s -> r.output <- Some s) usage with
   | () -> ()
-  | exception Arg.Bad text -> raise (Usage text));
+  | exception Arg.Bad text -> raise (Usage (first_line text)));
   r
 
 let parse_lattice text =
@@ -68,7 +74,8 @@ let parse_lattice text =
         Lattice.origin = { x = ox; y = oy; z = oz };
         cells = { x = nx; y = ny; z = nz };
       }
-  | _ -> raise (Usage (Printf.sprintf "'%s' is no lattice of three even and three whole numbers" text))
+  | _ ->
+      raise (Usage (Printf.sprintf "'%s' is no lattice: three even numbers and three more" text))
 
 let domain_of request =
   let lattice, domain =
@@ -130,7 +137,7 @@ let () =
   match run () with
   | () -> ()
   | exception Arg.Help text -> print_string text
-  | exception Usage sentence -> complain 2 (List.hd (String.split_on_char '\n' sentence))
+  | exception Usage sentence -> complain 2 sentence
   | exception Solid.Unknown sentence -> complain 2 sentence
   | exception Sign_file.Malformed sentence -> complain 1 sentence
   | exception Sys_error sentence -> complain 1 sentence

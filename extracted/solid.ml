@@ -5,12 +5,14 @@ type t = float -> float -> float -> float
 
 exception Unknown of string
 
+let squared x = x *. x
+
 let sphere cx cy cz r x y z =
-  ((x -. cx) ** 2.) +. ((y -. cy) ** 2.) +. ((z -. cz) ** 2.) -. (r *. r)
+  squared (x -. cx) +. squared (y -. cy) +. squared (z -. cz) -. squared r
 
 let torus cx cy cz major minor x y z =
-  let from_tube = sqrt (((x -. cx) ** 2.) +. ((y -. cy) ** 2.)) -. major in
-  (from_tube *. from_tube) +. ((z -. cz) ** 2.) -. (minor *. minor)
+  let from_tube = sqrt (squared (x -. cx) +. squared (y -. cy)) -. major in
+  squared from_tube +. squared (z -. cz) -. squared minor
 
 let box x0 y0 z0 x1 y1 z1 x y z =
   let outside low c high = Float.max (low -. c) (c -. high) in

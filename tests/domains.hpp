@@ -57,7 +57,7 @@ inline Level sphere(double cx, double cy, double cz, double r) {
 /// Axis along z.
 inline Level torus(double cx, double cy, double cz, double major, double minor) {
   return [=](double x, double y, double z) {
-    const double tube = std::hypot(x - cx, y - cy) - major;
+    const double tube = std::sqrt((x - cx) * (x - cx) + (y - cy) * (y - cy)) - major;
     return tube * tube + (z - cz) * (z - cz) - minor * minor;
   };
 }

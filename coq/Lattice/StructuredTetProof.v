@@ -29,7 +29,7 @@ Proof.
   intros [[x y z] []]; cbn; repeat split; points.
 Qed.
 
-(** The four vertices of a structured tetrahedron are four. *)
+(** The four vertices of a structured tetrahedron are four, *)
 Lemma VerticesDistinct :
   forall tid : StructuredTetId,
     match GetStructuredTet tid with
@@ -38,4 +38,14 @@ Lemma VerticesDistinct :
     end.
 Proof.
   intros [[x y z] []]; cbn; repeat split; points.
+Qed.
+
+(** and none of them is the reference point. *)
+Lemma AnchorApart (anchor : Coord3) (case : StructuredTetCase) :
+  match GetStructuredTet (STId anchor case) with
+    ST v1 v2 v3 v4 _ _ _ _ =>
+      v1 <> anchor /\ v2 <> anchor /\ v3 <> anchor /\ v4 <> anchor
+  end.
+Proof.
+  destruct anchor as [x y z], case; cbn; repeat split; points.
 Qed.

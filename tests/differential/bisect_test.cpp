@@ -47,6 +47,7 @@ std::int64_t engine_bisect(int direction, const SignOnEdge& sign) {
   const Coord3 plus_end = minus_end - towards;
   const domains::Positional domain = one_edge(plus_end, sign);
   certet::Context context;
+  context.threads = 1;  // the mesh is tiny
   const certet::Mesh mesh =
       certet::stuff(domain, lattice, {}, {certet::Cuts::bisect, certet::Guarantee::embedding},
                     context);

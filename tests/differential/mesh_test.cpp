@@ -41,6 +41,7 @@ using Engine = std::function<PlacedMesh(const domains::Positional&, const Lattic
 PlacedMesh engine(const domains::Positional& domain, const Lattice& lattice,
                   const StuffingOptions& options) {
   certet::Context context;
+  context.threads = 1;
   const certet::Stuffing stuffing(domain, lattice, options, context);
   const certet::Mesh mesh = certet::emit(stuffing, {}, context);
   PlacedMesh placed{{}, thresholds_of(options.cuts, stuffing.guarantee())};

@@ -35,6 +35,11 @@ class DamagedVtu : public testing::Test {
     return changed.replace(at, old.size(), by);
   }
 
+  [[nodiscard]] std::string with_number(const std::string& attribute, const std::string& old,
+                                        const std::string& by) const {
+    return replaced(attribute + "=\"" + old + "\"", attribute + "=\"" + by + "\"");
+  }
+
   /// Where the appended data begins.
   [[nodiscard]] std::size_t data() const { return bytes_.find("\n_") + 2; }
 
@@ -76,14 +81,11 @@ TEST_F(DamagedVtu, AnyChangedByteIsSurvived) {
 TEST_F(DamagedVtu, CountsThatTheFileCannotHold) {
   for (const char* count : {"8", "10", "0", "99999999", "768614336404564651", "1152921504606846976",
                             "18446744073709551615"}) {
-    expect_refused(replaced("NumberOfPoints=\"9\"", std::string("NumberOfPoints=\"") + count + "\""),
-                   "does not agree");
-    expect_refused(replaced("NumberOfCells=\"7\"", std::string("NumberOfCells=\"") + count + "\""),
-                   "does not agree");
+    expect_refused(with_number("NumberOfPoints", "9", count), "does not agree");
+    expect_refused(with_number("NumberOfCells", "7", count), "does not agree");
   }
   for (const char* count : {"", "-9", "9x", "18446744073709551616"})
-    expect_refused(replaced("NumberOfPoints=\"9\"", std::string("NumberOfPoints=\"") + count + "\""),
-                   "NumberOfPoints is no number");
+    expect_refused(with_number("NumberOfPoints", "9", count), "NumberOfPoints is no number");
 }
 
 TEST_F(DamagedVtu, OffsetsThatTheFileDoesNotHave) {

@@ -174,7 +174,8 @@ TEST(Check, MeshesOfTheEnginePass) {
   Context context;
   const Lattice lattice{{-24, -24, -24}, {24, 24, 24}};
   for (const Guarantee guarantee : {Guarantee::angles, Guarantee::embedding}) {
-    const Mesh mesh = stuff(domains::of_level(domains::torus(0, 0, 0, 14, 6)), lattice, {}, {Cuts::bisect, guarantee}, context);
+    const auto torus = domains::of_level(domains::torus(0, 0, 0, 14, 6));
+    const Mesh mesh = stuff(torus, lattice, {}, {Cuts::bisect, guarantee}, context);
     std::vector<Point3> points;
     for (const Coord3 p : mesh.points) points.push_back(mesh.frame.world(p));
     const std::span<const Tet32> tets = std::get<Buffer<Tet32>>(mesh.tets);

@@ -62,7 +62,7 @@ Real dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + 
 
 /// The six angles by the definition, in degrees.
 std::array<double, 6> plain_angles(const std::array<Point3, 4>& p) {
-  constexpr int edges[6][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2},
+  constexpr std::size_t edges[6][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2},
                                {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}};
   std::array<double, 6> angles;
   for (std::size_t i = 0; i < 6; ++i) {

@@ -24,7 +24,8 @@ TEST(WideSum, HoldsWhatOverflowsSixtyFourBits) {
 }
 
 TEST(WideSum, KeepsSmallNumbersOfBothSigns) {
-  for (const std::int64_t n : {std::int64_t{0}, std::int64_t{1}, std::int64_t{-1}, greatest, least}) {
+  constexpr std::int64_t numbers[] = {0, 1, -1, greatest, least};
+  for (const std::int64_t n : numbers) {
     WideSum sum;
     sum += n;
     EXPECT_EQ(sum.value(), static_cast<double>(n));
