@@ -1,0 +1,312 @@
+// Image domains against their definition, point by point: the sign of a lattice
+// point is found again from its world coordinates and the voxels around it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "certet/error.hpp"
+#include "certet/image.hpp"
+
+namespace certet {
+namespace {
+
+constexpr unsigned seed = 20070;
+
+using Axes = std::array<std::array<double, 3>, 3>;
+
+const std::vector<Axes> all_axes{
+    {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},            // plain
+    {{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}},           // left-handed
+    {{{0, 0, 1}, {1, 0, 0}, {0, -1, 0}}},           // permuted, left-handed
+    {{{0.6, -0.8, 0}, {0.8, 0.6, 0}, {0, 0, 1}}}};  // turned
+
+/// Blobs of value 0..3, some blocks of 8 uniform, most not.
+template <class T>
+Image blobs(const Axes& axes, const Point3& spacing) {
+  Image image;
+  image.name = "blobs";
+  image.size = {19, 11, 26};
+  image.spacing = spacing;
+  image.origin = {5, -7, 11};
+  image.axes = axes;
+  Buffer<T> voxels(static_cast<std::size_t>(19 * 11 * 26));
+  std::size_t at = 0;
+  for (int k = 0; k < 26; ++k)
+    for (int j = 0; j < 11; ++j)
+      for (int i = 0; i < 19; ++i)
+        voxels[at++] = static_cast<T>(k < 8 ? 2 : k < 16 ? 0 : (i * i + 3 * j * k) / 17 % 4);
+  image.voxels = std::move(voxels);
+  return image;
+}
+
+template <class T>
+double voxel(const Image& image, std::int64_t i, std::int64_t j, std::int64_t k) {
+  const auto& voxels = std::get<Buffer<T>>(image.voxels);
+  return static_cast<double>(
+      voxels[static_cast<std::size_t>((k * image.size[1] + j) * image.size[0] + i)]);
+}
+
+/// Voxel coordinates of a world point.
+Point3 in_voxels(const Image& image, const Point3& world) {
+  Point3 result;
+  for (std::size_t a = 0; a < 3; ++a) {
+    result[a] = 0;
+    for (std::size_t r = 0; r < 3; ++r)
+      result[a] += (world[r] - image.origin[r]) * image.axes[r][a] / image.spacing[a];
+  }
+  return result;
+}
+
+bool beyond(const Image& image, const Point3& at) {
+  for (std::size_t a = 0; a < 3; ++a)
+    if (at[a] < -0.5 || at[a] > static_cast<double>(image.size[a]) - 0.5) return true;
+  return false;
+}
+
+/// Whether rounding may decide which voxel is nearest, or what is beyond.
+bool ties(const Point3& at) {
+  return std::any_of(at.begin(), at.end(), [](double c) {
+    return std::abs(c - std::floor(c) - 0.5) < 1e-9;
+  });
+}
+
+double trilinear(const Image& image, const Point3& at) {
+  double sum = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    double weight = 1;
+    std::array<std::int64_t, 3> n;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double last = static_cast<double>(image.size[a] - 1);
+      const double c = std::clamp(at[a], 0.0, last);
+      const double low = std::min(std::floor(c), last - 1);
+      const bool high = (corner >> a) & 1;
+      weight *= high ? c - low : 1 - (c - low);
+      n[a] = static_cast<std::int64_t>(low) + (high ? 1 : 0);
+    }
+    sum += weight * voxel<float>(image, n[0], n[1], n[2]);
+  }
+  return sum;
+}
+
+/// Whether a point is among the outermost of its lattice, which the engine takes
+/// for outside.
+bool on_rim(const Lattice& lattice, Coord3 point) {
+  const auto rim = [](std::int32_t cells, std::int32_t at) {
+    return at < 2 || at >= 2 * cells - 2;
+  };
+  return rim(lattice.cells[0], point.x - lattice.origin.x) ||
+         rim(lattice.cells[1], point.y - lattice.origin.y) ||
+         rim(lattice.cells[2], point.z - lattice.origin.z);
+}
+
+/// Calls visit(lattice point, sign by row) for all points of a domain's lattice.
+template <class Visit>
+void for_all_points(const ImageDomain& domain, const Visit& visit) {
+  const Lattice& lattice = domain.lattice();
+  std::vector<Sign> row(static_cast<std::size_t>(lattice.cells[0]));
+  for (int odd = 0; odd < 2; ++odd)
+    for (int k = 0; k < lattice.cells[2]; ++k)
+      for (int j = 0; j < lattice.cells[1]; ++j) {
+        const Coord3 first = lattice.origin + Coord3{odd, 2 * j + odd, 2 * k + odd};
+        domain.row(first, row);
+        for (int i = 0; i < lattice.cells[0]; ++i)
+          visit(first + Coord3{2 * i, 0, 0}, row[static_cast<std::size_t>(i)]);
+      }
+}
+
+Sign sign_at(const ImageDomain& domain, Coord3 position) {
+  Sign sign{};
+  domain.at({&position, 1}, {&sign, 1});
+  return sign;
+}
+
+struct Case {
+  Axes axes;
+  Point3 spacing;
+  double size;
+};
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const Axes& axes : all_axes)
+    for (const double size : {1.0, 0.37, 0.5, 1.5, 2.0}) all.push_back({axes, {1, 1, 1}, size});
+  for (const Axes& axes : all_axes) all.push_back({axes, {0.5, 1, 2}, 0.5});
+  return all;
+}
+
+TEST(LabelDomain, RowsAreTheNearestVoxels) {
+  for (const Case& c : cases()) {
+    const Image image = blobs<std::int16_t>(c.axes, c.spacing);
+    const auto domain =
+        label_domain(blobs<std::int16_t>(c.axes, c.spacing), {{2, 3}}, {c.size, 1});
+    for_all_points(*domain, [&](Coord3 point, Sign sign) {
+      ASSERT_EQ(sign, sign_at(*domain, steps * point));
+      ASSERT_FALSE(on_rim(domain->lattice(), point) && sign == Sign::plus);
+      const Point3 at = in_voxels(image, domain->frame().world(steps * point));
+      if (ties(at)) return;
+      const bool inside = !beyond(image, at) &&
+                          voxel<std::int16_t>(image, std::lround(at[0]), std::lround(at[1]),
+                                              std::lround(at[2])) >= 2;
+      ASSERT_EQ(sign, inside ? Sign::plus : Sign::minus);
+    });
+  }
+}
+
+TEST(LabelDomain, EveryVoxelHoldsOneEvenAndOneOddPoint) {
+  for (const Axes& axes : all_axes) {
+    const Image image = blobs<std::int16_t>(axes, {1, 1, 1});
+    const auto domain = label_domain(blobs<std::int16_t>(axes, {1, 1, 1}), {{0, 3}}, {});
+    std::multiset<std::array<long, 3>> even, odd;
+    for_all_points(*domain, [&](Coord3 point, Sign sign) {
+      const Point3 at = in_voxels(image, domain->frame().world(steps * point));
+      ASSERT_EQ(sign == Sign::plus, !beyond(image, at));
+      if (sign == Sign::plus)
+        (point.x & 1 ? odd : even)
+            .insert({std::lround(at[0]), std::lround(at[1]), std::lround(at[2])});
+    });
+    for (const auto* grid : {&even, &odd}) {
+      EXPECT_EQ(grid->size(), 19U * 11U * 26U);
+      EXPECT_EQ(std::set(grid->begin(), grid->end()).size(), grid->size());
+    }
+  }
+}
+
+TEST(LevelDomain, RowsAreTrilinear) {
+  for (const Case& c : cases()) {
+    const Image image = blobs<float>(c.axes, c.spacing);
+    const auto domain = level_domain(blobs<float>(c.axes, c.spacing), 1.3, {c.size, 1});
+    for_all_points(*domain, [&](Coord3 point, Sign sign) {
+      ASSERT_EQ(sign, sign_at(*domain, steps * point));
+      ASSERT_FALSE(on_rim(domain->lattice(), point) && sign == Sign::plus);
+      const Point3 at = in_voxels(image, domain->frame().world(steps * point));
+      if (beyond(image, at)) {
+        ASSERT_TRUE(sign == Sign::minus || ties(at));
+        return;
+      }
+      const double value = trilinear(image, at);
+      if (std::abs(value - 1.3) < 1e-9 || ties(at)) return;
+      ASSERT_EQ(sign, value > 1.3 ? Sign::plus : Sign::minus);
+    });
+  }
+}
+
+TEST(LevelDomain, LatticeHoldsWhatReachesBeyondTheVoxelsAbove) {
+  for (const Axes& axes : all_axes) {
+    Image image = blobs<float>(axes, {1, 1, 1});
+    auto& voxels = std::get<Buffer<float>>(image.voxels);
+    std::fill(voxels.begin(), voxels.end(), 0.0F);
+    voxels[(13 * 11 + 5) * 19 + 9] = 1;  // the solid is 0.99 voxels to each side of it
+    const auto domain = level_domain(std::move(image), 0.01, {0.1, 1});
+    std::size_t inside = 0;
+    for_all_points(*domain, [&](Coord3 point, Sign sign) {
+      ASSERT_FALSE(on_rim(domain->lattice(), point) && sign == Sign::plus);
+      if (sign == Sign::plus) ++inside;
+    });
+    EXPECT_GT(inside, 0U);
+  }
+}
+
+/// A bound over a box holds for every position in it, and uniform regions are
+/// found: about a third of the blobs is uniform.
+void expect_bounds(const ImageDomain& domain) {
+  std::mt19937 random(seed);
+  const Lattice& lattice = domain.lattice();
+  const auto between = [&](std::int32_t low, std::int32_t high) {
+    return std::uniform_int_distribution<std::int32_t>(low, high)(random);
+  };
+  int inside = 0, outside = 0;
+  for (int n = 0; n < 3000; ++n) {
+    Coord3 low, high;
+    const auto choose = [&](std::int32_t origin, std::int32_t cells, std::int32_t& l,
+                            std::int32_t& h) {
+      l = origin + between(0, 2 * cells - 2);
+      h = std::min(l + between(0, 9), origin + 2 * cells - 1);
+    };
+    choose(lattice.origin.x, lattice.cells[0], low.x, high.x);
+    choose(lattice.origin.y, lattice.cells[1], low.y, high.y);
+    choose(lattice.origin.z, lattice.cells[2], low.z, high.z);
+    const Extent extent = domain.extent({low, high});
+    if (extent == Extent::mixed) continue;
+    (extent == Extent::inside ? inside : outside)++;
+    for (int m = 0; m < 30; ++m) {
+      const Coord3 position{between(steps * low.x, steps * high.x),
+                            between(steps * low.y, steps * high.y),
+                            between(steps * low.z, steps * high.z)};
+      ASSERT_EQ(sign_at(domain, position),
+                extent == Extent::inside ? Sign::plus : Sign::minus);
+    }
+  }
+  EXPECT_GT(inside, 50);
+  EXPECT_GT(outside, 50);
+}
+
+TEST(ImageDomain, BoundsHold) {
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  for (const Axes& axes : all_axes) {
+    expect_bounds(*label_domain(blobs<std::int16_t>(axes, {1, 1, 1}), {}, {0.5, 2}));
+    expect_bounds(*level_domain(blobs<float>(axes, {1, 1, 1}), 1.3, {0.5, 2}));
+  }
+}
+
+TEST(ImageDomain, LabelsAreChosenOnes) {
+  for (const Axes& axes : all_axes)
+    for (const Cuts cuts : {Cuts::bisect, Cuts::midpoint}) {
+      const auto domain =
+          label_domain(blobs<std::int16_t>(axes, {1, 1, 1}), {{1, 1}, {3, 3}}, {});
+      Context context;
+      const Mesh mesh = stuff(*domain, domain->lattice(), domain->frame(), {cuts}, context);
+      for (const auto& tet : std::get<0>(mesh.tets)) {
+        const std::int32_t label = domain->label({mesh.points[tet[0]], mesh.points[tet[1]],
+                                                  mesh.points[tet[2]], mesh.points[tet[3]]});
+        ASSERT_TRUE(label == 1 || label == 3) << label;
+      }
+    }
+}
+
+TEST(ImageDomain, FramesAreRightHanded) {
+  for (const Axes& axes : all_axes) {
+    const auto domain = label_domain(blobs<std::int16_t>(axes, {1, 1, 1}), {}, {});
+    const auto& m = domain->frame().axes;
+    const double determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                               m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                               m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+    EXPECT_NEAR(determinant, 1, 1e-12);
+  }
+}
+
+ErrorCode code_of(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    return error.code();
+  }
+  return ErrorCode::cancelled;
+}
+
+TEST(ImageDomain, RefusesWhatMakesNoSense) {
+  const auto labels = [](std::vector<LabelRange> ranges, ImageLattice lattice) {
+    return code_of([&] {
+      label_domain(blobs<std::int16_t>(all_axes[0], {1, 1, 1}), ranges, lattice);
+    });
+  };
+  EXPECT_EQ(labels({{9, 12}}, {}), ErrorCode::empty_domain);
+  EXPECT_EQ(labels({}, {-1, 2}), ErrorCode::bad_option);
+  EXPECT_EQ(labels({}, {std::nan(""), 2}), ErrorCode::bad_option);
+  EXPECT_EQ(labels({}, {1, 0}), ErrorCode::bad_option);
+  EXPECT_EQ(labels({}, {1e-5, 2}), ErrorCode::too_large);
+  EXPECT_EQ(code_of([] { label_domain(blobs<float>(all_axes[0], {1, 1, 1}), {}, {}); }),
+            ErrorCode::bad_input);
+  EXPECT_EQ(code_of([] { level_domain(blobs<float>(all_axes[0], {1, 1, 1}), 3, {}); }),
+            ErrorCode::empty_domain);
+  Image holed = blobs<float>(all_axes[0], {1, 1, 1});
+  std::get<Buffer<float>>(holed.voxels)[77] = std::nanf("");
+  EXPECT_EQ(code_of([&] { level_domain(std::move(holed), 1, {}); }), ErrorCode::bad_input);
+}
+
+}  // namespace
+}  // namespace certet
