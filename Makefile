@@ -23,7 +23,7 @@ PACKAGES := \
   coq ocaml-nox ocaml-findlib \
   libtbb-dev libinsighttoolkit5-dev libmuparser-dev \
   libcli11-dev nlohmann-json3-dev libfmt-dev \
-  libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev \
+  zlib1g-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev \
   python3 python3-numpy python3-meshio python3-matplotlib \
   mricron-data
 
