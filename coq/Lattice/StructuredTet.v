@@ -42,8 +42,8 @@ Inductive Handedness := RightHanded | LeftHanded.
 
 Definition CaseHandedness (case : StructuredTetCase) : Handedness :=
   match case with
-  | Tet_I2 | Tet_I3 | Tet_J1 | Tet_J4 | Tet_K1 | Tet_K4 => RightHanded
-  | Tet_I1 | Tet_I4 | Tet_J2 | Tet_J3 | Tet_K2 | Tet_K3 => LeftHanded
+  | Tet_I1 | Tet_I4 | Tet_J2 | Tet_J3 | Tet_K1 | Tet_K4 => RightHanded
+  | Tet_I2 | Tet_I3 | Tet_J1 | Tet_J4 | Tet_K2 | Tet_K3 => LeftHanded
   end.
 
 Definition GetStructuredTet (tid : StructuredTetId) : StructuredTet :=
