@@ -49,10 +49,6 @@ Definition SymbolTets (signs : Quad Sign) : list (UnstructuredTet Symbol) :=
   GetUnstructuredTets Symbol (SymbolSign signs) SymbolIntersection
     (CornerOf V1) (CornerOf V2) (CornerOf V3) (CornerOf V4).
 
-Definition MapTet {A B} (f : A -> B) (t : UnstructuredTet A)
-  : UnstructuredTet B :=
-  match t with UT _ a b c d => UT _ (f a) (f b) (f c) (f d) end.
-
 (** ** Configurations *)
 
 (** The corners of case I1 at the reference point 0. *)
@@ -142,6 +138,10 @@ Definition RangesOf (th : Thresholds) : Ranges := {|
 Definition Along (p e : Coord3) (t : Z) : Coord3 :=
   Translate (Scale 256 p) (Scale t e).
 
+(** From one point to another, if they differ. *)
+Definition SegmentBetween (p q : Coord3) : Segment :=
+  if Coord3Equal p q then Fixed p else Sliding p q.
+
 Definition SymbolSegment (r : Ranges) (moves : Quad (option Direction))
   (v : Symbol) : Segment :=
   match v with
@@ -150,20 +150,75 @@ Definition SymbolSegment (r : Ranges) (moves : Quad (option Direction))
       match Of moves l with
       | None => Fixed (Scale 256 p)
       | Some d =>
-          Sliding (Scale 256 p)
+          SegmentBetween (Along p (Offset d) 0)
             (Along p (Offset d) (MoveLimit r (DirectionKind d)))
       end
   | CutOf a b =>
       let p := Of Canonical a in
       let e := Difference p (Of Canonical b) in
-      Sliding (Along p e (CutFrom r (LabelKind a b)))
+      SegmentBetween (Along p e (CutFrom r (LabelKind a b)))
         (Along p e (CutTo r (LabelKind a b)))
   end.
 
 (** All that one sign pattern can become stays within bounds. *)
 Definition CheckSigns (bounds : AngleBounds) (r : Ranges) (signs : Quad Sign)
   : bool :=
-  let tets := SymbolTets signs in
-  forallb (fun moves =>
-    forallb (fun t => CheckTet bounds (MapTet (SymbolSegment r moves) t)) tets)
-    (MovesFor signs).
+  match SymbolTets signs with
+  | [] => true
+  | tets =>
+      forallb (fun moves =>
+        forallb (fun t => CheckTet bounds (MapTet (SymbolSegment r moves) t))
+          tets) (MovesFor signs)
+  end.
+
+(** ** Fewer configurations
+
+    Half turns of the tetrahedron exchange its corners by twos and respect the
+    stencils, so one sign pattern of each orbit needs to be checked. *)
+
+Inductive Turn := Turn1234 | Turn2143 | Turn3412 | Turn4321.
+Definition AllTurns : list Turn := [Turn1234; Turn2143; Turn3412; Turn4321].
+
+Definition TurnLabel (g : Turn) (l : Label) : Label :=
+  match g, l with
+  | Turn1234, _ => l
+  | Turn2143, V1 => V2 | Turn2143, V2 => V1
+  | Turn2143, V3 => V4 | Turn2143, V4 => V3
+  | Turn3412, V1 => V3 | Turn3412, V2 => V4
+  | Turn3412, V3 => V1 | Turn3412, V4 => V2
+  | Turn4321, V1 => V4 | Turn4321, V2 => V3
+  | Turn4321, V3 => V2 | Turn4321, V4 => V1
+  end.
+
+Definition TurnQuad {T} (g : Turn) (q : Quad T) : Quad T :=
+  Q4 (Of q (TurnLabel g V1)) (Of q (TurnLabel g V2))
+    (Of q (TurnLabel g V3)) (Of q (TurnLabel g V4)).
+
+Definition TurnSymbol (g : Turn) (v : Symbol) : Symbol :=
+  match v with
+  | CornerOf l => CornerOf (TurnLabel g l)
+  | CutOf a b => CutOf (TurnLabel g a) (TurnLabel g b)
+  end.
+
+(** The rank of a sign pattern; an orbit's first is the one to check. *)
+Definition Rank (signs : Quad Sign) : Z :=
+  let digit s := match s with Plus => 0 | OnSurface => 1 | Minus => 2 end in
+  match signs with
+    Q4 a b c d => ((digit a * 3 + digit b) * 3 + digit c) * 3 + digit d
+  end.
+
+Definition FirstOfOrbit (signs : Quad Sign) : bool :=
+  forallb (fun g => Rank signs <=? Rank (TurnQuad g signs)) AllTurns.
+
+Definition Representatives : list (Quad Sign) := filter FirstOfOrbit AllSigns.
+
+(** The dearest patterns are those of three surface corners; they are a job of
+    their own. *)
+Definition SurfaceCorners (signs : Quad Sign) : Z :=
+  let one s := match s with OnSurface => 1 | _ => 0 end in
+  match signs with Q4 a b c d => one a + one b + one c + one d end.
+
+Definition CheckRepresentatives (bounds : AngleBounds) (r : Ranges)
+  (take : Z -> bool) : bool :=
+  forallb (CheckSigns bounds r)
+    (filter (fun signs => take (SurfaceCorners signs)) Representatives).

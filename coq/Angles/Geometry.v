@@ -65,6 +65,11 @@ Definition AngleAtMost (obtuse : CotSquared) (a b c d : Coord3) : Prop :=
         <= num * (SixVolume a b c d ^ 2 * EdgeSquared a b)
   end.
 
+(** The tetrahedron of the images of a tetrahedron's vertices. *)
+Definition MapTet {A B} (f : A -> B) (t : UnstructuredTet A)
+  : UnstructuredTet B :=
+  match t with UT _ a b c d => UT _ (f a) (f b) (f c) (f d) end.
+
 (** The six edges of a tetrahedron: each entry names an edge first, then the
     two other vertices, in an even order. *)
 Definition DihedralEdges {V : Type} (t : UnstructuredTet V)
