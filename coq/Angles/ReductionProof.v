@@ -520,22 +520,21 @@ Section Reduction.
   Variables (bounds : AngleBounds) (r : Ranges).
   Hypothesis Hbounds : Sensible bounds.
   Hypothesis Limits : forall k, 0 <= MoveLimit r k.
-  Hypothesis Few : CheckRepresentatives bounds r (fun n => n <? 3) = true.
-  Hypothesis Many : CheckRepresentatives bounds r (fun n => 3 <=? n) = true.
+  Variable take : Z -> bool.
+  Hypothesis Checked : CheckRepresentatives bounds r take = true.
+
+  Lemma SurfaceCornersTurned g signs :
+    SurfaceCorners (TurnQuad g signs) = SurfaceCorners signs.
+  Proof. destruct signs, g; cbn -[Z.add]; ring. Qed.
 
   Lemma RepresentativesChecked signs :
-    In signs Representatives -> CheckSigns bounds r signs = true.
+    In signs Representatives -> take (SurfaceCorners signs) = true ->
+    CheckSigns bounds r signs = true.
   Proof.
-    intros I. unfold CheckRepresentatives in *.
-    rewrite forallb_forall in Few, Many.
-    destruct (Z.ltb_spec (SurfaceCorners signs) 3) as [L|L].
-    - apply Few, filter_In. split; [exact I | apply Z.ltb_lt, L].
-    - apply Many, filter_In. split; [exact I | apply Z.leb_le, L].
+    intros I T. unfold CheckRepresentatives in *.
+    rewrite forallb_forall in Checked.
+    apply Checked, filter_In. split; assumption.
   Qed.
-
-  Lemma MapTetMapTet {A B C} (f : A -> B) (h : B -> C) t :
-    MapTet h (MapTet f t) = MapTet (fun v => h (f v)) t.
-  Proof. destruct t. reflexivity. Qed.
 
   Lemma EvenPermutationsMap {A B} (f : A -> B) t t' :
     In t (EvenPermutations t') ->
@@ -555,9 +554,11 @@ Section Reduction.
   Theorem AllPlacementsWithin tid before warping cut :
     FittingMoves before warping r (Corners tid) ->
     FittingCuts before warping cut r (Corners tid) ->
+    take (SurfaceCorners (QuadOf (fun l =>
+      PlacedSign before warping (Corner (Of (CornersOf tid) l))))) = true ->
     forall t, In t (PlacedTets before warping cut tid) -> WellShaped bounds t.
   Proof.
-    intros FM FC t I. destruct tid as [anchor case].
+    intros FM FC K t I. destruct tid as [anchor case].
     set (tid := STId anchor case) in *.
     assert (I' : In t (map (MapTet (PlacedPosition warping cut))
       (map (Orient (CaseHandedness case))
@@ -573,11 +574,12 @@ Section Reduction.
     clear I. apply in_map_iff in I'. destruct I' as (t1 & <- & I).
     apply in_map_iff in I. destruct I as (t2 & <- & I).
     apply in_map_iff in I. destruct I as (t3 & <- & I).
-    set (signs := QuadOf _) in I.
+    set (signs := QuadOf _) in I, K.
     destruct (RepresentativeOf signs) as (g & R & T).
     destruct (T t3 I) as (t4 & I4 & E). clear T I.
     destruct (IsometryOf anchor case g) as (m & Hm & D & Hw). fold tid in Hw.
-    apply RepresentativesChecked in R.
+    apply RepresentativesChecked in R;
+      [|rewrite SurfaceCornersTurned; exact K].
     assert (Q : TurnQuad g signs
       = QuadOf (SignAt before warping anchor case g)).
     { unfold SignAt, QuadOf, signs. rewrite !OfTurned.
