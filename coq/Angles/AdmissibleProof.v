@@ -19,6 +19,9 @@ Proof.
   clear E. destruct d, e; try reflexivity; discriminate Z0.
 Qed.
 
+(** Checking a proof needs [Warp]'s name, never its steps. *)
+Local Strategy 1000 [Warp].
+
 Section Warped.
   Variables (th : Thresholds) (sign : SignField) (cut : CutField).
   Hypothesis Hhalf : AtMostHalf th.
