@@ -1,0 +1,300 @@
+(** * From cotangents' squares to degrees: proofs
+
+    The axioms of Coq's real numbers enter here and nowhere else. *)
+
+From Coq Require Import ZArith Reals List Lra Lia.
+From Certet Require Import Lattice.Coord3 Stencil.UnstructuredTet.
+From Certet Require Import Stuffing.Stuffing Warp.Warp Warp.Cut.
+From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
+From Certet Require Import Angles.CheckerProof Angles.AngleTheorems.
+Open Scope R_scope.
+
+(** ** Numbers *)
+
+Lemma PIUpper : PI <= 31416 / 10000.
+Proof.
+  pose proof (proj2 (PI_2_3_7_ineq 2)) as H.
+  unfold tg_alt, PI_2_3_7_tg, Ratan_seq in H.
+  cbn [sum_f_R0 Nat.mul Nat.add pow] in H.
+  rewrite !INR_IZR_INZ in H. cbn in H. lra.
+Qed.
+
+Lemma PILower : 31415 / 10000 <= PI.
+Proof.
+  pose proof (proj1 (PI_2_3_7_ineq 2)) as H.
+  unfold tg_alt, PI_2_3_7_tg, Ratan_seq in H.
+  cbn [sum_f_R0 Nat.mul Nat.add pow] in H.
+  rewrite !INR_IZR_INZ in H. cbn in H. lra.
+Qed.
+
+Lemma CosLower a : 0 <= a <= 2 ->
+  1 - a ^ 2 / 2 + a ^ 4 / 24 - a ^ 6 / 720 <= cos a.
+Proof.
+  intros B. destruct (pre_cos_bound a 1 ltac:(lra) ltac:(lra)) as [L _].
+  unfold cos_approx, cos_term in L. cbn [sum_f_R0 Nat.mul Nat.add] in L.
+  rewrite !INR_IZR_INZ in L. cbn [fact Nat.mul Nat.add] in L.
+  cbn [Z.of_nat Pos.of_succ_nat Pos.succ] in L.
+  refine (Rle_trans _ _ _ _ L). apply Req_le. field.
+Qed.
+
+Lemma CosUpper a : 0 <= a <= 2 ->
+  cos a <= 1 - a ^ 2 / 2 + a ^ 4 / 24.
+Proof.
+  intros B. destruct (pre_cos_bound a 0 ltac:(lra) ltac:(lra)) as [_ L].
+  unfold cos_approx, cos_term in L. cbn [sum_f_R0 Nat.mul Nat.add] in L.
+  rewrite !INR_IZR_INZ in L. cbn [fact Nat.mul Nat.add] in L.
+  cbn [Z.of_nat Pos.of_succ_nat Pos.succ] in L.
+  refine (Rle_trans _ _ _ L _). apply Req_le. field.
+Qed.
+
+(** ** One angle *)
+
+Definition Radians (degrees : R) : R := degrees * PI / 180.
+
+(** n/d is at most the square of the cotangent of the angle. *)
+Definition Cotangent (k : CotSquared) (degrees : R) : Prop :=
+  match k with
+    CotSq n d =>
+      0 < degrees < 90 /\ (0 <= n)%Z /\ (0 < d)%Z /\
+      IZR n <= IZR (n + d) * (cos (Radians degrees)) ^ 2
+  end.
+
+Lemma RadiansBound x : 0 < x < 90 -> 0 < Radians x < PI / 2.
+Proof. intros B. unfold Radians. pose proof PI_RGT_0. split; nra. Qed.
+
+Lemma Lagrange a b c d :
+  (Dot (Normal a b c) (Normal a b c) * Dot (Normal a b d) (Normal a b d)
+   = NormalsProduct a b c d ^ 2 + SixVolume a b c d ^ 2 * EdgeSquared a b)%Z.
+Proof.
+  destruct a, b, c, d. unfold NormalsProduct, SixVolume, EdgeSquared, Normal.
+  cbn [Difference Cross Dot]. ring.
+Qed.
+
+Lemma DotNonNegative u : (0 <= Dot u u)%Z.
+Proof. destruct u. cbn [Dot]. nia. Qed.
+
+Lemma EdgePositive a b c d : (0 < SixVolume a b c d)%Z -> (0 < EdgeSquared a b)%Z.
+Proof.
+  intros V. pose proof (DotNonNegative (Difference a b)) as P.
+  fold (EdgeSquared a b) in P.
+  destruct (Z.eq_dec (EdgeSquared a b) 0) as [E|]; [exfalso|lia].
+  pose proof (Lagrange a b c d) as L. rewrite E in L.
+  unfold EdgeSquared, SixVolume, Normal in *.
+  destruct (Difference a b) as [x y z].
+  assert (x = 0 /\ y = 0 /\ z = 0)%Z as (-> & -> & ->) by (cbn [Dot] in E; nia).
+  destruct (Difference a c), (Difference a d). cbn [Cross Dot] in V. lia.
+Qed.
+
+(** The cosine that [DihedralDegrees] takes. *)
+Definition Cosine (N D : R) : R := N / sqrt (N ^ 2 + D).
+
+Lemma CosineBound N D : 0 < D -> -1 <= Cosine N D <= 1.
+Proof.
+  intros P. unfold Cosine.
+  assert (Q : 0 < N ^ 2 + D) by nra.
+  assert (S : 0 < sqrt (N ^ 2 + D)) by (apply sqrt_lt_R0; exact Q).
+  assert (A : Rabs N <= sqrt (N ^ 2 + D)).
+  { rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr. nra. }
+  pose proof (Rle_abs N) as A1. pose proof (Rle_abs (- N)) as A2.
+  rewrite Rabs_Ropp in A2.
+  set (s := sqrt (N ^ 2 + D)) in *.
+  replace (N / s) with (N * / s) by reflexivity.
+  assert (I : 0 < / s) by (apply Rinv_0_lt_compat; exact S).
+  assert (E : s * / s = 1) by (field; lra).
+  split; nra.
+Qed.
+
+Lemma CosineAtMost k degrees N D (n d : Z) : k = CotSq n d ->
+  Cotangent k degrees -> 0 < D ->
+  N <= 0 \/ IZR d * N ^ 2 <= IZR n * D ->
+  Cosine N D <= cos (Radians degrees).
+Proof.
+  intros -> (B & Pn & Pd & C) P H.
+  apply IZR_le in Pn. apply IZR_lt in Pd.
+  pose proof (RadiansBound _ B) as R.
+  assert (Pc : 0 < cos (Radians degrees)) by (apply cos_gt_0; lra).
+  assert (Q : 0 < N ^ 2 + D) by nra.
+  assert (S : 0 < sqrt (N ^ 2 + D)) by (apply sqrt_lt_R0; exact Q).
+  assert (E : sqrt (N ^ 2 + D) * sqrt (N ^ 2 + D) = N ^ 2 + D)
+    by (apply sqrt_sqrt; lra).
+  unfold Cosine. set (s := sqrt (N ^ 2 + D)) in *.
+  set (c := cos (Radians degrees)) in *.
+  assert (G : N <= c * s).
+  { destruct H as [H|H]; [nra|].
+    destruct (Rle_dec N 0) as [|T]; [nra|].
+    apply Rnot_le_lt in T.
+    apply Rsqr_incr_0_var; [|nra]. unfold Rsqr.
+    rewrite plus_IZR in C.
+    assert (H1 : (IZR n + IZR d) * N ^ 2 <= IZR n * (N ^ 2 + D)) by nra.
+    assert (H2 : IZR n * (N ^ 2 + D)
+                 <= (IZR n + IZR d) * c ^ 2 * (N ^ 2 + D))
+      by (apply Rmult_le_compat_r; lra).
+    apply (Rmult_le_reg_l (IZR n + IZR d)); [lra|].
+    replace (c * s * (c * s)) with (c ^ 2 * (s * s)) by ring.
+    rewrite E. nra. }
+  apply (Rmult_le_reg_r s); [exact S|].
+  replace (N / s * s) with N by (field; lra). exact G.
+Qed.
+
+Lemma AcosAtLeast x a : -1 <= x <= 1 -> 0 <= a <= PI -> x <= cos a -> a <= acos x.
+Proof.
+  intros Bx Ba H. destruct (Rle_dec a (acos x)) as [L|L]; [exact L|exfalso].
+  apply Rnot_le_lt in L. pose proof (acos_bound x) as B.
+  pose proof (cos_decreasing_1 (acos x) a ltac:(lra) ltac:(lra) ltac:(lra)
+                ltac:(lra) L) as M.
+  rewrite cos_acos in M by exact Bx. lra.
+Qed.
+
+Lemma DegreesIsCosine a b c d : (0 < SixVolume a b c d)%Z ->
+  let N := IZR (NormalsProduct a b c d) in
+  let D := IZR (SixVolume a b c d ^ 2 * EdgeSquared a b) in
+  0 < D /\ DihedralDegrees a b c d = acos (Cosine N D) * 180 / PI.
+Proof.
+  intros V N D. pose proof (EdgePositive _ _ _ _ V) as L. split.
+  - apply IZR_lt. nia.
+  - unfold DihedralDegrees, Cosine. rewrite <- sqrt_mult_alt.
+    + rewrite <- mult_IZR, Lagrange, plus_IZR.
+      replace (IZR (NormalsProduct a b c d ^ 2)) with (N ^ 2).
+      * reflexivity.
+      * unfold N. rewrite pow_IZR. reflexivity.
+    + apply IZR_le, DotNonNegative.
+Qed.
+
+Theorem DegreesBounds acute obtuse least rest t :
+  Cotangent acute least -> Cotangent obtuse rest ->
+  WellShaped (AB acute obtuse) t -> WithinDegrees least (180 - rest) t.
+Proof.
+  intros Ca Co. destruct t as [a b c d]. intros [V H]. split; [exact V|].
+  intros p q r s I. destruct (H p q r s I) as [H1 H2].
+  rewrite <- (EvenOrders _ _ _ _ _ _ _ _ I) in V.
+  destruct (DegreesIsCosine p q r s V) as [PD ->].
+  set (D := IZR (SixVolume p q r s ^ 2 * EdgeSquared p q)) in *.
+  pose proof PI_RGT_0 as PP.
+  destruct acute as [n k] eqn:Ea, obtuse as [n' k'] eqn:Eo.
+  pose proof (RadiansBound least (proj1 Ca)) as Ra.
+  pose proof (RadiansBound rest (proj1 Co)) as Ro.
+  pose proof (CosineBound (IZR (NormalsProduct p q r s)) D PD) as B.
+  assert (L1 : Radians least <= acos (Cosine (IZR (NormalsProduct p q r s)) D)).
+  { apply AcosAtLeast; [exact B|lra|].
+    apply (CosineAtMost _ _ _ _ _ _ eq_refl Ca PD).
+    destruct H1 as [H1|H1]; [left; apply IZR_le in H1; exact H1|right].
+    apply IZR_le in H1. rewrite (mult_IZR k), (mult_IZR n) in H1.
+    rewrite pow_IZR. exact H1. }
+  assert (L2 : Radians rest <= PI - acos (Cosine (IZR (NormalsProduct p q r s)) D)).
+  { rewrite <- acos_opp. apply AcosAtLeast; [lra|lra|].
+    replace (- Cosine (IZR (NormalsProduct p q r s)) D)
+      with (Cosine (- IZR (NormalsProduct p q r s)) D).
+    - apply (CosineAtMost _ _ _ _ _ _ eq_refl Co PD).
+      destruct H2 as [H2|H2]; [left; apply IZR_le in H2; lra|right].
+      apply IZR_le in H2. rewrite (mult_IZR k'), (mult_IZR n') in H2.
+      replace ((- IZR (NormalsProduct p q r s)) ^ 2)
+        with (IZR (NormalsProduct p q r s) ^ 2) by ring.
+      rewrite pow_IZR. exact H2.
+    - unfold Cosine.
+      replace ((- IZR (NormalsProduct p q r s)) ^ 2)
+        with (IZR (NormalsProduct p q r s) ^ 2) by ring.
+      unfold Rdiv. ring. }
+  set (x := acos _) in *. unfold Radians in L1, L2.
+  replace (x * 180 / PI) with (x * (180 * / PI)) by (field; lra).
+  assert (K : 0 < 180 * / PI)
+    by (apply Rmult_lt_0_compat; [lra|apply Rinv_0_lt_compat, PP]).
+  split.
+  - apply (Rmult_le_compat_r (180 * / PI)) in L1; [|lra].
+    replace (least * PI / 180 * (180 * / PI)) with least in L1 by (field; lra).
+    exact L1.
+  - apply (Rmult_le_compat_r (180 * / PI)) in L2; [|lra].
+    replace (rest * PI / 180 * (180 * / PI)) with rest in L2 by (field; lra).
+    replace ((PI - x) * (180 * / PI)) with (180 - x * (180 * / PI)) in L2
+      by (field; lra).
+    lra.
+Qed.
+
+(** ** The six angles *)
+
+(** [low] is a rational lower bound of the cosine. *)
+Lemma CotangentBy n d degrees (low : R) :
+  0 < degrees < 90 -> (0 <= n)%Z -> (0 < d)%Z -> 0 <= low ->
+  (let b := degrees * (31416 / 10000) / 180 in
+   low <= 1 - b ^ 2 / 2 + b ^ 4 / 24 - b ^ 6 / 720) ->
+  IZR n <= IZR (n + d) * low ^ 2 ->
+  Cotangent (CotSq n d) degrees.
+Proof.
+  intros B Pn Pd Pl Hb Hl. repeat (split; [assumption|]).
+  cbv zeta in Hb. pose proof PIUpper as U. pose proof PILower as PL.
+  pose proof PI_RGT_0 as PP.
+  pose proof (RadiansBound degrees B) as R.
+  set (b := degrees * (31416 / 10000) / 180) in *.
+  assert (L : Radians degrees <= b) by (unfold Radians, b; nra).
+  assert (Hb2 : b <= 2) by (unfold b; lra).
+  assert (B2 : 0 <= b <= 2) by lra.
+  assert (C : low <= cos (Radians degrees)).
+  { apply (Rle_trans _ (cos b)); [pose proof (CosLower b B2); lra|].
+    apply cos_decr_1; lra. }
+  assert (Q : 0 < IZR (n + d)) by (apply IZR_lt; lia).
+  apply (Rle_trans _ _ _ Hl). apply Rmult_le_compat_l; [lra|].
+  apply pow_incr. lra.
+Qed.
+
+Lemma Cotangent10_77 : Cotangent (CotSq 221 8) (1077 / 100).
+Proof. apply (CotangentBy _ _ _ (98238131 / 100000000));
+  first [lia | lra | cbv zeta; lra | rewrite plus_IZR; lra].
+Qed.
+Lemma Cotangent15_24 : Cotangent (CotSq 1751 130) (1524 / 100).
+Proof. apply (CotangentBy _ _ _ (96482917 / 100000000));
+  first [lia | lra | cbv zeta; lra | rewrite plus_IZR; lra].
+Qed.
+Lemma Cotangent9_27 : Cotangent (CotSq 563 15) (927 / 100).
+Proof. apply (CotangentBy _ _ _ (98693953 / 100000000));
+  first [lia | lra | cbv zeta; lra | rewrite plus_IZR; lra].
+Qed.
+Lemma Cotangent18_54 : Cotangent (CotSq 80 9) (1854 / 100).
+Proof. apply (CotangentBy _ _ _ (94809629 / 100000000));
+  first [lia | lra | cbv zeta; lra | rewrite plus_IZR; lra].
+Qed.
+
+Lemma Cotangent30 : Cotangent (CotSq 3 1) 30.
+Proof.
+  split; [lra|]. repeat (split; [lia|]). unfold Radians.
+  replace (30 * PI / 180) with (PI / 6) by field. rewrite cos_PI6.
+  replace ((sqrt 3 / 2) ^ 2) with (sqrt 3 * sqrt 3 / 4) by field.
+  rewrite sqrt_sqrt by lra. change (3 + 1)%Z with 4%Z. lra.
+Qed.
+
+Lemma Cotangent45 : Cotangent (CotSq 1 1) 45.
+Proof.
+  split; [lra|]. repeat (split; [lia|]). unfold Radians.
+  replace (45 * PI / 180) with (PI / 4) by field. rewrite cos_PI4.
+  assert (S : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra).
+  assert (P : 0 < sqrt 2) by (apply sqrt_lt_R0; lra).
+  replace ((1 / sqrt 2) ^ 2) with (/ (sqrt 2 * sqrt 2)) by (field; lra).
+  rewrite S. change (1 + 1)%Z with 2%Z. lra.
+Qed.
+
+(** ** In degrees *)
+
+Theorem AngleBounds_73_102 sign cut tid t : CutsOnEdges sign cut ->
+  In t (StuffedTets AngleThresholds sign cut tid) ->
+  WithinDegrees (1077 / 100) (16476 / 100) t.
+Proof.
+  intros C I. replace (16476 / 100) with (180 - 1524 / 100) by lra.
+  exact (DegreesBounds _ _ _ _ _ Cotangent10_77 Cotangent15_24
+           (StuffedWidest sign cut tid t C I)).
+Qed.
+
+Theorem AngleBounds_64_105 sign cut tid t : CutsOnEdges sign cut ->
+  In t (StuffedTets EmbeddingThresholds sign cut tid) ->
+  WithinDegrees (927 / 100) (16146 / 100) t.
+Proof.
+  intros C I. replace (16146 / 100) with (180 - 1854 / 100) by lra.
+  exact (DegreesBounds _ _ _ _ _ Cotangent9_27 Cotangent18_54
+           (StuffedEmbedding sign cut tid t C I)).
+Qed.
+
+Theorem AngleBounds_Midpoint sign tid t : (forall v, sign v <> OnSurface) ->
+  In t (StuffedTets NoWarpThresholds sign (fun _ _ => MidpointCut) tid) ->
+  WithinDegrees 30 135 t.
+Proof.
+  intros N I. replace 135 with (180 - 45) by lra.
+  exact (DegreesBounds _ _ _ _ _ Cotangent30 Cotangent45
+           (StuffedMidpoint sign tid t N I)).
+Qed.

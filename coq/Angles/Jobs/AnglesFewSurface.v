@@ -1,0 +1,11 @@
+(** Thresholds (73/256, 102/256), sign patterns with at most two corners on the
+    surface. *)
+
+From Coq Require Import ZArith.
+From Certet Require Import Warp.Warp Angles.AnglesSpec Angles.Configurations.
+Open Scope Z_scope.
+
+Lemma AnglesFewSurface :
+  CheckRepresentatives WidestBounds (RangesOf AngleThresholds)
+    (fun n => n <? 3) = true.
+Proof. vm_compute. reflexivity. Qed.

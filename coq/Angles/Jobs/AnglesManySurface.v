@@ -1,0 +1,11 @@
+(** Thresholds (73/256, 102/256), sign patterns with three or four corners on
+    the surface. *)
+
+From Coq Require Import ZArith.
+From Certet Require Import Warp.Warp Angles.AnglesSpec Angles.Configurations.
+Open Scope Z_scope.
+
+Lemma AnglesManySurface :
+  CheckRepresentatives WidestBounds (RangesOf AngleThresholds)
+    (fun n => 3 <=? n) = true.
+Proof. vm_compute. reflexivity. Qed.

@@ -1,0 +1,11 @@
+(** Thresholds (64/256, 105/256), sign patterns with at most two corners on the
+    surface. *)
+
+From Coq Require Import ZArith.
+From Certet Require Import Warp.Warp Angles.AnglesSpec Angles.Configurations.
+Open Scope Z_scope.
+
+Lemma EmbeddingFewSurface :
+  CheckRepresentatives EmbeddingBounds (RangesOf EmbeddingThresholds)
+    (fun n => n <? 3) = true.
+Proof. vm_compute. reflexivity. Qed.

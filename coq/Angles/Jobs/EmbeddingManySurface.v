@@ -1,0 +1,11 @@
+(** Thresholds (64/256, 105/256), sign patterns with three or four corners on
+    the surface. *)
+
+From Coq Require Import ZArith.
+From Certet Require Import Warp.Warp Angles.AnglesSpec Angles.Configurations.
+Open Scope Z_scope.
+
+Lemma EmbeddingManySurface :
+  CheckRepresentatives EmbeddingBounds (RangesOf EmbeddingThresholds)
+    (fun n => 3 <=? n) = true.
+Proof. vm_compute. reflexivity. Qed.

@@ -1,0 +1,15 @@
+(** No warping, no corner on the surface, and every cut at its edge's middle:
+    nothing slides. *)
+
+From Coq Require Import ZArith.
+From Certet Require Import Angles.Geometry Angles.AnglesSpec.
+From Certet Require Import Angles.Configurations.
+Open Scope Z_scope.
+
+Definition MidpointRanges : Ranges := {|
+  MoveLimit := fun _ => 0; CutFrom := fun _ => 128; CutTo := fun _ => 128
+|}.
+
+Lemma MidpointFixed :
+  CheckRepresentatives MidpointBounds MidpointRanges (fun n => n =? 0) = true.
+Proof. vm_compute. reflexivity. Qed.

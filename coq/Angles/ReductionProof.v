@@ -1,0 +1,600 @@
+(** * From all placements to the enumerated ones: proofs
+
+    Each of the twelve cases, in each of the four orders of a half turn, is an
+    isometric image of the canonical corners; the placement goes with it. *)
+
+From Coq Require Import ZArith List Bool Lia.
+From Certet Require Import Lattice.Coord3 Lattice.Direction.
+From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
+From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
+From Certet Require Import Angles.Geometry Angles.AnglesSpec.
+From Certet Require Import Angles.Checker Angles.CheckerProof.
+From Certet Require Import Angles.Configurations Angles.Isometry.
+Import ListNotations.
+Open Scope Z_scope.
+
+(** ** Stencils on symbols *)
+
+Lemma InProduct4 {T} (a b c d : list T) w x y z :
+  In w a -> In x b -> In y c -> In z d -> In (Q4 w x y z) (Product4 a b c d).
+Proof.
+  intros. unfold Product4.
+  apply in_flat_map. exists w. split; [assumption|].
+  apply in_flat_map. exists x. split; [assumption|].
+  apply in_flat_map. exists y. split; [assumption|].
+  apply in_map. assumption.
+Qed.
+
+Lemma InAllSigns (q : Quad Sign) : In q AllSigns.
+Proof.
+  assert (A : forall s, In s [Plus; OnSurface; Minus])
+    by (intros []; cbn; tauto).
+  destruct q. apply InProduct4; apply A.
+Qed.
+
+Lemma InAllLabels l : In l AllLabels.
+Proof. destruct l; cbn; tauto. Qed.
+
+Lemma TurnTwice g l : TurnLabel g (TurnLabel g l) = l.
+Proof. destruct g, l; reflexivity. Qed.
+
+Lemma OfTurned {T} g (q : Quad T) l : Of (TurnQuad g q) l = Of q (TurnLabel g l).
+Proof. destruct l; reflexivity. Qed.
+
+(** The vertex of the mesh that a symbol stands for. *)
+Definition Stands (corners : Quad Coord3) (v : Symbol) : MeshVertex :=
+  match v with
+  | CornerOf l => Corner (Of corners l)
+  | CutOf a b => Cut (Of corners a) (Of corners b)
+  end.
+
+(** The stencils do not look at what vertices are. *)
+Lemma StencilsNatural (sign : MeshVertex -> Sign) (corners : Quad Coord3) :
+  let at_ l := Corner (Of corners l) in
+  GetUnstructuredTets MeshVertex sign MeshIntersection
+    (at_ V1) (at_ V2) (at_ V3) (at_ V4)
+  = map (MapTet (Stands corners))
+      (SymbolTets (Q4 (sign (at_ V1)) (sign (at_ V2))
+                      (sign (at_ V3)) (sign (at_ V4)))).
+Proof.
+  intros at_. unfold SymbolTets, GetUnstructuredTets. cbn [SymbolSign Of].
+  destruct (sign (at_ V1)), (sign (at_ V2)), (sign (at_ V3)), (sign (at_ V4));
+    reflexivity.
+Qed.
+
+(** Every cut runs from a + corner to another, - corner. *)
+Definition CutsFromPlusToMinus (signs : Quad Sign) (v : Symbol) : bool :=
+  match v with
+  | CornerOf _ => true
+  | CutOf a b =>
+      match Of signs a, Of signs b with Plus, Minus => true | _, _ => false end
+  end.
+
+Definition AllOfTet {V} (ok : V -> bool) (t : UnstructuredTet V) : bool :=
+  match t with UT _ a b c d => ok a && ok b && ok c && ok d end.
+
+Lemma StencilCuts signs t : In t (SymbolTets signs) ->
+  AllOfTet (CutsFromPlusToMinus signs) t = true.
+Proof.
+  assert (T : forallb (fun signs =>
+    forallb (AllOfTet (CutsFromPlusToMinus signs)) (SymbolTets signs)) AllSigns
+    = true) by (vm_compute; reflexivity).
+  rewrite forallb_forall in T. specialize (T signs (InAllSigns signs)).
+  rewrite forallb_forall in T. exact (T t).
+Qed.
+
+(** ** Half turns respect the stencils *)
+
+Definition SymbolEqual (a b : Symbol) : bool :=
+  match a, b with
+  | CornerOf l, CornerOf m => LabelEqual l m
+  | CutOf l m, CutOf l' m' => LabelEqual l l' && LabelEqual m m'
+  | _, _ => false
+  end.
+
+Lemma SymbolEqualTrue a b : SymbolEqual a b = true -> a = b.
+Proof.
+  destruct a as [[]|[] []], b as [[]|[] []]; reflexivity || discriminate.
+Qed.
+
+Definition TetEqual (t t' : UnstructuredTet Symbol) : bool :=
+  match t, t' with
+    UT _ a b c d, UT _ a' b' c' d' =>
+      SymbolEqual a a' && SymbolEqual b b' && SymbolEqual c c'
+      && SymbolEqual d d'
+  end.
+
+Lemma TetEqualTrue t t' : TetEqual t t' = true -> t = t'.
+Proof.
+  destruct t, t'. cbn [TetEqual]. rewrite !andb_true_iff.
+  intros [[[A B] C] D]. f_equal; apply SymbolEqualTrue; assumption.
+Qed.
+
+(** [t], turned, is in an even order one of the tetrahedra [ts]. *)
+Definition TurnsInto (g : Turn) (t : UnstructuredTet Symbol)
+  (ts : list (UnstructuredTet Symbol)) : bool :=
+  existsb (fun t' => existsb (TetEqual (MapTet (TurnSymbol g) t))
+                       (EvenPermutations t')) ts.
+
+Lemma RepresentativeOf signs : exists g,
+  In (TurnQuad g signs) Representatives /\
+  forall t, In t (SymbolTets signs) -> exists t',
+    In t' (SymbolTets (TurnQuad g signs)) /\
+    In (MapTet (TurnSymbol g) t) (EvenPermutations t').
+Proof.
+  assert (T : forallb (fun signs => existsb (fun g =>
+    FirstOfOrbit (TurnQuad g signs) &&
+    forallb (fun t => TurnsInto g t (SymbolTets (TurnQuad g signs)))
+      (SymbolTets signs)) AllTurns) AllSigns = true)
+    by (vm_compute; reflexivity).
+  rewrite forallb_forall in T. specialize (T signs (InAllSigns signs)).
+  apply existsb_exists in T. destruct T as (g & _ & T).
+  apply andb_prop in T. destruct T as [F T]. exists g. split.
+  - apply filter_In. split; [apply InAllSigns | exact F].
+  - intros t I. rewrite forallb_forall in T. specialize (T t I).
+    apply existsb_exists in T. destruct T as (t' & I' & T).
+    apply existsb_exists in T. destruct T as (t'' & I'' & T).
+    apply TetEqualTrue in T. subst t''. exists t'. split; assumption.
+Qed.
+
+(** ** Every case is an image of the canonical one *)
+
+Definition CornersOf (tid : StructuredTetId) : Quad Coord3 :=
+  match GetStructuredTet tid with ST v1 v2 v3 v4 _ _ _ _ => Q4 v1 v2 v3 v4 end.
+
+Lemma InCorners tid v :
+  In v (Corners tid) <-> exists l, v = Of (CornersOf tid) l.
+Proof.
+  unfold Corners, CornersOf. destruct (GetStructuredTet tid). cbn [In]. split.
+  - intros [<-|[<-|[<-|[<-|[]]]]];
+      [exists V1|exists V2|exists V3|exists V4]; reflexivity.
+  - intros [[] ->]; cbn [Of]; tauto.
+Qed.
+
+Definition HandDeterminant (h : Handedness) : Z :=
+  match h with RightHanded => 1 | LeftHanded => -1 end.
+
+(** [m] carries four corners to the canonical ones, up to a translation. *)
+Definition CarriesCorners (m : Linear) (q : Quad Coord3) : bool :=
+  forallb (fun l =>
+    Coord3Equal (Apply m (Difference (Of q V1) (Of q l)))
+      (Difference (Of Canonical V1) (Of Canonical l))) AllLabels.
+
+Lemma TranslatedDifference a x y :
+  Difference (Translate a x) (Translate a y) = Difference x y.
+Proof. destruct a, x, y. cbn [Difference Translate]. f_equal; ring. Qed.
+
+Lemma CornersTranslated anchor case l m :
+  Difference (Of (CornersOf (STId anchor case)) l)
+             (Of (CornersOf (STId anchor case)) m)
+  = Difference (Of (CornersOf (STId (C3 0 0 0) case)) l)
+               (Of (CornersOf (STId (C3 0 0 0) case)) m).
+Proof.
+  destruct case, l, m; cbn [CornersOf GetStructuredTet Of];
+    rewrite !TranslatedDifference; reflexivity.
+Qed.
+
+Lemma InAllCases case : In case AllCases.
+Proof. destruct case; cbn; tauto. Qed.
+
+Lemma IsometryOf anchor case g : exists m,
+  In m AllIsometries /\
+  Determinant m = HandDeterminant (CaseHandedness case) /\
+  forall l, Apply m (Difference
+      (Of (TurnQuad g (CornersOf (STId anchor case))) V1)
+      (Of (TurnQuad g (CornersOf (STId anchor case))) l))
+    = Difference (Of Canonical V1) (Of Canonical l).
+Proof.
+  assert (T : forallb (fun case => forallb (fun g => existsb (fun m =>
+    (Determinant m =? HandDeterminant (CaseHandedness case)) &&
+    CarriesCorners m (TurnQuad g (CornersOf (STId (C3 0 0 0) case))))
+      AllIsometries) AllTurns) AllCases = true) by (vm_compute; reflexivity).
+  rewrite forallb_forall in T. specialize (T case (InAllCases case)).
+  rewrite forallb_forall in T.
+  specialize (T g ltac:(destruct g; cbn; tauto)).
+  apply existsb_exists in T. destruct T as (m & I & T).
+  apply andb_prop in T. destruct T as [D T]. apply Z.eqb_eq in D.
+  exists m. repeat (split; [assumption|]). intros l.
+  unfold CarriesCorners in T. rewrite forallb_forall in T.
+  specialize (T l (InAllLabels l)). apply Coord3EqualTrue in T.
+  rewrite <- T. rewrite !OfTurned, CornersTranslated. reflexivity.
+Qed.
+
+(** ** Edges and directions of the canonical corners *)
+
+Lemma CanonicalEdge a b : LabelEqual a b = false -> exists d,
+  Difference (Of Canonical a) (Of Canonical b) = Offset d /\
+  DirectionKind d = LabelKind a b.
+Proof.
+  assert (T : forallb (fun a => forallb (fun b =>
+    LabelEqual a b || existsb (fun d =>
+      Coord3Equal (Difference (Of Canonical a) (Of Canonical b)) (Offset d)
+      && SameKind (DirectionKind d) (LabelKind a b)) AllDirections) AllLabels)
+      AllLabels = true) by (vm_compute; reflexivity).
+  rewrite forallb_forall in T. specialize (T a (InAllLabels a)).
+  rewrite forallb_forall in T. specialize (T b (InAllLabels b)).
+  intros N. rewrite N in T. cbn [orb] in T.
+  apply existsb_exists in T. destruct T as (d & _ & T).
+  apply andb_prop in T. destruct T as [E K]. exists d.
+  split; [apply Coord3EqualTrue, E | apply SameKindEqual, K].
+Qed.
+
+(** A direction that leads from a corner out of the tetrahedron. *)
+Definition Outward (l : Label) : Direction :=
+  match l with
+  | V1 => Dir_m00 | V2 => Dir_p00 | V3 => Dir_00m | V4 => Dir_00p
+  end.
+
+Lemma OutwardTargetsNone i j : Targets i j (Some (Outward i)) = false.
+Proof. destruct i, j; reflexivity. Qed.
+
+(** ** Membership in the enumeration *)
+
+Lemma InMovesFor signs moves before :
+  (forall l, In (Of moves l) (MovesOf (Of signs l))) ->
+  (forall l, In (Of before l) (SignsBefore (Of signs l))) ->
+  ConsistentWith signs moves before = true -> In moves (MovesFor signs).
+Proof.
+  intros M B C. destruct signs as [s1 s2 s3 s4] eqn:E.
+  unfold MovesFor. apply filter_In. split.
+  - destruct moves. apply InProduct4;
+      [apply (M V1)|apply (M V2)|apply (M V3)|apply (M V4)].
+  - unfold Consistent. apply existsb_exists. exists before.
+    split; [|exact C]. destruct before. apply InProduct4;
+      [apply (B V1)|apply (B V2)|apply (B V3)|apply (B V4)].
+Qed.
+
+(** ** Placements within ranges *)
+
+Section Placement.
+  Variable before : SignField.
+  Variable warping : Coord3 -> Warping.
+  Variable cut : CutField.
+
+  (** [AdmissibleMoves] and [AdmissibleCuts], for any ranges. *)
+  Definition FittingMoves (r : Ranges) (corners : list Coord3) : Prop :=
+    forall v d t, In v corners -> warping v = Moves d t ->
+      0 <= t <= 256 * MoveLimit r (DirectionKind d) /\
+      (In (Translate v (Offset d)) corners ->
+         Opposite (before v) (before (Translate v (Offset d))) = true /\
+         forall e s, warping (Translate v (Offset d)) = Moves e s ->
+           Translate (Translate v (Offset d)) (Offset e) <> v).
+
+  Definition FittingCuts (r : Ranges) (corners : list Coord3) : Prop :=
+    forall v d, In v corners -> In (Translate v (Offset d)) corners ->
+      PlacedSign before warping (Corner v) = Plus ->
+      PlacedSign before warping (Corner (Translate v (Offset d))) = Minus ->
+      256 * CutFrom r (DirectionKind d) <= cut v (Translate v (Offset d))
+        <= 256 * CutTo r (DirectionKind d).
+
+  Variable r : Ranges.
+  Variables (anchor : Coord3) (case : StructuredTetCase) (g : Turn).
+  Let tid := STId anchor case.
+  Hypothesis Moves_fit : FittingMoves r (Corners tid).
+  Hypothesis Cuts_fit : FittingCuts r (Corners tid).
+  Hypothesis Limits : forall k, 0 <= MoveLimit r k.
+
+  Variable m : Linear.
+  Hypothesis Hm : In m AllIsometries.
+  (** The corners in the order that the turn gives them. *)
+  Let w := TurnQuad g (CornersOf tid).
+  Hypothesis Hw : forall l, Apply m (Difference (Of w V1) (Of w l))
+    = Difference (Of Canonical V1) (Of Canonical l).
+
+  Let Hm1 : Orthonormal m := IsometryOrthonormal m Hm.
+
+  Lemma InW l : In (Of w l) (Corners tid).
+  Proof. apply InCorners. unfold w. rewrite OfTurned. eauto. Qed.
+
+  Lemma WDifference i j : Apply m (Difference (Of w i) (Of w j))
+    = Difference (Of Canonical i) (Of Canonical j).
+  Proof.
+    replace (Difference (Of w i) (Of w j)) with
+      (Difference (Difference (Of w V1) (Of w i))
+         (Difference (Of w V1) (Of w j))).
+    - rewrite ApplyDifference, !Hw.
+      destruct (Of Canonical V1), (Of Canonical i), (Of Canonical j).
+      cbn [Difference]. f_equal; ring.
+    - destruct (Of w V1), (Of w i), (Of w j). cbn [Difference]. f_equal; ring.
+  Qed.
+
+  (** Into the canonical frame, steps and all. *)
+  Definition Shift : Coord3 :=
+    Difference (Scale Steps (Apply m (Of w V1)))
+      (Scale Steps (Of Canonical V1)).
+
+  Lemma MoveLattice l e : Move m Shift (Translate (Scale Steps (Of w l)) e)
+    = Translate (Scale Steps (Of Canonical l)) (Apply m e).
+  Proof.
+    pose proof (Hw l) as E. rewrite ApplyDifference in E.
+    unfold Move, Shift. rewrite ApplyTranslate, ApplyScale.
+    destruct (Apply m (Of w V1)) as [a1 a2 a3], (Apply m (Of w l)) as [b1 b2 b3],
+      (Of Canonical V1) as [c1 c2 c3], (Of Canonical l) as [d1 d2 d3],
+      (Apply m e) as [e1 e2 e3].
+    cbn [Difference Translate Scale] in *. injection E as E1 E2 E3.
+    f_equal.
+    - replace b1 with (d1 - c1 + a1) by lia. ring.
+    - replace b2 with (d2 - c2 + a2) by lia. ring.
+    - replace b3 with (d3 - c3 + a3) by lia. ring.
+  Qed.
+
+  (** *** The configuration *)
+
+  Definition SignAt (l : Label) : Sign :=
+    PlacedSign before warping (Corner (Of w l)).
+
+  Definition ImageDirection (d : Direction) : Direction :=
+    match find (Carries m d) AllDirections with Some e => e | None => d end.
+
+  Lemma ImageDirectionMeans d :
+    Apply m (Offset d) = Offset (ImageDirection d) /\
+    DirectionKind d = DirectionKind (ImageDirection d).
+  Proof.
+    unfold ImageDirection.
+    destruct (find (Carries m d) AllDirections) as [e|] eqn:F.
+    - apply find_some in F. apply CarriesMeans, F.
+    - exfalso. destruct (ImageOfDirection m d Hm) as (e & E & K).
+      pose proof (find_none _ _ F e (InAllDirections e)) as F'.
+      unfold Carries in F'. rewrite E, K, Coord3EqualRefl in F'.
+      destruct (DirectionKind e); discriminate F'.
+  Qed.
+
+  Definition MoveAt (l : Label) : option Direction :=
+    match SignAt l with
+    | OnSurface =>
+        Some (match warping (Of w l) with
+              | Moves d _ => ImageDirection d
+              | Stays => Outward l
+              end)
+    | _ => None
+    end.
+
+  Definition QuadOf {T} (f : Label -> T) : Quad T :=
+    Q4 (f V1) (f V2) (f V3) (f V4).
+
+  Lemma OfQuadOf {T} (f : Label -> T) l : Of (QuadOf f) l = f l.
+  Proof. destruct l; reflexivity. Qed.
+
+  Let signs := QuadOf SignAt.
+  Let moves := QuadOf MoveAt.
+
+  Lemma MoveAtMeans i j : Targets i j (MoveAt i) = true -> exists d t,
+    warping (Of w i) = Moves d t /\ Translate (Of w i) (Offset d) = Of w j.
+  Proof.
+    unfold MoveAt. destruct (SignAt i); try discriminate.
+    destruct (warping (Of w i)) as [|d t].
+    - rewrite OutwardTargetsNone. discriminate.
+    - intros T. exists d, t. split; [reflexivity|].
+      cbn [Targets] in T. apply Coord3EqualTrue in T.
+      assert (E : Offset d = Difference (Of w i) (Of w j)).
+      { apply (ApplyInjective m); [exact Hm1|].
+        rewrite WDifference, (proj1 (ImageDirectionMeans d)), <- T.
+        destruct (Of Canonical i), (Offset (ImageDirection d)).
+        cbn [Difference Translate]. f_equal; ring. }
+      rewrite E. destruct (Of w i), (Of w j).
+      cbn [Difference Translate]. f_equal; ring.
+  Qed.
+
+  Lemma ConfigurationEnumerated : In moves (MovesFor signs).
+  Proof.
+    apply (InMovesFor signs moves (QuadOf (fun l => before (Of w l)))).
+    - intros l. unfold moves, signs. rewrite !OfQuadOf. unfold MoveAt, MovesOf.
+      destruct (SignAt l); try (left; reflexivity).
+      apply in_map, InAllDirections.
+    - intros l. unfold signs. rewrite !OfQuadOf. unfold SignAt. cbn [PlacedSign].
+      destruct (warping (Of w l)); cbn [WarpedSign];
+        destruct (before (Of w l)); cbn; tauto.
+    - unfold ConsistentWith. apply forallb_forall. intros i _.
+      apply forallb_forall. intros j _.
+      unfold moves. rewrite !OfQuadOf.
+      destruct (Targets i j (MoveAt i)) eqn:T; [|reflexivity].
+      destruct (MoveAtMeans i j T) as (d & t & Ed & Ej).
+      destruct (Moves_fit _ _ _ (InW i) Ed) as [_ C].
+      rewrite Ej in C. destruct (C (InW j)) as [O N]. rewrite O.
+      destruct (Targets j i (MoveAt j)) eqn:T'; [|reflexivity].
+      destruct (MoveAtMeans j i T') as (e & s & Ee & Ei).
+      exfalso. exact (N e s Ee Ei).
+  Qed.
+
+  (** *** Its vertices lie on the segments *)
+
+  Lemma AlongOnSegment (p e : Coord3) (lo hi t : Z) :
+    256 * lo <= t <= 256 * hi ->
+    OnSegment 256 (SegmentBetween (Along p e lo) (Along p e hi))
+      (Translate (Scale Steps p) (Scale t e)).
+  Proof.
+    intros B. change Steps with 65536. unfold SegmentBetween, Along.
+    destruct p as [p1 p2 p3], e as [e1 e2 e3].
+    cbn [Translate Scale Coord3Equal].
+    destruct (_ && _ && _) eqn:E.
+    - rewrite !andb_true_iff, !Z.eqb_eq in E. destruct E as [[E1 E2] E3].
+      exists (1, 0). cbn [On]. repeat (split; [lia|]).
+      cbn [Scale].
+      assert (F : forall x, lo * x = hi * x -> t * x = 256 * (lo * x)).
+      { intros x Ex. destruct (Z.eq_dec x 0) as [->|Nx]; [ring|].
+        assert (lo = hi) by (apply (Z.mul_reg_r _ _ x); assumption).
+        subst hi. assert (t = 256 * lo) by lia. subst t. ring. }
+      f_equal; [rewrite (F e1) by lia|rewrite (F e2) by lia|rewrite (F e3) by lia];
+        ring.
+    - assert (lo <> hi).
+      { intros ->. rewrite !Z.eqb_refl in E. discriminate E. }
+      exists (256 * hi - t, t - 256 * lo). cbn [On].
+      repeat (split; [lia|]). cbn [Scale Translate]. f_equal; ring.
+  Qed.
+
+  Lemma CornerOnSegment l :
+    OnSegment 256 (SymbolSegment r moves (CornerOf l))
+      (Move m Shift (PlacedPosition warping cut (Corner (Of w l)))).
+  Proof.
+    unfold moves. cbn [SymbolSegment PlacedPosition]. rewrite OfQuadOf.
+    unfold MoveAt, SignAt. cbn [PlacedSign].
+    assert (Still : Move m Shift (Scale Steps (Of w l))
+      = Translate (Scale Steps (Of Canonical l)) (Scale 0 (C3 0 0 0))).
+    { replace (Scale Steps (Of w l))
+        with (Translate (Scale Steps (Of w l)) (Scale 0 (C3 0 0 0)))
+        by (destruct (Of w l); cbn [Scale Translate]; f_equal; ring).
+      rewrite MoveLattice, ApplyScale. f_equal.
+      destruct (Apply m (C3 0 0 0)). reflexivity. }
+    destruct (warping (Of w l)) as [|d t] eqn:E; cbn [WarpedSign WarpedPosition].
+    - rewrite Still.
+      assert (F : OnSegment 256 (Fixed (Scale 256 (Of Canonical l)))
+        (Translate (Scale Steps (Of Canonical l)) (Scale 0 (C3 0 0 0)))).
+      { exists (1, 0). cbn [On]. repeat (split; [lia|]).
+        change Steps with 65536. destruct (Of Canonical l).
+        cbn [Scale Translate]. f_equal; ring. }
+      destruct (before (Of w l)); [exact F| |exact F].
+      replace (Scale 0 (C3 0 0 0)) with (Scale 0 (Offset (Outward l)))
+        by (destruct (Offset (Outward l)); reflexivity).
+      apply AlongOnSegment.
+      specialize (Limits (DirectionKind (Outward l))). lia.
+    - rewrite MoveLattice, ApplyScale.
+      destruct (ImageDirectionMeans d) as [-> K].
+      apply AlongOnSegment. rewrite <- K.
+      destruct (Moves_fit _ _ _ (InW l) E) as [B _]. lia.
+  Qed.
+
+  Lemma CutOnSegment a b : SignAt a = Plus -> SignAt b = Minus ->
+    OnSegment 256 (SymbolSegment r moves (CutOf a b))
+      (Move m Shift (PlacedPosition warping cut (Cut (Of w a) (Of w b)))).
+  Proof.
+    intros Sa Sb. cbn [SymbolSegment PlacedPosition]. unfold PointOnEdge.
+    rewrite MoveLattice, ApplyScale, WDifference.
+    apply AlongOnSegment.
+    assert (N : LabelEqual a b = false)
+      by (destruct a, b; try reflexivity; congruence).
+    destruct (CanonicalEdge a b N) as (e & Ee & Ke).
+    destruct (OriginOfDirection m e Hm) as (d & Ed & Kd).
+    assert (E : Of w b = Translate (Of w a) (Offset d)).
+    { assert (D : Offset d = Difference (Of w a) (Of w b)).
+      { apply (ApplyInjective m); [exact Hm1|].
+        rewrite WDifference, Ed, Ee. reflexivity. }
+      rewrite D. destruct (Of w a), (Of w b).
+      cbn [Difference Translate]. f_equal; ring. }
+    rewrite <- Ke, <- Kd.
+    unfold SignAt in Sb. pose proof (InW b) as Ib. rewrite E in Sb, Ib |- *.
+    exact (Cuts_fit (Of w a) d (InW a) Ib Sa Sb).
+  Qed.
+
+  Lemma SymbolOnSegment v : CutsFromPlusToMinus signs v = true ->
+    OnSegment 256 (SymbolSegment r moves v)
+      (Move m Shift (PlacedPosition warping cut (Stands w v))).
+  Proof.
+    destruct v as [l|a b]; intros H.
+    - apply CornerOnSegment.
+    - unfold signs in H. cbn [CutsFromPlusToMinus] in H.
+      rewrite !OfQuadOf in H.
+      apply CutOnSegment; destruct (SignAt a), (SignAt b);
+        reflexivity || discriminate H.
+  Qed.
+
+  (** *** So that the check speaks of them *)
+
+  Variable bounds : AngleBounds.
+  Hypothesis Hbounds : Sensible bounds.
+
+  Lemma CheckedTet t :
+    CheckSigns bounds r signs = true -> In t (SymbolTets signs) ->
+    WellShaped bounds (MapTet (fun v =>
+      Move m Shift (PlacedPosition warping cut (Stands w v))) t).
+  Proof.
+    intros C I. pose proof (StencilCuts _ _ I) as S.
+    unfold CheckSigns in C.
+    assert (C' : forallb (fun moves => forallb (fun t =>
+      CheckTet bounds (MapTet (SymbolSegment r moves) t)) (SymbolTets signs))
+      (MovesFor signs) = true).
+    { destruct (SymbolTets signs); [destruct I|exact C]. }
+    rewrite forallb_forall in C'. specialize (C' _ ConfigurationEnumerated).
+    rewrite forallb_forall in C'. specialize (C' t I).
+    destruct t as [p q s u]. cbn [AllOfTet] in S.
+    rewrite !andb_true_iff in S. destruct S as [[[Sp Sq] Ss] Su].
+    cbn [MapTet] in *.
+    apply (CheckTetSound 256 ltac:(lia) _ _ _ _ _ _ _ _ _ Hbounds
+             (SymbolOnSegment p Sp) (SymbolOnSegment q Sq)
+             (SymbolOnSegment s Ss) (SymbolOnSegment u Su) C').
+  Qed.
+End Placement.
+
+(** ** The reduction *)
+
+Section Reduction.
+  Variables (bounds : AngleBounds) (r : Ranges).
+  Hypothesis Hbounds : Sensible bounds.
+  Hypothesis Limits : forall k, 0 <= MoveLimit r k.
+  Variable take : Z -> bool.
+  Hypothesis Checked : CheckRepresentatives bounds r take = true.
+
+  Lemma SurfaceCornersTurned g signs :
+    SurfaceCorners (TurnQuad g signs) = SurfaceCorners signs.
+  Proof. destruct signs, g; cbn -[Z.add]; ring. Qed.
+
+  Lemma RepresentativesChecked signs :
+    In signs Representatives -> take (SurfaceCorners signs) = true ->
+    CheckSigns bounds r signs = true.
+  Proof.
+    intros I T. unfold CheckRepresentatives in *.
+    rewrite forallb_forall in Checked.
+    apply Checked, filter_In. split; assumption.
+  Qed.
+
+  Lemma EvenPermutationsMap {A B} (f : A -> B) t t' :
+    In t (EvenPermutations t') ->
+    In (MapTet f t) (EvenPermutations (MapTet f t')).
+  Proof.
+    destruct t' as [a b c d]. cbn [EvenPermutations In MapTet]. intros I.
+    repeat (destruct I as [<-|I]; [cbn [MapTet]; tauto|]). destruct I.
+  Qed.
+
+  Lemma StandsTurned g q v :
+    Stands (TurnQuad g q) (TurnSymbol g v) = Stands q v.
+  Proof.
+    destruct v; cbn [Stands TurnSymbol]; rewrite !OfTurned, !TurnTwice;
+      reflexivity.
+  Qed.
+
+  Theorem AllPlacementsWithin tid before warping cut :
+    FittingMoves before warping r (Corners tid) ->
+    FittingCuts before warping cut r (Corners tid) ->
+    take (SurfaceCorners (QuadOf (fun l =>
+      PlacedSign before warping (Corner (Of (CornersOf tid) l))))) = true ->
+    forall t, In t (PlacedTets before warping cut tid) -> WellShaped bounds t.
+  Proof.
+    intros FM FC K t I. destruct tid as [anchor case].
+    set (tid := STId anchor case) in *.
+    assert (I' : In t (map (MapTet (PlacedPosition warping cut))
+      (map (Orient (CaseHandedness case))
+        (map (MapTet (Stands (CornersOf tid)))
+          (SymbolTets (QuadOf (fun l =>
+             PlacedSign before warping (Corner (Of (CornersOf tid) l))))))))).
+    { unfold QuadOf.
+      pose proof (StencilsNatural (PlacedSign before warping) (CornersOf tid))
+        as E. cbv zeta in E.
+      rewrite <- E. clear E. revert I.
+      unfold PlacedTets, tid, CornersOf.
+      destruct (GetStructuredTet (STId anchor case)). exact (fun H => H). }
+    clear I. apply in_map_iff in I'. destruct I' as (t1 & <- & I).
+    apply in_map_iff in I. destruct I as (t2 & <- & I).
+    apply in_map_iff in I. destruct I as (t3 & <- & I).
+    set (signs := QuadOf _) in I, K.
+    destruct (RepresentativeOf signs) as (g & R & T).
+    destruct (T t3 I) as (t4 & I4 & E). clear T I.
+    destruct (IsometryOf anchor case g) as (m & Hm & D & Hw). fold tid in Hw.
+    apply RepresentativesChecked in R;
+      [|rewrite SurfaceCornersTurned; exact K].
+    assert (Q : TurnQuad g signs
+      = QuadOf (SignAt before warping anchor case g)).
+    { unfold SignAt, QuadOf, signs. rewrite !OfTurned.
+      unfold TurnQuad. rewrite !OfQuadOf. reflexivity. }
+    rewrite Q in R, I4. clear Q.
+    pose proof (CheckedTet before warping cut r anchor case g FM FC Limits m Hm Hw
+      bounds Hbounds t4 R I4) as W. fold tid in W. clear R I4.
+    apply (EvenPermutationsMap (fun v => Move m (Shift anchor case g m)
+      (PlacedPosition warping cut (Stands (TurnQuad g (CornersOf tid)) v)))) in E.
+    pose proof (WellShapedPermuted _ _ _ E W) as S. clear E W.
+    destruct t3 as [p q s u]. cbn [MapTet] in S.
+    rewrite !StandsTurned in S.
+    pose proof (IsometryOrthonormal m Hm) as O.
+    destruct (CaseHandedness case); cbn [Orient MapTet HandDeterminant] in *.
+    - exact (WellShapedMoved _ m _ _ _ _ _ O D S).
+    - exact (WellShapedMirrored _ m _ _ _ _ _ O D S).
+  Qed.
+End Reduction.
