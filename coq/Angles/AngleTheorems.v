@@ -64,7 +64,7 @@ Proof.
     exact (AllPlacementsWithin bounds (RangesOf th) B L _ Many tid _ _ _ M C E').
 Qed.
 
-Theorem WidestGuaranteed : Guarantees AngleThresholds WidestBounds.
+Theorem WidestGuaranteed : Guarantees AngleThresholds WidestAngles.
 Proof.
   apply GuaranteeByJobs.
   - cbn. lia.
@@ -73,7 +73,7 @@ Proof.
   - exact AnglesManySurface.
 Qed.
 
-Theorem EmbeddingGuaranteed : Guarantees EmbeddingThresholds EmbeddingBounds.
+Theorem EmbeddingGuaranteed : Guarantees EmbeddingThresholds EmbeddingAngles.
 Proof.
   apply GuaranteeByJobs.
   - cbn. lia.
@@ -105,7 +105,7 @@ Proof.
 Qed.
 
 Theorem StuffedWidest sign cut tid t : CutsOnEdges sign cut ->
-  In t (StuffedTets AngleThresholds sign cut tid) -> WellShaped WidestBounds t.
+  In t (StuffedTets AngleThresholds sign cut tid) -> WellShaped WidestAngles t.
 Proof.
   apply GuaranteeStuffed;
     [exact AngleThresholdsAtMostHalf | exact WidestGuaranteed].
@@ -113,7 +113,7 @@ Qed.
 
 Theorem StuffedEmbedding sign cut tid t : CutsOnEdges sign cut ->
   In t (StuffedTets EmbeddingThresholds sign cut tid) ->
-  WellShaped EmbeddingBounds t.
+  WellShaped EmbeddingAngles t.
 Proof.
   apply GuaranteeStuffed;
     [exact EmbeddingThresholdsAtMostHalf | exact EmbeddingGuaranteed].
@@ -135,13 +135,13 @@ Qed.
 
 Theorem StuffedMidpoint sign tid t : (forall v, sign v <> OnSurface) ->
   In t (StuffedTets NoWarpThresholds sign (fun _ _ => MidpointCut) tid) ->
-  WellShaped MidpointBounds t.
+  WellShaped MidpointAngles t.
 Proof.
   intros N.
   assert (C : CutsOnEdges sign (fun _ _ => MidpointCut))
     by (intros a b _ _; vm_compute; split; discriminate).
   intros I. rewrite StuffedArePlaced in I. revert t I.
-  apply (AllPlacementsWithin MidpointBounds MidpointRanges) with (take := fun n => n =? 0).
+  apply (AllPlacementsWithin MidpointAngles MidpointRanges) with (take := fun n => n =? 0).
   - cbn. lia.
   - intros k. cbn. lia.
   - exact MidpointFixed.
@@ -154,4 +154,27 @@ Proof.
     destruct (sign (Of (CornersOf tid) V1)), (sign (Of (CornersOf tid) V2)),
       (sign (Of (CornersOf tid) V3)), (sign (Of (CornersOf tid) V4));
       reflexivity || congruence.
+Qed.
+
+Lemma InOrOutDecides s : InOrOut s <> OnSurface.
+Proof. destruct s; discriminate. Qed.
+
+Theorem StuffedInOrOut sign tid t :
+  let decided v := InOrOut (sign v) in
+  In t (StuffedTets NoWarpThresholds decided (fun _ _ => MidpointCut) tid) ->
+  WellShaped MidpointAngles t.
+Proof. apply StuffedMidpoint. intros v. apply InOrOutDecides. Qed.
+
+(** ** Volume alone *)
+
+Theorem AdmissiblePositive th :
+  th = AngleThresholds \/ th = EmbeddingThresholds ->
+  forall tid before warping cut, Admissible before warping cut th (Corners tid) ->
+    forall t, In t (PlacedTets before warping cut tid) -> Positive t.
+Proof.
+  intros [->| ->] tid before warping cut A t I.
+  - pose proof (WidestGuaranteed tid before warping cut A t I) as W.
+    destruct t as [a b c d]. exact (proj1 W).
+  - pose proof (EmbeddingGuaranteed tid before warping cut A t I) as W.
+    destruct t as [a b c d]. exact (proj1 W).
 Qed.

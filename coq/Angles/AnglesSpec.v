@@ -93,13 +93,13 @@ Definition StuffedTets (th : Thresholds) (sign : SignField) (cut : CutField)
 (** 10.77 and 164.76 degrees: 221/8 is the square of the cotangent of an angle
     a little greater than 10.77 degrees, 1751/130 of one a little greater than
     180 - 164.76. *)
-Definition WidestBounds : AngleBounds := AB (CotSq 221 8) (CotSq 1751 130).
+Definition WidestAngles : AngleBounds := AB (CotSq 221 8) (CotSq 1751 130).
 
 (** 9.27 and 161.46 degrees. *)
-Definition EmbeddingBounds : AngleBounds := AB (CotSq 563 15) (CotSq 80 9).
+Definition EmbeddingAngles : AngleBounds := AB (CotSq 563 15) (CotSq 80 9).
 
 (** Exactly 30 and 135 degrees. *)
-Definition MidpointBounds : AngleBounds := AB (CotSq 3 1) (CotSq 1 1).
+Definition MidpointAngles : AngleBounds := AB (CotSq 3 1) (CotSq 1 1).
 
 (** Whatever the domain, wherever the cuts: the thresholds guarantee bounds. *)
 Definition Guarantees (th : Thresholds) (bounds : AngleBounds) : Prop :=

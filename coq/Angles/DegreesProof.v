@@ -298,3 +298,9 @@ Proof.
   exact (DegreesBounds _ _ _ _ _ Cotangent30 Cotangent45
            (StuffedMidpoint sign tid t N I)).
 Qed.
+
+Theorem AngleBounds_InOrOut sign tid t :
+  let decided v := InOrOut (sign v) in
+  In t (StuffedTets NoWarpThresholds decided (fun _ _ => MidpointCut) tid) ->
+  WithinDegrees 30 135 t.
+Proof. apply AngleBounds_Midpoint. intros v. apply InOrOutDecides. Qed.

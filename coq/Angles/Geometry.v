@@ -12,6 +12,7 @@
 
 From Coq Require Import ZArith List.
 From Certet Require Import Lattice.Coord3 Stencil.UnstructuredTet.
+From Certet Require Export Stencil.StencilSet.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -64,11 +65,6 @@ Definition AngleAtMost (obtuse : CotSquared) (a b c d : Coord3) : Prop :=
       den * NormalsProduct a b c d ^ 2
         <= num * (SixVolume a b c d ^ 2 * EdgeSquared a b)
   end.
-
-(** The tetrahedron of the images of a tetrahedron's vertices. *)
-Definition MapTet {A B} (f : A -> B) (t : UnstructuredTet A)
-  : UnstructuredTet B :=
-  match t with UT _ a b c d => UT _ (f a) (f b) (f c) (f d) end.
 
 (** The six edges of a tetrahedron: each entry names an edge first, then the
     two other vertices, in an even order. *)

@@ -239,3 +239,7 @@ Proof.
   - exact (EdgeVolume _ t _ _ _ _ (StuffedEmbedding _ _ _ _ C I) J).
   - exact T.
 Qed.
+
+Definition BoundsAreSharp :=
+  conj Sharp_73_102_least (conj Sharp_73_102_greatest
+    (conj Sharp_64_105_least Sharp_64_105_greatest)).

@@ -6,6 +6,6 @@ From Certet Require Import Warp.Warp Angles.AnglesSpec Angles.Configurations.
 Open Scope Z_scope.
 
 Lemma AnglesManySurface :
-  CheckRepresentatives WidestBounds (RangesOf AngleThresholds)
+  CheckRepresentatives WidestAngles (RangesOf AngleThresholds)
     (fun n => 3 <=? n) = true.
 Proof. vm_compute. reflexivity. Qed.

@@ -6,6 +6,6 @@ From Certet Require Import Warp.Warp Angles.AnglesSpec Angles.Configurations.
 Open Scope Z_scope.
 
 Lemma EmbeddingFewSurface :
-  CheckRepresentatives EmbeddingBounds (RangesOf EmbeddingThresholds)
+  CheckRepresentatives EmbeddingAngles (RangesOf EmbeddingThresholds)
     (fun n => n <? 3) = true.
 Proof. vm_compute. reflexivity. Qed.

@@ -11,5 +11,5 @@ Definition MidpointRanges : Ranges := {|
 |}.
 
 Lemma MidpointFixed :
-  CheckRepresentatives MidpointBounds MidpointRanges (fun n => n =? 0) = true.
+  CheckRepresentatives MidpointAngles MidpointRanges (fun n => n =? 0) = true.
 Proof. vm_compute. reflexivity. Qed.
