@@ -8,6 +8,7 @@ From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
 From Certet Require Import Angles.CheckerProof Angles.Configurations.
+From Certet Require Import Angles.SymmetryProof.
 From Certet Require Import Angles.ReductionProof Angles.AdmissibleProof.
 From Certet Require Import Angles.Jobs.AnglesFewSurface.
 From Certet Require Import Angles.Jobs.AnglesManySurface.
@@ -80,6 +81,20 @@ Proof.
   - intros []; cbn; lia.
   - exact EmbeddingFewSurface.
   - exact EmbeddingManySurface.
+Qed.
+
+Lemma WellShapedPositive bounds t : WellShaped bounds t -> Positive t.
+Proof. destruct bounds, t. intros [V _]. exact V. Qed.
+
+(** Right-handed as the product orients them, at both pairs of thresholds. *)
+Theorem PositiveVolume th tid before warping cut t :
+  th = AngleThresholds \/ th = EmbeddingThresholds ->
+  Admissible before warping cut th (Corners tid) ->
+  In t (PlacedTets before warping cut tid) -> Positive t.
+Proof.
+  intros [-> | ->] A I.
+  - exact (WellShapedPositive _ _ (WidestGuaranteed tid _ _ _ A t I)).
+  - exact (WellShapedPositive _ _ (EmbeddingGuaranteed tid _ _ _ A t I)).
 Qed.
 
 Theorem WarpIsAdmissible th sign cut tid :
