@@ -245,11 +245,11 @@ Proof. exact AngleTheorems.WarpIsAdmissible. Qed.
 
 (** Whatever is admissible gives tetrahedra of positive volume, *)
 Theorem PositiveVolume :
-  forall th, th = AngleThresholds \/ th = EmbeddingThresholds ->
-  forall tid before warping cut,
+  forall th tid before warping cut t,
+    th = AngleThresholds \/ th = EmbeddingThresholds ->
     Admissible before warping cut th (Corners tid) ->
-    forall t, In t (PlacedTets before warping cut tid) -> Positive t.
-Proof. exact AngleTheorems.AdmissiblePositive. Qed.
+    In t (PlacedTets before warping cut tid) -> Positive t.
+Proof. exact AngleTheorems.PositiveVolume. Qed.
 
 (** whose dihedral angles are between 10.77 and 164.76 degrees at the thresholds
     73/256 and 102/256, as integers tell it: cot^2 10.77 > 221/8 and

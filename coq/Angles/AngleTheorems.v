@@ -179,17 +179,3 @@ Theorem StuffedInOrOut sign tid t :
   In t (StuffedTets NoWarpThresholds decided (fun _ _ => MidpointCut) tid) ->
   WellShaped MidpointAngles t.
 Proof. apply StuffedMidpoint. intros v. apply InOrOutDecides. Qed.
-
-(** ** Volume alone *)
-
-Theorem AdmissiblePositive th :
-  th = AngleThresholds \/ th = EmbeddingThresholds ->
-  forall tid before warping cut, Admissible before warping cut th (Corners tid) ->
-    forall t, In t (PlacedTets before warping cut tid) -> Positive t.
-Proof.
-  intros [->| ->] tid before warping cut A t I.
-  - pose proof (WidestGuaranteed tid before warping cut A t I) as W.
-    destruct t as [a b c d]. exact (proj1 W).
-  - pose proof (EmbeddingGuaranteed tid before warping cut A t I) as W.
-    destruct t as [a b c d]. exact (proj1 W).
-Qed.
