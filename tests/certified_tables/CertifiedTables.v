@@ -3,9 +3,8 @@
     CppTables.v is printed by the C++ side.  Each theorem here says that one
     of its tables is what a certified function computes. *)
 
-From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Coord3 Lattice.Direction Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Warp.Cut Warp.Warp.
+From Coq Require Import ZArith Reals Lra List.
+From Certet Require Import Certificate.
 From CertetTables Require Import TableTypes CppTables.
 Import ListNotations.
 Open Scope Z_scope.
@@ -89,3 +88,37 @@ Proof. vm_compute. reflexivity. Qed.
 Theorem CppStepsCertified :
   CppStepBits = Z.of_nat StepBits /\ CppSteps = Steps.
 Proof. vm_compute. split; reflexivity. Qed.
+
+(** ** The bounds that every mesh is held to
+
+    In hundredths of degrees: what the C++ side calls proven is proven. *)
+
+Definition Proven (bounds : list (Z * Z)) : Prop :=
+  match bounds with
+  | [(least1, greatest1); (least2, greatest2); (least3, greatest3)] =>
+      (forall sign cut tid t, CutsOnEdges sign cut ->
+         In t (map (MapTet (MeshPosition AngleThresholds sign cut))
+                 (StuffTet AngleThresholds sign cut tid)) ->
+         WithinDegrees (IZR least1 / 100) (IZR greatest1 / 100) t) /\
+      (forall sign cut tid t, CutsOnEdges sign cut ->
+         In t (map (MapTet (MeshPosition EmbeddingThresholds sign cut))
+                 (StuffTet EmbeddingThresholds sign cut tid)) ->
+         WithinDegrees (IZR least2 / 100) (IZR greatest2 / 100) t) /\
+      (forall sign tid t,
+         let decided v := InOrOut (sign v) in
+         let cut (_ _ : Coord3) := MidpointCut in
+         In t (map (MapTet (MeshPosition NoWarpThresholds decided cut))
+                 (StuffTet NoWarpThresholds decided cut tid)) ->
+         WithinDegrees (IZR least3 / 100) (IZR greatest3 / 100) t)
+  | _ => False
+  end.
+
+Theorem CppBoundsProven : Proven CppBounds.
+Proof.
+  split; [exact DihedralBoundsInDegrees|].
+  split; [exact DihedralBoundsEmbeddingInDegrees|].
+  intros sign tid t decided cut I.
+  replace (IZR 3000 / 100)%R with 30%R by lra.
+  replace (IZR 13500 / 100)%R with 135%R by lra.
+  exact (MidpointBoundsInDegrees sign tid t I).
+Qed.

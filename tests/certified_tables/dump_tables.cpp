@@ -4,6 +4,7 @@
 /// usage: dump_tables [--plant N]   N names a defect to plant (see `plant`)
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include "certet/direction.hpp"
+#include "certet/quality.hpp"
 #include "certet/stencil.hpp"
 #include "certet/structured_tet.hpp"
 #include "certet/warp.hpp"
@@ -27,6 +29,9 @@ struct Tables {
   std::array<Coord3, direction_count> directions = direction_offset;
   std::array<Thresholds, 3> thresholds{angle_thresholds, embedding_thresholds, no_warp_thresholds};
   core::CellTables cell = core::cell;
+  std::array<AngleBounds, 3> bounds{proven_bounds(Cuts::bisect, Guarantee::angles),
+                                    proven_bounds(Cuts::bisect, Guarantee::embedding),
+                                    proven_bounds(Cuts::midpoint, Guarantee::angles)};
 };
 
 void plant(Tables& t, int defect) {
@@ -38,6 +43,7 @@ void plant(Tables& t, int defect) {
     case 5: ++t.thresholds[0].short_edge; break;
     case 6: t.cell.edge[5][0][3].owner.y ^= 1; break;
     case 7: std::swap(t.cell.corner[11][0], t.cell.corner[11][1]); break;
+    case 8: t.bounds[0].min_dihedral += 0.01; break;
     default: break;
   }
 }
@@ -119,6 +125,16 @@ void warp(const Tables& t) {
   definition("CppSteps", "Z", [] { std::cout << steps; });
 }
 
+/// In hundredths of degrees, which they are whole numbers of.
+void bounds(const Tables& t) {
+  definition("CppBounds", "list (Z * Z)", [&] {
+    list(t.bounds, [](const AngleBounds& b) {
+      std::cout << '(' << std::lround(100 * b.min_dihedral) << ", "
+                << std::lround(100 * b.max_dihedral) << ')';
+    });
+  });
+}
+
 /// The lattice point that the engine means by a vertex, and by the ends of an
 /// edge.
 Coord3 lattice_point(core::VertexRef v) {
@@ -171,4 +187,5 @@ int main(int argc, char** argv) {
   stencils(tables);
   warp(tables);
   cell(tables);
+  bounds(tables);
 }
