@@ -24,11 +24,16 @@ std::uint64_t peak_memory() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
+#if defined(__SANITIZE_ADDRESS__)
+// The sanitizer's shadow memory is larger than any limit worth setting.
+void limit_memory(std::uint64_t) {}
+#else
 void limit_memory(std::uint64_t bytes) {
   rlimit limit{};
   if (getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur <= bytes) return;
   limit.rlim_cur = bytes;
   setrlimit(RLIMIT_DATA, &limit);
 }
+#endif
 
 }  // namespace certet::command
