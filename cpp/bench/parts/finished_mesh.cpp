@@ -24,20 +24,20 @@ void measure_in_lattice(benchmark::State& state) {
     benchmark::DoNotOptimize(measure_lattice(part_mesh().points, 0, part_mesh_tets()));
   count_tets(state);
 }
-BENCHMARK(measure_in_lattice);
+BENCHMARK(measure_in_lattice)->UseRealTime();
 
 void measure_in_world(benchmark::State& state) {
   for (auto _ : state)
     benchmark::DoNotOptimize(measure_world(part_mesh_world(), 0, part_mesh_tets()));
   count_tets(state);
 }
-BENCHMARK(measure_in_world);
+BENCHMARK(measure_in_world)->UseRealTime();
 
 void check_mesh(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(check(part_mesh_world(), part_mesh_tets()));
   count_tets(state);
 }
-BENCHMARK(check_mesh);
+BENCHMARK(check_mesh)->UseRealTime();
 
 /// Writes into the working folder, and leaves nothing there.
 void write_vtu(benchmark::State& state) {

@@ -25,7 +25,7 @@ void unstructured_tets_of_all_patterns(benchmark::State& state) {
     }
   state.SetItemsProcessed(state.iterations() * pattern_count);
 }
-BENCHMARK(unstructured_tets_of_all_patterns);
+BENCHMARK(unstructured_tets_of_all_patterns)->UseRealTime();
 
 void structured_tet_of_all_cases(benchmark::State& state) {
   Coord3 anchor{0, 0, 0};
@@ -38,7 +38,7 @@ void structured_tet_of_all_cases(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations() * case_count);
 }
-BENCHMARK(structured_tet_of_all_cases);
+BENCHMARK(structured_tet_of_all_cases)->UseRealTime();
 
 /// A vertex with cuts on some of its edges.
 struct CutVertex {
@@ -66,6 +66,6 @@ void warp_of_cut_vertices(benchmark::State& state) {
     }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(vertices.size()));
 }
-BENCHMARK(warp_of_cut_vertices);
+BENCHMARK(warp_of_cut_vertices)->UseRealTime();
 
 }  // namespace
