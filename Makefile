@@ -68,6 +68,15 @@ demo: build
 	$(BUILD)/bin/certet mesh $(ATLAS) -o $(BUILD)/demo/brain.vtu
 	$(BUILD)/bin/certet check $(BUILD)/demo/brain.vtu
 
+# Debian's Python has Debian's matplotlib; another one may come first in PATH.
+PYTHON := $(firstword $(wildcard /usr/bin/python3) python3)
+# LARGE=1 sends 300 million tetrahedra to a file of 8 GB, instead of 30 million.
+LARGE ?=
+bench: build
+	mkdir -p $(BUILD)/bench
+	$(MAKE) -s -C extracted BUILD=$(abspath $(BUILD))/bench/reference
+	$(PYTHON) -B cpp/bench/report.py $(BUILD) $(if $(LARGE),--large)
+
 clean:
 	$(MAKE) -C coq clean
 	rm -rf $(BUILD)
