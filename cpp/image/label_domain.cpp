@@ -133,7 +133,18 @@ class LabelDomain final : public ImageDomain {
     return found == Extent::inside && !whole ? Extent::mixed : found;
   }
 
-  [[nodiscard]] std::int32_t label(const std::array<Coord3, 4>& corners) const override {
+  void label(std::span<const std::array<Coord3, 4>> tets,
+             std::span<std::int32_t> out) const override {
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = label_of(tets[i]);
+  }
+
+ private:
+  static Sign sign(const std::uint64_t* bits, std::int64_t x) {
+    static_assert(static_cast<int>(Sign::plus) == 2 && static_cast<int>(Sign::minus) == 0);
+    return static_cast<Sign>(VoxelMask::test(bits, x) << 1);
+  }
+
+  [[nodiscard]] std::int32_t label_of(const std::array<Coord3, 4>& corners) const {
     // Four times the centroid fits 64 bits, and 1/4 is exact.
     const double unit = 0.25 / steps;
     const auto& [a, b, c, d] = corners;
@@ -145,12 +156,6 @@ class LabelDomain final : public ImageDomain {
     if (best < 0) best = voxel_of_nearest_corner(corners, center);
     return best < 0 ? 0
                     : static_cast<std::int32_t>(voxels_[static_cast<std::size_t>(best)]);
-  }
-
- private:
-  static Sign sign(const std::uint64_t* bits, std::int64_t x) {
-    static_assert(static_cast<int>(Sign::plus) == 2 && static_cast<int>(Sign::minus) == 0);
-    return static_cast<Sign>(VoxelMask::test(bits, x) << 1);
   }
 
   [[nodiscard]] std::int64_t column(double x) const {
