@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <limits>
 
 #include "certet/error.hpp"
 #include "certet/quality.hpp"
-#include "certet/structured_tet.hpp"
 #include "angle_bins.hpp"
 #include "extremes.hpp"
+#include "shape_counter.hpp"
 #include "tet_block.hpp"
 
 namespace certet {
@@ -16,6 +16,9 @@ using quality::AngleBins;
 using quality::CarefulTet;
 using quality::Edges;
 using quality::lanes;
+using quality::LatticeEdge;
+using quality::LatticeShape;
+using quality::ShapeCounter;
 using quality::TetBlock;
 
 /// Beyond this cos |cos| the cosine tells angles apart no better than to
@@ -205,111 +208,59 @@ Quality world(std::span<const Point3> points, std::uint64_t first_point,
 /// determinant smaller than 2^60.
 constexpr std::int64_t edge_limit = std::int64_t{1} << 19;
 
-struct LatticeEdge {
-  std::int64_t x, y, z;
+void refuse_wide(const LatticeShape& shape) {
+  const auto wide = [](std::int64_t v) { return v < -edge_limit || v >= edge_limit; };
+  for (const LatticeEdge& edge : {shape.a, shape.b, shape.c})
+    if (wide(edge.x) || wide(edge.y) || wide(edge.z))
+      throw Error(ErrorCode::bad_input, "a tetrahedron is too wide to be measured exactly");
+}
 
-  friend bool operator==(const LatticeEdge&, const LatticeEdge&) = default;
-  constexpr LatticeEdge(Coord3 from, Coord3 to)
-      : x(std::int64_t{to.x} - from.x), y(std::int64_t{to.y} - from.y),
-        z(std::int64_t{to.z} - from.z) {}
-
-  [[nodiscard]] Point3 exact() const {
-    return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-  }
-  /// Has a bit above the lowest 20 unless -2^19 <= x, y, z < 2^19.
-  [[nodiscard]] std::uint64_t excess() const {
-    const auto shifted = [](std::int64_t v) { return static_cast<std::uint64_t>(v + edge_limit); };
-    return shifted(x) | shifted(y) | shifted(z);
-  }
-};
-
-/// The three edges from the first vertex.
-struct LatticeEdges {
-  LatticeEdge a, b, c;
-
-  friend bool operator==(const LatticeEdges&, const LatticeEdges&) = default;
-  [[nodiscard]] Edges exact() const { return {a.exact(), b.exact(), c.exact()}; }
-  [[nodiscard]] bool too_wide() const {
-    return (a.excess() | b.excess() | c.excess()) >= 2 * std::uint64_t{edge_limit};
-  }
-  [[nodiscard]] std::int64_t determinant() const {
-    return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
-           a.z * (b.x * c.y - b.y * c.x);
-  }
-};
-
-/// The twelve structured tetrahedra, in their order and with positive volume:
-/// what a cell away from the surface is made of.
-constexpr std::array<LatticeEdges, case_count> structured_tets = [] {
-  const auto edges = [](const StructuredTetShape& shape) {
-    auto [p, q, r, s] = shape.vertices;
-    if (!shape.right_handed) std::swap(r, s);
-    return LatticeEdges{{steps * p, steps * q}, {steps * p, steps * r}, {steps * p, steps * s}};
-  };
-  return [&]<std::size_t... c>(std::index_sequence<c...>) {
-    return std::array<LatticeEdges, case_count>{edges(structured_tet_table[c])...};
-  }(std::make_index_sequence<case_count>{});
-}();
-
-/// Measures one tetrahedron after the other.  Translates of the structured ones
-/// are found out by their edges and counted; each shape is measured once.
+/// Measures every shape once for all its copies.
 class LatticeMeasurement {
  public:
-  void add(const LatticeEdges& tet) {
-    if (tet == structured_tets[next_]) return count_structured();
-    next_ = 0;
-    if (tet == structured_tets[0]) return count_structured();
-    add_other(tet);
+  void add(const LatticeShape& tet) {
+    shapes_.add(tet, refuse_wide, [this](const LatticeShape& shape, std::uint64_t copies) {
+      measure(shape, copies);
+    });
   }
   [[nodiscard]] Quality result();
 
  private:
-  void count_structured() {
-    ++copies_[next_];
-    next_ = next_ + 1 == case_count ? 0 : next_ + 1;
-  }
-  void add_other(const LatticeEdges& tet);
-  void flush(const Copies& copies);
+  void measure(const LatticeShape& shape, std::uint64_t copies);
+  void flush();
 
+  ShapeCounter shapes_;
   Measurement measurement_{Histogram::counted};
   WideSum six_volumes_;
-  std::size_t next_ = 0;                              ///< the structured tetrahedron awaited
-  std::array<std::uint64_t, case_count> copies_{};    ///< of the structured tetrahedra
-  std::size_t count_ = 0;                             ///< of others that wait in the block
-  std::array<std::int64_t, lanes> exact_{};           ///< their determinants
+  std::size_t count_ = 0;  ///< of shapes in the block
   TetBlock block_;
+  Copies copies_{};
+  std::array<std::int64_t, lanes> exact_{};  ///< determinants
 };
 
-void LatticeMeasurement::add_other(const LatticeEdges& tet) {
-  if (tet.too_wide())
-    throw Error(ErrorCode::bad_input, "a tetrahedron is too wide to be measured exactly");
-  block_.set(count_, tet.exact());
-  exact_[count_] = tet.determinant();
-  six_volumes_ += exact_[count_];
-  if (++count_ == lanes) flush(one_each);
+void LatticeMeasurement::measure(const LatticeShape& shape, std::uint64_t copies) {
+  block_.set(count_, shape.exact());
+  copies_[count_] = copies;
+  exact_[count_] = shape.determinant();
+  six_volumes_ += WideSum::product(exact_[count_], copies);
+  if (++count_ == lanes) flush();
 }
 
-void LatticeMeasurement::flush(const Copies& copies) {
+void LatticeMeasurement::flush() {
   if (count_ == 0) return;
   block_.repeat_first(count_);
   std::fill(exact_.begin() + static_cast<std::ptrdiff_t>(count_), exact_.end(), exact_[0]);
   block_.compute();
   for (std::size_t i = 0; i < lanes; ++i) block_.six_volume[i] = static_cast<double>(exact_[i]);
-  measurement_.add(block_, count_, copies, [this](std::size_t i) { return exact_[i] > 0; });
+  measurement_.add(block_, count_, copies_, [this](std::size_t i) { return exact_[i] > 0; });
   count_ = 0;
 }
 
 Quality LatticeMeasurement::result() {
-  flush(one_each);
-  Copies copies{};
-  for (std::size_t c = 0; c < case_count; ++c) {
-    if (copies_[c] == 0) continue;
-    block_.set(count_, structured_tets[c].exact());
-    exact_[count_] = structured_tets[c].determinant();
-    six_volumes_ += WideSum::product(exact_[count_], copies_[c]);
-    copies[count_++] = copies_[c];
-  }
-  flush(copies);
+  shapes_.release_all([this](const LatticeShape& shape, std::uint64_t copies) {
+    measure(shape, copies);
+  });
+  flush();
   Quality quality = measurement_.result();
   quality.steps_volume = six_volumes_;
   quality.volume = quality::long_edges_cubed(six_volumes_);

@@ -21,6 +21,7 @@ struct WideSum {
 
   WideSum& operator+=(std::int64_t term);
   WideSum& operator+=(const WideSum& other);
+  /// `factor` added so many times.
   static WideSum product(std::int64_t factor, std::uint64_t times);
   [[nodiscard]] double value() const;  ///< within one unit of the last place
   friend bool operator==(const WideSum&, const WideSum&) = default;
@@ -68,9 +69,8 @@ Quality measure_world(std::span<const Point3> points, std::uint64_t first_point,
 
 /// Measures tetrahedra in lattice coordinates; `volume` is in long edges cubed
 /// (a lattice unit is half a long edge), orientation is decided exactly.  Every
-/// tetrahedron is looked at; one whose edges are, as integers, those of a
-/// structured tetrahedron of the lattice has its angles and volume, which are
-/// computed once.
+/// tetrahedron is looked at; those whose edges are the same integer vectors have
+/// the same angles and volume, which are computed once.
 /// \throws Error `bad_input` if a tetrahedron is 2^19 steps wide (eight lattice
 /// units) or wider along an axis; those that stuffing makes are at most half
 /// as wide.
