@@ -63,7 +63,7 @@ std::string json(const MeshReport& report) {
                         {"max", written.world.max_dihedral},
                         {"lattice_min", written.lattice.min_dihedral},
                         {"lattice_max", written.lattice.max_dihedral},
-                        {"histogram", written.world.histogram}};
+                        {"histogram", written.lattice.histogram}};
   }
   json["guarantee"] = guarantee(report);
   json["seconds"] = seconds(report);

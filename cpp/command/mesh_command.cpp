@@ -13,8 +13,9 @@
 namespace certet::command {
 namespace {
 
-/// Slabs larger than this are no faster: they leave the processor's cache.
-constexpr std::uint64_t slab_bytes = 32 << 20;
+/// For two slabs, one of them on its way to the file.  Larger ones are no
+/// faster: they leave the processor's cache.
+constexpr std::uint64_t slab_bytes = 24 << 20;
 /// What the process needs besides voxels, lattice and slabs.
 constexpr std::uint64_t base_bytes = 256 << 20;
 

@@ -41,8 +41,9 @@ Source from_image(const MeshOptions& options, std::uint64_t max_bytes) {
   source.frame = domain->frame();
   source.bytes = domain->bytes();
   if (!options.iso)
-    source.labeller = [labels = domain.get()](const std::array<Coord3, 4>& corners) {
-      return labels->label(corners);
+    source.labeller = [labels = domain.get()](std::span<const std::array<Coord3, 4>> tets,
+                                               std::span<std::int32_t> out) {
+      labels->label(tets, out);
     };
   source.domain = std::move(domain);
   return source;

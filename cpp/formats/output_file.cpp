@@ -77,6 +77,17 @@ void OutputFile::reserve([[maybe_unused]] std::uint64_t bytes) {
 #endif
 }
 
+void OutputFile::start_write_back([[maybe_unused]] std::uint64_t offset,
+                                  [[maybe_unused]] std::size_t bytes) const {
+#ifdef __linux__
+  // A hint: whether the bytes arrive is asked in `commit`.
+  constexpr std::size_t worth_it = std::size_t{1} << 20;
+  if (bytes >= worth_it)
+    ::sync_file_range(descriptor_, static_cast<off_t>(offset), static_cast<off_t>(bytes),
+                      SYNC_FILE_RANGE_WRITE);
+#endif
+}
+
 void OutputFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) {
   // Linux writes at most 2 GiB at once.
   constexpr std::size_t at_once = std::size_t{1} << 30;
@@ -88,6 +99,7 @@ void OutputFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes
       fail_with(errno);
     }
     if (written == 0) fail("the disk takes no more");
+    start_write_back(offset, static_cast<std::size_t>(written));
     offset += static_cast<std::uint64_t>(written);
     bytes = bytes.subspan(static_cast<std::size_t>(written));
   }

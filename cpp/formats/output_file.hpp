@@ -35,6 +35,8 @@ class OutputFile {
 
  private:
   void create();
+  /// Lets the disk begin, so that `commit` need not wait for all of the file.
+  void start_write_back(std::uint64_t offset, std::size_t bytes) const;
   [[noreturn]] void fail_with(int error) const;
 
   std::filesystem::path asked_for_;  ///< as the caller named it

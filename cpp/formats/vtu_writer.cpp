@@ -48,7 +48,8 @@ class VtuWriter final : public MeshWriter {
   VtuWriter(const std::filesystem::path& file, const MeshSize& size)
       : size_(size), layout_(size), file_(file), announced_(size, file_),
         points_(file_, layout_, layout_.points),
-        connectivity_(file_, layout_, layout_.connectivity) {
+        connectivity_(file_, layout_, layout_.connectivity),
+        offsets_(file_, layout_, layout_.offsets), types_(file_, layout_, layout_.types) {
     file_.reserve(layout_.file_bytes);
     file_.write_at(0, std::as_bytes(std::span(layout_.header)));
     if (size.labels) label_.emplace(file_, layout_, layout_.label);
@@ -71,21 +72,29 @@ class VtuWriter final : public MeshWriter {
  private:
   template <class Index>
   void append(std::span<const Tet<Index>> tets, std::span<const std::int32_t> labels);
-  void write_offsets();
-  void write_types();
+  template <class Index>
+  void append_indices(std::span<const Tet<Index>> tets);
+  void append_shapes(std::uint64_t tets);
 
   MeshSize size_;
   VtuLayout layout_;
   OutputFile file_;
   Announced announced_;
-  ArraySection points_, connectivity_;
+  ArraySection points_, connectivity_, offsets_, types_;
   std::optional<ArraySection> label_;
+  std::uint64_t tets_ = 0;  ///< written so far
 };
 
 template <class Index>
 void VtuWriter::append(std::span<const Tet<Index>> tets, std::span<const std::int32_t> labels) {
   announced_.tets(tets, labels);
+  append_indices(tets);
+  append_shapes(tets.size());
   if (label_) label_->append(labels);
+}
+
+template <class Index>
+void VtuWriter::append_indices(std::span<const Tet<Index>> tets) {
   const bool wide = layout_.connectivity.is_64_bit();
   if (wide == (sizeof(Index) == 8)) {
     connectivity_.append(tets);
@@ -98,29 +107,21 @@ void VtuWriter::append(std::span<const Tet<Index>> tets, std::span<const std::in
     connectivity_.generate<std::int32_t>(4 * tets.size(), index);
 }
 
-void VtuWriter::write_offsets() {
-  ArraySection offsets(file_, layout_, layout_.offsets);
-  const auto offset = [](std::uint64_t i) { return 4 * (i + 1); };
+/// Where each tetrahedron ends, and that it is one.
+void VtuWriter::append_shapes(std::uint64_t tets) {
+  const auto offset = [this](std::uint64_t i) { return 4 * (tets_ + i + 1); };
   if (layout_.offsets.is_64_bit())
-    offsets.generate<std::int64_t>(size_.tets, offset);
+    offsets_.generate<std::int64_t>(tets, offset);
   else
-    offsets.generate<std::int32_t>(size_.tets, offset);
-  offsets.flush();
-}
-
-void VtuWriter::write_types() {
-  ArraySection types(file_, layout_, layout_.types);
-  types.generate<std::uint8_t>(size_.tets, [](std::uint64_t) { return vtk_tetra; });
-  types.flush();
+    offsets_.generate<std::int32_t>(tets, offset);
+  types_.generate<std::uint8_t>(tets, [](std::uint64_t) { return vtk_tetra; });
+  tets_ += tets;
 }
 
 void VtuWriter::finish() {
   announced_.finish();
-  points_.flush();
-  connectivity_.flush();
+  for (ArraySection* section : {&points_, &connectivity_, &offsets_, &types_}) section->flush();
   if (label_) label_->flush();
-  write_offsets();
-  write_types();
   file_.write_at(layout_.file_bytes - layout_.footer.size(),
                  std::as_bytes(std::span(layout_.footer)));
   file_.commit();

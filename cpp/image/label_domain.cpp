@@ -89,7 +89,9 @@ class LabelDomain final : public ImageDomain {
         mask_(std::move(mask)),
         placement_(placement),
         along_x_(placement.lattice.origin.x, placement.lattice.cells[0],
-                 [this](double x) { return column(x); }) {}
+                 [this](double x) { return column(x); }),
+        eighths_{eighths(0, placement.lattice.origin.x), eighths(1, placement.lattice.origin.y),
+                 eighths(2, placement.lattice.origin.z)} {}
 
   [[nodiscard]] const Frame& frame() const override { return placement_.frame; }
   [[nodiscard]] const Lattice& lattice() const override { return placement_.lattice; }
@@ -133,24 +135,54 @@ class LabelDomain final : public ImageDomain {
     return found == Extent::inside && !whole ? Extent::mixed : found;
   }
 
-  [[nodiscard]] std::int32_t label(const std::array<Coord3, 4>& corners) const override {
-    // Four times the centroid fits 64 bits, and 1/4 is exact.
-    const double unit = 0.25 / steps;
-    const auto& [a, b, c, d] = corners;
-    const double center[3] = {
-        unit * static_cast<double>(std::int64_t{a.x} + b.x + c.x + d.x),
-        unit * static_cast<double>(std::int64_t{a.y} + b.y + c.y + d.y),
-        unit * static_cast<double>(std::int64_t{a.z} + b.z + c.z + d.z)};
-    std::int64_t best = chosen_voxel(center[0], center[1], center[2]);
-    if (best < 0) best = voxel_of_nearest_corner(corners, center);
-    return best < 0 ? 0
-                    : static_cast<std::int32_t>(voxels_[static_cast<std::size_t>(best)]);
+  void label(std::span<const std::array<Coord3, 4>> tets,
+             std::span<std::int32_t> out) const override {
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = label_of(tets[i]);
   }
 
  private:
   static Sign sign(const std::uint64_t* bits, std::int64_t x) {
     static_assert(static_cast<int>(Sign::plus) == 2 && static_cast<int>(Sign::minus) == 0);
     return static_cast<Sign>(VoxelMask::test(bits, x) << 1);
+  }
+
+  /// Four times a position in steps: a sum over the corners of a tetrahedron,
+  /// which is four times its centroid.
+  using Sum = std::array<std::int64_t, 3>;
+
+  [[nodiscard]] std::int32_t label_of(const std::array<Coord3, 4>& corners) const {
+    const auto& [a, b, c, d] = corners;
+    const Sum sum{std::int64_t{a.x} + b.x + c.x + d.x, std::int64_t{a.y} + b.y + c.y + d.y,
+                  std::int64_t{a.z} + b.z + c.z + d.z};
+    std::int64_t best = chosen_voxel(sum);
+    if (best < 0) best = voxel_of_nearest_corner(corners, sum);
+    return best < 0 ? 0
+                    : static_cast<std::int32_t>(voxels_[static_cast<std::size_t>(best)]);
+  }
+
+  /// Both factors are exact, for the sum fits 35 bits.
+  static double from_sum(std::int64_t sum) { return 0.25 / steps * static_cast<double>(sum); }
+
+  /// The index of the voxel at a position, or -1 where it is not chosen.  Away
+  /// from the surface, and everywhere with midpoint cuts, positions and centroids
+  /// are at eighths of lattice units, which are tabled.
+  [[nodiscard]] std::int64_t chosen_voxel(const Sum& sum) const {
+    constexpr int eighth_bits = step_bits - 1;  // of four times an eighth
+    constexpr std::int64_t fraction = (std::int64_t{1} << eighth_bits) - 1;
+    if (((sum[0] | sum[1] | sum[2]) & fraction) == 0) {
+      const auto x = static_cast<std::int32_t>(sum[0] >> eighth_bits);
+      const auto y = static_cast<std::int32_t>(sum[1] >> eighth_bits);
+      const auto z = static_cast<std::int32_t>(sum[2] >> eighth_bits);
+      if (eighths_[0].holds(x, 1) && eighths_[1].holds(y, 1) && eighths_[2].holds(z, 1))
+        return index_if_chosen(*eighths_[0].from(x), *eighths_[1].from(y),
+                               *eighths_[2].from(z));
+    }
+    return chosen_voxel(from_sum(sum[0]), from_sum(sum[1]), from_sum(sum[2]));
+  }
+
+  [[nodiscard]] AxisTable<std::int64_t> eighths(std::size_t axis, std::int32_t origin) const {
+    return {8 * origin, 8 * placement_.lattice.cells[axis],
+            [&voxels = placement_.axis[axis]](double at) { return voxels.nearest(0.125 * at); }};
   }
 
   [[nodiscard]] std::int64_t column(double x) const {
@@ -160,9 +192,11 @@ class LabelDomain final : public ImageDomain {
 
   /// The index of the voxel at a lattice position, or -1 where it is not chosen.
   [[nodiscard]] std::int64_t chosen_voxel(double lx, double ly, double lz) const {
-    const std::int64_t x = placement_.axis[0].nearest(lx);
-    const std::int64_t y = placement_.axis[1].nearest(ly);
-    const std::int64_t z = placement_.axis[2].nearest(lz);
+    return index_if_chosen(placement_.axis[0].nearest(lx), placement_.axis[1].nearest(ly),
+                           placement_.axis[2].nearest(lz));
+  }
+  [[nodiscard]] std::int64_t index_if_chosen(std::int64_t x, std::int64_t y,
+                                             std::int64_t z) const {
     if (x < 0 || y < 0 || z < 0 || !mask_.test(x, y, z)) return -1;
     return (z * size_[1] + y) * size_[0] + x;
   }
@@ -176,11 +210,14 @@ class LabelDomain final : public ImageDomain {
   /// Every tetrahedron of the mesh has a corner inside, which is a lattice
   /// point that was not warped, so that there always is one.
   [[nodiscard]] std::int64_t voxel_of_nearest_corner(const std::array<Coord3, 4>& corners,
-                                                     const double (&center)[3]) const {
+                                                     const Sum& sum) const {
+    const double center[3] = {from_sum(sum[0]), from_sum(sum[1]), from_sum(sum[2])};
     std::int64_t best = -1;
     double least = std::numeric_limits<double>::infinity();
     for (const Coord3 corner : corners) {
-      const std::int64_t candidate = voxel(corner);
+      const std::int64_t candidate =
+          chosen_voxel(Sum{4 * std::int64_t{corner.x}, 4 * std::int64_t{corner.y},
+                           4 * std::int64_t{corner.z}});
       const double dx = corner.x / double(steps) - center[0];
       const double dy = corner.y / double(steps) - center[1];
       const double dz = corner.z / double(steps) - center[2];
@@ -197,6 +234,7 @@ class LabelDomain final : public ImageDomain {
   VoxelMask mask_;
   Placement placement_;
   AxisTable<std::int64_t> along_x_;
+  std::array<AxisTable<std::int64_t>, 3> eighths_;  ///< by eighths of lattice units
 };
 
 }  // namespace

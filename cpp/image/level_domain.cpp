@@ -132,7 +132,10 @@ class LevelDomain final : public ImageDomain {
 
   [[nodiscard]] const Frame& frame() const override { return placement_.frame; }
   [[nodiscard]] const Lattice& lattice() const override { return placement_.lattice; }
-  [[nodiscard]] std::int32_t label(const std::array<Coord3, 4>&) const override { return 0; }
+  void label(std::span<const std::array<Coord3, 4>>,
+             std::span<std::int32_t> out) const override {
+    std::fill(out.begin(), out.end(), 0);
+  }
 
   [[nodiscard]] std::uint64_t bytes() const override {
     return voxels_.size() * sizeof(T) + ranges_.bytes();

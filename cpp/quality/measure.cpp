@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "certet/error.hpp"
 #include "certet/quality.hpp"
 #include "angle_bins.hpp"
 #include "extremes.hpp"
+#include "shape_counter.hpp"
 #include "tet_block.hpp"
 
 namespace certet {
@@ -14,26 +16,38 @@ using quality::AngleBins;
 using quality::CarefulTet;
 using quality::Edges;
 using quality::lanes;
+using quality::LatticeEdge;
+using quality::LatticeShape;
+using quality::ShapeCounter;
 using quality::TetBlock;
 
 /// Beyond this cos |cos| the cosine tells angles apart no better than to
 /// 1e-10 degrees: the careful way takes over.
 constexpr double nearly_flat = 1 - 1e-8;
 
+/// How many tetrahedra each lane stands for.
+using Copies = std::array<std::uint64_t, lanes>;
+
 /// Sums up blocks; what is exact and needs no order is kept in `quality_`.
 class Measurement {
  public:
-  /// `positive` says of each of the first `count` lanes whether it is.
-  void add(const TetBlock& block, std::size_t count,
-           const std::array<bool, lanes>& positive);
+  explicit Measurement(Histogram histogram) : wants_histogram_(histogram == Histogram::counted) {}
+
+  /// `block` has been computed; its lanes from `count` on repeat the first.
+  /// `positive(lane)` tells whether a tetrahedron is.
+  template <class Positive>
+  void add(TetBlock& block, std::size_t count, const Copies& copies, const Positive& positive);
   [[nodiscard]] Quality result();
 
  private:
+  void add_ordinary(const TetBlock& block);
   void add_angles(const TetBlock& block, std::size_t lane);
   void add_extremes(const std::array<double, 6>& signed_squared_cotangents);
-  void add_careful(const CarefulTet& tet);
+  void add_careful(const CarefulTet& tet, std::uint64_t copies);
+  void count_angles(TetBlock& block, std::size_t count, const Copies& counted);
 
   Quality quality_;
+  bool wants_histogram_;
   const AngleBins& bins_ = quality::angle_bins();
   // One histogram for each pair of faces: neighbouring tetrahedra are alike,
   // and counting in one place again and again would wait for memory.
@@ -41,24 +55,64 @@ class Measurement {
   double greatest_ = -1, least_ = 1;
 };
 
-void Measurement::add(const TetBlock& block, std::size_t count,
-                      const std::array<bool, lanes>& positive) {
-  std::array<std::uint64_t, lanes> counted{};
+/// Whether all tetrahedra are positive, in range, and not nearly flat.
+bool ordinary(const TetBlock& block) {
+  std::int64_t count = 0;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double volume = block.six_volume[i];
+    const bool is = (volume > 0) & (volume <= std::numeric_limits<double>::max()) &
+                    (block.least_face[i] > 1e-140) & (block.greatest_face[i] < 1e140) &
+                    (block.greatest[i] <= nearly_flat) & (block.least[i] >= -nearly_flat);
+    count += is ? 1 : 0;
+  }
+  return count == lanes;
+}
+
+template <class Positive>
+void Measurement::add(TetBlock& block, std::size_t count, const Copies& copies,
+                      const Positive& positive) {
+  for (std::size_t i = 0; i < count; ++i) quality_.tets += copies[i];
+  if (ordinary(block)) {
+    add_ordinary(block);
+    return count_angles(block, count, copies);
+  }
+  Copies counted{};
   for (std::size_t i = 0; i < count; ++i) {
-    if (!positive[i])
-      ++quality_.nonpositive;
+    if (!positive(i))
+      quality_.nonpositive += copies[i];
     else if (!block.in_range(i))
-      add_careful(CarefulTet(block.get(i)));
+      add_careful(CarefulTet(block.get(i)), copies[i]);
     else {
       add_angles(block, i);
-      counted[i] = 1;
+      counted[i] = copies[i];
     }
   }
+  count_angles(block, count, counted);
+}
+
+/// The first of all lanes after folding the upper half onto the lower again and
+/// again: always the same order, whatever the machine.
+template <class Operation>
+double folded(quality::Lanes values, Operation operation) {
+  for (std::size_t half = lanes / 2; half > 0; half /= 2)
+    for (std::size_t i = 0; i < half; ++i) values[i] = operation(values[i], values[i + half]);
+  return values[0];
+}
+
+void Measurement::add_ordinary(const TetBlock& block) {
+  const auto greater = [](double a, double b) { return a > b ? a : b; };
+  const auto lesser = [](double a, double b) { return a < b ? a : b; };
+  greatest_ = greater(greatest_, folded(block.greatest, greater));
+  least_ = lesser(least_, folded(block.least, lesser));
+}
+
+void Measurement::count_angles(TetBlock& block, std::size_t count, const Copies& counted) {
+  if (!wants_histogram_) return;
+  block.find_cells();
   for (std::size_t pair = 0; pair < histograms_.size(); ++pair)
     for (std::size_t i = 0; i < count; ++i)
       histograms_[pair][bins_.bin(block.signed_square[pair][i], block.cell[pair][i])] +=
           counted[i];
-  quality_.tets += count;
 }
 
 void Measurement::add_angles(const TetBlock& block, std::size_t lane) {
@@ -77,14 +131,15 @@ void Measurement::add_extremes(const std::array<double, 6>& signed_squared_cotan
   }
 }
 
-void Measurement::add_careful(const CarefulTet& tet) {
+void Measurement::add_careful(const CarefulTet& tet, std::uint64_t copies) {
   const auto values = tet.signed_squared_cotangents();
   add_extremes(values);
+  if (!wants_histogram_) return;
   for (const double value : values) {
     // cos² = cot² / (1 + cot²), and 1 where the cotangent overflowed.
     const double square = 1 - 1 / (1 + std::fabs(value));
     const double signed_square = std::copysign(square, value);
-    ++quality_.histogram[bins_.bin(signed_square, AngleBins::cell(signed_square))];
+    quality_.histogram[bins_.bin(signed_square, AngleBins::cell(signed_square))] += copies;
   }
 }
 
@@ -103,51 +158,47 @@ Quality Measurement::result() {
   return quality_;
 }
 
-/// The sum of the lanes that are finite, always in the same order.
+/// Copies of lanes that stand for one tetrahedron each.
+constexpr Copies one_each = [] {
+  Copies copies{};
+  copies.fill(1);
+  return copies;
+}();
+
+/// The sum of the lanes that are finite.
 double sum(quality::Lanes values) {
   for (double& value : values) value = std::isfinite(value) ? value : 0;
-  for (std::size_t half = lanes / 2; half > 0; half /= 2)
-    for (std::size_t i = 0; i < half; ++i) values[i] += values[i + half];
-  return values[0];
+  return folded(values, [](double a, double b) { return a + b; });
 }
-
-/// Calls work(block of tets) for all tets, 64 at a time.
-template <class Index, class Work>
-void for_blocks(std::span<const Tet<Index>> tets, Work work) {
-  for (std::size_t begin = 0; begin < tets.size(); begin += lanes)
-    work(tets.subspan(begin, std::min(lanes, tets.size() - begin)));
-}
-
-/// A harmless tetrahedron for the lanes that a last block leaves free.
-constexpr Edges filler{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 template <class Index>
 Quality world(std::span<const Point3> points, std::uint64_t first_point,
-              std::span<const Tet<Index>> tets) {
-  Measurement measurement;
+              std::span<const Tet<Index>> tets, Histogram histogram) {
+  Measurement measurement(histogram);
   TetBlock block;
-  std::array<bool, lanes> positive{};
   double six_volumes = 0;
   const auto point = [&](Index index) -> const Point3& { return points[index - first_point]; };
-  for_blocks(tets, [&](std::span<const Tet<Index>> part) {
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      const Point3& p = point(part[i][0]);
-      const Point3& q = point(part[i][1]);
-      const Point3& r = point(part[i][2]);
-      const Point3& s = point(part[i][3]);
+  const auto positive = [&block](std::size_t i) {
+    return block.in_range(i) ? block.six_volume[i] > 0 : CarefulTet(block.get(i)).positive();
+  };
+  for (std::size_t begin = 0; begin < tets.size(); begin += lanes) {
+    const std::size_t count = std::min(lanes, tets.size() - begin);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Tet<Index>& tet = tets[begin + i];
+      const Point3& p = point(tet[0]);
+      const Point3& q = point(tet[1]);
+      const Point3& r = point(tet[2]);
+      const Point3& s = point(tet[3]);
       block.set(i, {{q[0] - p[0], q[1] - p[1], q[2] - p[2]},
                     {r[0] - p[0], r[1] - p[1], r[2] - p[2]},
                     {s[0] - p[0], s[1] - p[1], s[2] - p[2]}});
     }
-    for (std::size_t i = part.size(); i < lanes; ++i) block.set(i, filler);
+    block.repeat_first(count);
     block.compute();
-    for (std::size_t i = part.size(); i < lanes; ++i) block.six_volume[i] = 0;
-    for (std::size_t i = 0; i < part.size(); ++i)
-      positive[i] = block.in_range(i) ? block.six_volume[i] > 0
-                                      : CarefulTet(block.get(i)).positive();
-    measurement.add(block, part.size(), positive);
+    measurement.add(block, count, one_each, positive);
+    for (std::size_t i = count; i < lanes; ++i) block.six_volume[i] = 0;
     six_volumes += sum(block.six_volume);
-  });
+  }
   Quality quality = measurement.result();
   quality.volume = six_volumes / 6;
   return quality;
@@ -157,71 +208,87 @@ Quality world(std::span<const Point3> points, std::uint64_t first_point,
 /// determinant smaller than 2^60.
 constexpr std::int64_t edge_limit = std::int64_t{1} << 19;
 
-struct LatticeEdge {
-  std::int64_t x, y, z;
+void refuse_wide(const LatticeShape& shape) {
+  const auto wide = [](std::int64_t v) { return v < -edge_limit || v >= edge_limit; };
+  for (const LatticeEdge& edge : {shape.a, shape.b, shape.c})
+    if (wide(edge.x) || wide(edge.y) || wide(edge.z))
+      throw Error(ErrorCode::bad_input, "a tetrahedron is too wide to be measured exactly");
+}
 
-  LatticeEdge(Coord3 from, Coord3 to)
-      : x(std::int64_t{to.x} - from.x), y(std::int64_t{to.y} - from.y),
-        z(std::int64_t{to.z} - from.z) {}
+/// Measures every shape once for all its copies.
+class LatticeMeasurement {
+ public:
+  void add(const LatticeShape& tet) {
+    shapes_.add(tet, refuse_wide, [this](const LatticeShape& shape, std::uint64_t copies) {
+      measure(shape, copies);
+    });
+  }
+  [[nodiscard]] Quality result();
 
-  [[nodiscard]] Point3 exact() const {
-    return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-  }
-  /// Has a bit above the lowest 20 unless -2^19 <= x, y, z < 2^19.
-  [[nodiscard]] std::uint64_t excess() const {
-    const auto shifted = [](std::int64_t v) { return static_cast<std::uint64_t>(v + edge_limit); };
-    return shifted(x) | shifted(y) | shifted(z);
-  }
+ private:
+  void measure(const LatticeShape& shape, std::uint64_t copies);
+  void flush();
+
+  ShapeCounter shapes_;
+  Measurement measurement_{Histogram::counted};
+  WideSum six_volumes_;
+  std::size_t count_ = 0;  ///< of shapes in the block
+  TetBlock block_;
+  Copies copies_{};
+  std::array<std::int64_t, lanes> exact_{};  ///< determinants
 };
 
-std::int64_t determinant(const LatticeEdge& a, const LatticeEdge& b, const LatticeEdge& c) {
-  return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
-         a.z * (b.x * c.y - b.y * c.x);
+void LatticeMeasurement::measure(const LatticeShape& shape, std::uint64_t copies) {
+  block_.set(count_, shape.exact());
+  copies_[count_] = copies;
+  exact_[count_] = shape.determinant();
+  six_volumes_ += WideSum::product(exact_[count_], copies);
+  if (++count_ == lanes) flush();
+}
+
+void LatticeMeasurement::flush() {
+  if (count_ == 0) return;
+  block_.repeat_first(count_);
+  std::fill(exact_.begin() + static_cast<std::ptrdiff_t>(count_), exact_.end(), exact_[0]);
+  block_.compute();
+  for (std::size_t i = 0; i < lanes; ++i) block_.six_volume[i] = static_cast<double>(exact_[i]);
+  measurement_.add(block_, count_, copies_, [this](std::size_t i) { return exact_[i] > 0; });
+  count_ = 0;
+}
+
+Quality LatticeMeasurement::result() {
+  shapes_.release_all([this](const LatticeShape& shape, std::uint64_t copies) {
+    measure(shape, copies);
+  });
+  flush();
+  Quality quality = measurement_.result();
+  quality.steps_volume = six_volumes_;
+  quality.volume = quality::long_edges_cubed(six_volumes_);
+  return quality;
 }
 
 template <class Index>
 Quality lattice(std::span<const Coord3> points, std::uint64_t first_point,
                 std::span<const Tet<Index>> tets) {
-  Measurement measurement;
-  TetBlock block;
-  std::array<bool, lanes> positive{};
-  std::array<std::int64_t, lanes> exact{};
-  WideSum six_volumes;
+  LatticeMeasurement measurement;
   const auto point = [&](Index index) { return points[index - first_point]; };
-  for_blocks(tets, [&](std::span<const Tet<Index>> part) {
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      const Coord3 p = point(part[i][0]);
-      const LatticeEdge a(p, point(part[i][1])), b(p, point(part[i][2])), c(p, point(part[i][3]));
-      if ((a.excess() | b.excess() | c.excess()) >= 2 * std::uint64_t{edge_limit})
-        throw Error(ErrorCode::bad_input, "a tetrahedron is too wide to be measured exactly");
-      block.set(i, {a.exact(), b.exact(), c.exact()});
-      exact[i] = determinant(a, b, c);
-      six_volumes += exact[i];
-    }
-    for (std::size_t i = part.size(); i < lanes; ++i) block.set(i, filler);
-    block.compute();
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      block.six_volume[i] = static_cast<double>(exact[i]);
-      positive[i] = exact[i] > 0;
-    }
-    measurement.add(block, part.size(), positive);
-  });
-  Quality quality = measurement.result();
-  quality.steps_volume = six_volumes;
-  quality.volume = quality::long_edges_cubed(six_volumes);
-  return quality;
+  for (const Tet<Index>& tet : tets) {
+    const Coord3 p = point(tet[0]);
+    measurement.add({{p, point(tet[1])}, {p, point(tet[2])}, {p, point(tet[3])}});
+  }
+  return measurement.result();
 }
 
 }  // namespace
 
 Quality measure_world(std::span<const Point3> points, std::uint64_t first_point,
-                      std::span<const Tet<std::uint32_t>> tets) {
-  return world(points, first_point, tets);
+                      std::span<const Tet<std::uint32_t>> tets, Histogram histogram) {
+  return world(points, first_point, tets, histogram);
 }
 
 Quality measure_world(std::span<const Point3> points, std::uint64_t first_point,
-                      std::span<const Tet<std::uint64_t>> tets) {
-  return world(points, first_point, tets);
+                      std::span<const Tet<std::uint64_t>> tets, Histogram histogram) {
+  return world(points, first_point, tets, histogram);
 }
 
 Quality measure_lattice(std::span<const Coord3> points, std::uint64_t first_point,

@@ -17,6 +17,13 @@ WideSum& WideSum::operator+=(const WideSum& other) {
   return *this;
 }
 
+WideSum WideSum::product(std::int64_t factor, std::uint64_t times) {
+  WideSum sum, power{static_cast<std::uint64_t>(factor), factor < 0 ? -1 : 0};
+  for (; times != 0; times >>= 1, power += WideSum(power))
+    if ((times & 1) != 0) sum += power;
+  return sum;
+}
+
 double WideSum::value() const {
   // The magnitude is converted, so that -1 does not cancel in huge terms.
   const bool negative = high < 0;

@@ -46,13 +46,13 @@ inline double signed_square_cosine(Vector m, Vector n, double squares) {
   return d * std::fabs(d) / squares;
 }
 
-}  // namespace
-
-void TetBlock::compute() {
+/// `inline` in the strict sense: compiled anew into each caller, for the
+/// machine that the caller is for.
+[[gnu::always_inline]] inline void compute_lanes(TetBlock& block) {
   for (std::size_t i = 0; i < lanes; ++i) {
-    const Vector u{a[0][i], a[1][i], a[2][i]};
-    const Vector v{b[0][i], b[1][i], b[2][i]};
-    const Vector w{c[0][i], c[1][i], c[2][i]};
+    const Vector u{block.a[0][i], block.a[1][i], block.a[2][i]};
+    const Vector v{block.b[0][i], block.b[1][i], block.b[2][i]};
+    const Vector w{block.c[0][i], block.c[1][i], block.c[2][i]};
     const auto [n0, n1, n2, n3] = normals(u, v, w);
     const double s0 = dot(n0, n0), s1 = dot(n1, n1), s2 = dot(n2, n2), s3 = dot(n3, n3);
     const double c01 = signed_square_cosine(n0, n1, s0 * s1);
@@ -61,19 +61,42 @@ void TetBlock::compute() {
     const double c12 = signed_square_cosine(n1, n2, s1 * s2);
     const double c13 = signed_square_cosine(n1, n3, s1 * s3);
     const double c23 = signed_square_cosine(n2, n3, s2 * s3);
-    six_volume[i] = dot(u, n1);
-    least_face[i] = least_of(least_of(s0, s1), least_of(s2, s3));
-    greatest_face[i] = greatest_of(greatest_of(s0, s1), greatest_of(s2, s3));
-    signed_square[0][i] = c01;
-    signed_square[1][i] = c02;
-    signed_square[2][i] = c03;
-    signed_square[3][i] = c12;
-    signed_square[4][i] = c13;
-    signed_square[5][i] = c23;
-    least[i] = least_of(least_of(least_of(c01, c02), least_of(c03, c12)), least_of(c13, c23));
-    greatest[i] = greatest_of(greatest_of(greatest_of(c01, c02), greatest_of(c03, c12)),
-                              greatest_of(c13, c23));
+    block.six_volume[i] = dot(u, n1);
+    block.least_face[i] = least_of(least_of(s0, s1), least_of(s2, s3));
+    block.greatest_face[i] = greatest_of(greatest_of(s0, s1), greatest_of(s2, s3));
+    block.signed_square[0][i] = c01;
+    block.signed_square[1][i] = c02;
+    block.signed_square[2][i] = c03;
+    block.signed_square[3][i] = c12;
+    block.signed_square[4][i] = c13;
+    block.signed_square[5][i] = c23;
+    block.least[i] =
+        least_of(least_of(least_of(c01, c02), least_of(c03, c12)), least_of(c13, c23));
+    block.greatest[i] = greatest_of(
+        greatest_of(greatest_of(c01, c02), greatest_of(c03, c12)), greatest_of(c13, c23));
   }
+}
+
+#ifdef __x86_64__
+/// Without fused multiply-add, which rounds differently.
+[[gnu::target("avx2")]] void compute_wide(TetBlock& block) { compute_lanes(block); }
+bool can_compute_wide() { return __builtin_cpu_supports("avx2") != 0; }
+#else
+void compute_wide(TetBlock& block) { compute_lanes(block); }
+bool can_compute_wide() { return false; }
+#endif
+
+}  // namespace
+
+void TetBlock::compute() {
+  static const bool wide = can_compute_wide();
+  if (wide)
+    compute_wide(*this);
+  else
+    compute_lanes(*this);
+}
+
+void TetBlock::find_cells() {
   for (std::size_t pair = 0; pair < signed_square.size(); ++pair)
     for (std::size_t i = 0; i < lanes; ++i) {
       const double value = signed_square[pair][i];
@@ -81,6 +104,10 @@ void TetBlock::compute() {
       const double bounded = value > -1 ? least_of(value, 1) : -1;
       cell[pair][i] = AngleBins::cell(bounded);
     }
+}
+
+void TetBlock::repeat_first(std::size_t count) {
+  for (std::size_t i = count; i < lanes; ++i) set(i, get(0));
 }
 
 CarefulTet::CarefulTet(const Edges& edges) : edges_(edges) {

@@ -37,7 +37,12 @@ struct TetBlock {
 
   void set(std::size_t lane, const Edges& edges);
   [[nodiscard]] Edges get(std::size_t lane) const;
+  /// Fills the lanes from `count` on with copies of the first.
+  void repeat_first(std::size_t count);
+  /// All but the cells.  The same bits on every machine; on those with wider
+  /// registers sooner.
   void compute();
+  void find_cells();
 
   /// Whether what was computed of a lane neither over- nor underflowed.
   [[nodiscard]] bool in_range(std::size_t lane) const {

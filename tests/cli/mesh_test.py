@@ -38,7 +38,13 @@ class Formula(ProgramTest):
         self.assertEqual(report["output"]["bytes"], (self.folder / "torus.vtu").stat().st_size)
         checked = self.check("torus.vtu")
         self.assertEqual(checked["mesh"]["tets"], report["mesh"]["tets"])
-        self.assertEqual(checked["dihedral"]["histogram"], report["dihedral"]["histogram"])
+        for key in ("min", "max"):
+            self.assertEqual(checked["dihedral"][key], report["dihedral"][key])
+        # Rounded coordinates take angles of exactly 60 degrees to the bin below;
+        # the report counts before rounding.
+        pairs = zip(checked["dihedral"]["histogram"], report["dihedral"]["histogram"])
+        moved = sum(abs(a - b) for a, b in pairs)
+        self.assertLess(moved, 0.01 * sum(report["dihedral"]["histogram"]))
 
     def test_json_keys(self):
         report = self.mesh(*TORUS, "--size", "0.2", "-o", "torus.vtu")
@@ -197,6 +203,14 @@ class Labels(ProgramTest):
         self.brick("b.nrrd", ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
         report = self.mesh("b.nrrd", "--cuts", "midpoint", "-o", "b.vtu")
         self.assertAlmostEqual(report["dihedral"]["min"], 30, places=9)
+
+    def test_30_degrees_are_counted_as_such(self):
+        report = self.mesh(*TORUS, "--size", "0.0701", "--cuts", "midpoint", "-o", "t.vtu")
+        histogram = report["dihedral"]["histogram"]
+        self.assertEqual(sum(histogram[:6]), 0)
+        self.assertGreater(histogram[6], 0)
+        self.assertGreater(histogram[27], 0)  # 135 degrees
+        self.assertEqual(sum(histogram[28:]), 0)
 
     def test_choice(self):
         values = voxels((9, 9, 9), lambda i, j, k: i * 200)  # 0, 200, ..., 1600

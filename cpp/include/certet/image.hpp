@@ -74,10 +74,11 @@ class ImageDomain : public Domain {
   [[nodiscard]] virtual const Frame& frame() const = 0;
   /// The piece of the lattice that holds the solid.
   [[nodiscard]] virtual const Lattice& lattice() const = 0;
-  /// The label of a tetrahedron of this domain's mesh, corners in steps: that
-  /// of the voxel nearest to its centroid or, where that one was not chosen, of
-  /// the chosen voxel at the corner nearest to it.  0 for a level's solid.
-  [[nodiscard]] virtual std::int32_t label(const std::array<Coord3, 4>& corners) const = 0;
+  /// The labels of tetrahedra of this domain's mesh, corners in steps: that of
+  /// the voxel nearest to the centroid or, where that one was not chosen, of the
+  /// chosen voxel at the corner nearest to it.  0 for a level's solid.
+  virtual void label(std::span<const std::array<Coord3, 4>> tets,
+                     std::span<std::int32_t> out) const = 0;
   /// Bytes that the object holds.
   [[nodiscard]] virtual std::uint64_t bytes() const = 0;
 };

@@ -21,6 +21,8 @@ struct WideSum {
 
   WideSum& operator+=(std::int64_t term);
   WideSum& operator+=(const WideSum& other);
+  /// `factor` added so many times.
+  static WideSum product(std::int64_t factor, std::uint64_t times);
   [[nodiscard]] double value() const;  ///< within one unit of the last place
   friend bool operator==(const WideSum&, const WideSum&) = default;
 };
@@ -52,15 +54,23 @@ struct Quality {
   Quality& operator+=(const Quality& other);
 };
 
+/// Whether `Quality::histogram` is made or stays empty.
+enum class Histogram { counted, empty };
+
 /// Measures tetrahedra in world coordinates.  `points` are all points that the
-/// tetrahedra name, the first of them having number `first_point`.
+/// tetrahedra name, the first of them having number `first_point`.  Every
+/// tetrahedron is computed from its own four rounded points.
 Quality measure_world(std::span<const Point3> points, std::uint64_t first_point,
-                      std::span<const Tet<std::uint32_t>> tets);
+                      std::span<const Tet<std::uint32_t>> tets,
+                      Histogram histogram = Histogram::counted);
 Quality measure_world(std::span<const Point3> points, std::uint64_t first_point,
-                      std::span<const Tet<std::uint64_t>> tets);
+                      std::span<const Tet<std::uint64_t>> tets,
+                      Histogram histogram = Histogram::counted);
 
 /// Measures tetrahedra in lattice coordinates; `volume` is in long edges cubed
-/// (a lattice unit is half a long edge), orientation is decided exactly.
+/// (a lattice unit is half a long edge), orientation is decided exactly.  Every
+/// tetrahedron is looked at; those whose edges are the same integer vectors have
+/// the same angles and volume, which are computed once.
 /// \throws Error `bad_input` if a tetrahedron is 2^19 steps wide (eight lattice
 /// units) or wider along an axis; those that stuffing makes are at most half
 /// as wide.

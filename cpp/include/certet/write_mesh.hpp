@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "certet/context.hpp"
@@ -15,13 +16,16 @@
 
 namespace certet {
 
-/// The label of a tetrahedron by its four corners, in steps; called from
+/// The labels of tetrahedra by their four corners, in steps; called from
 /// several threads at once.
-using Labeller = std::function<std::int32_t(const std::array<Coord3, 4>&)>;
+using Labeller =
+    std::function<void(std::span<const std::array<Coord3, 4>>, std::span<std::int32_t>)>;
 
 /// A mesh cut into slabs of whole layers.
 struct Slabs {
   std::vector<std::int32_t> bounds;  ///< slab s is the layers [bounds[s], bounds[s+1])
+  std::uint64_t points = 0;          ///< of the largest slab, with those of the layer behind
+  std::uint64_t tets = 0;            ///< of the largest slab
   std::uint64_t bytes = 0;           ///< that writing the mesh this way needs
 };
 
@@ -32,14 +36,17 @@ Slabs cut_slabs(const Stuffing& stuffing, std::uint64_t max_bytes);
 /// What is known of a mesh that has been written.
 struct WrittenMesh {
   Quality lattice;  ///< in exact lattice coordinates
-  Quality world;    ///< in the coordinates that the file has
+  Quality world;    ///< in the coordinates that the file has; without histogram
   std::uint64_t checksum = 0;
+  /// Of all threads together; they overlap.
   double emit_seconds = 0, measure_seconds = 0, write_seconds = 0;
 };
 
 /// Writes all points, then all tetrahedra, with labels if there is a labeller.
-/// Does not finish the file, so that the caller may judge the mesh first.  What is written and returned (but for the seconds)
-/// does not depend on slabs and threads.
+/// While one slab is written, the next is made.
+/// Does not finish the file, so that the caller may judge the mesh first.  What
+/// is written and returned (but for the seconds) does not depend on slabs and
+/// threads.
 /// \throws Error `write_failed`, `cancelled`, `too_large` (out of memory).
 WrittenMesh write_mesh(const Stuffing& stuffing, const Frame& frame, const Slabs& slabs,
                        const Labeller& labeller, MeshWriter& writer, Context& context);

@@ -352,6 +352,48 @@ TEST(MeasureLattice, PartsAddUpToTheWholeExactly) {
   }
 }
 
+TEST(MeasureLattice, ShapesThatRepeatCountEachTime) {
+  constexpr std::uint64_t seed = 17;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937_64 random(seed);
+  std::uniform_int_distribution<int> copies(1, 4);
+  std::uniform_int_distribution<std::int32_t> place(-1000, 1000);
+  // More shapes than are remembered at a time; some are flat or inverted.
+  Soup<Coord3> soup;
+  Quality expected;
+  for (int i = 0; i < 3000; ++i) {
+    std::array<Coord3, 4> shape = needle(random);
+    if (i % 5 == 0) std::swap(shape[1], shape[2]);
+    if (i % 7 == 0) shape[3] = shape[2];
+    const Quality one = measure_one(shape);
+    for (int n = copies(random); n > 0; --n) {
+      const Coord3 to{place(random), place(random), place(random)};
+      soup.add({{shape[0] + to, shape[1] + to, shape[2] + to, shape[3] + to}});
+      expected += one;
+    }
+  }
+  std::ranges::shuffle(soup.tets, random);
+  const Quality quality = measure(soup);
+  expect_same(quality, expected);
+  EXPECT_GT(quality.nonpositive, 100u);
+  EXPECT_EQ(quality.volume, expected.volume);
+}
+
+TEST(Measure, WithoutHistogramTheRestIsTheSame) {
+  std::mt19937_64 random(18);
+  Soup<Point3> soup;
+  for (int i = 0; i < 1000; ++i) soup.add(random_tet(random));
+  for (const double h : {1e-3, 1e-7, 0.0}) soup.add(sliver(h));
+  soup.add(random_tet(random, 1e-100));
+  Quality whole = measure(soup);
+  const Quality rest =
+      measure_world(soup.points, 0, std::span<const Tet32>(soup.tets), Histogram::empty);
+  EXPECT_EQ(rest.histogram, Quality{}.histogram);
+  EXPECT_EQ(whole.volume, rest.volume);
+  whole.histogram = {};
+  expect_same(whole, rest);
+}
+
 TEST(Measure, IndicesOfBothWidthsAndAnyFirstPoint) {
   std::mt19937_64 random(16);
   constexpr std::uint64_t first = 5'000'000'000;

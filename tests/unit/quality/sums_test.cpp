@@ -13,6 +13,16 @@ namespace {
 constexpr std::int64_t greatest = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
 
+TEST(WideSum, ProductIsASumOfEqualTerms) {
+  for (const std::int64_t factor : {std::int64_t{0}, std::int64_t{7}, std::int64_t{-7}, least, greatest}) {
+    WideSum sum;
+    for (std::uint64_t times = 0; times < 40; ++times, sum += factor)
+      ASSERT_EQ(WideSum::product(factor, times), sum) << factor << " x " << times;
+  }
+  EXPECT_EQ(WideSum::product(std::int64_t{1} << 50, std::uint64_t{1} << 40),
+            (WideSum{0, std::int64_t{1} << 26}));
+}
+
 TEST(WideSum, HoldsWhatOverflowsSixtyFourBits) {
   WideSum sum;
   for (int i = 0; i < 8; ++i) sum += greatest;
