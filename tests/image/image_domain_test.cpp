@@ -261,8 +261,10 @@ TEST(ImageDomain, LabelsAreChosenOnes) {
       Context context;
       const Mesh mesh = stuff(*domain, domain->lattice(), domain->frame(), {cuts}, context);
       for (const auto& tet : std::get<0>(mesh.tets)) {
-        const std::int32_t label = domain->label({mesh.points[tet[0]], mesh.points[tet[1]],
-                                                  mesh.points[tet[2]], mesh.points[tet[3]]});
+        const std::array<Coord3, 4> corners{mesh.points[tet[0]], mesh.points[tet[1]],
+                                            mesh.points[tet[2]], mesh.points[tet[3]]};
+        std::int32_t label = 0;
+        domain->label({&corners, 1}, {&label, 1});
         ASSERT_TRUE(label == 1 || label == 3) << label;
       }
     }
