@@ -19,7 +19,9 @@ dihedral {min, max, lattice_min, lattice_max, histogram}, guarantee {asked, used
 theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
 cut, warp, count, emit, measure, write, total}, memory {limit, needed, least,
 peak}.  Lengths are in world units, angles in degrees, memory in bytes; the
-histogram has 36 bins of 5 degrees; a dry run leaves out what it does not know.)";
+histogram has 36 bins of 5 degrees, counted before coordinates are rounded; the
+seconds of emit, measure and write overlap and are those of all threads together;
+a dry run leaves out what it does not know.)";
 
 constexpr const char* check_footer = R"(
 Keys of the JSON: certet, command, file, ok, failures, mesh {points, tets, volume,

@@ -2,9 +2,9 @@
 /// \file
 /// Some layers of a mesh, on their way to the file.
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "certet/buffer.hpp"
 #include "certet/checksum.hpp"
@@ -34,10 +34,11 @@ class PointSlab {
   explicit PointSlab(std::uint64_t capacity) : steps_(capacity), world_(capacity) {}
 
   /// From now on, the points of layers from `begin` on.
-  void open(const Source& source, std::int32_t begin) { first_ = source.stuffing.first_point(begin); }
+  void open(const Source& source, std::int32_t begin) {
+    first_ = source.stuffing.first_point(begin);
+  }
   void make_layer(Source& source, std::int32_t layer);
 
-  [[nodiscard]] std::uint64_t first() const { return first_; }
   /// The points of layers [begin, end).
   [[nodiscard]] std::span<const Coord3> steps(const Stuffing& stuffing, std::int32_t begin,
                                               std::int32_t end) const;
@@ -63,7 +64,10 @@ class TetSlab {
  public:
   TetSlab(std::uint64_t capacity, bool labels) : tets_(capacity), labels_(labels ? capacity : 0) {}
 
-  void open(const Source& source, std::int32_t begin) { first_ = source.stuffing.first_tet(begin); }
+  /// From now on, the tetrahedra of layers from `begin` on.
+  void open(const Source& source, std::int32_t begin) {
+    first_ = source.stuffing.first_tet(begin);
+  }
   /// `points` are those of the layer and of the one behind it.
   Findings make_layer(Source& source, const PointSlab& points, std::int32_t layer);
   /// The layers [begin, end), which have been made.

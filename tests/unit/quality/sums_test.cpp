@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "certet/quality.hpp"
@@ -14,7 +15,7 @@ constexpr std::int64_t greatest = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
 
 TEST(WideSum, ProductIsASumOfEqualTerms) {
-  for (const std::int64_t factor : {std::int64_t{0}, std::int64_t{7}, std::int64_t{-7}, least, greatest}) {
+  for (const std::int64_t factor : {INT64_C(0), INT64_C(7), INT64_C(-7), least, greatest}) {
     WideSum sum;
     for (std::uint64_t times = 0; times < 40; ++times, sum += factor)
       ASSERT_EQ(WideSum::product(factor, times), sum) << factor << " x " << times;
