@@ -67,7 +67,7 @@ def room(folder):
 def engine_and_copy(bench):
     """The engine over memcpy, two threads over one, and memory, at 10M."""
     threads = [1, 2] if programs.cores() > 1 else [1]
-    one, *two = bench.whole([1e7], threads, 9)
+    one, *two = bench.whole([1e7], threads, 15)
     size = f"torus, {count(one['tets'])} tetrahedra"
     engine = f"{size}, one thread: {seconds(one['seconds'])}"
     yield Figure(
