@@ -1,6 +1,7 @@
 /// \file
 /// The bridge itself: exceptions, threads, integers, closures within closures.
 
+#include "c_client.h"
 #include "certified.hpp"
 
 #include <gtest/gtest.h>
@@ -117,6 +118,11 @@ TEST(Bridge, AStrangeSignOrCaseIsAnError) {
               certified::structured_tet({{0, 0, 0}, static_cast<certet::StructuredTetCase>(12)});
             }),
             "");
+}
+
+TEST(Bridge, ServesAProgramInC) {
+  const char* const wrong = use_the_c_header();
+  EXPECT_EQ(wrong, nullptr) << wrong;
 }
 
 }  // namespace
