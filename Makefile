@@ -65,7 +65,7 @@ test: proofs build audit check-extracted
 ATLAS := /usr/share/mricron/templates/aal.nii.gz
 demo: build
 	mkdir -p $(BUILD)/demo
-	$(BUILD)/bin/certet mesh $(ATLAS) -o $(BUILD)/demo/brain.vtu
+	$(BUILD)/bin/certet mesh $(ATLAS) --cuts midpoint -o $(BUILD)/demo/brain.vtu
 	$(BUILD)/bin/certet check $(BUILD)/demo/brain.vtu
 
 # Debian's Python has Debian's matplotlib; another one may come first in PATH.
