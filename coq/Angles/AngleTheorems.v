@@ -18,6 +18,12 @@ From Certet Require Import Angles.Jobs.MidpointFixed.
 Import ListNotations.
 Open Scope Z_scope.
 
+(** The product's stencils. *)
+Local Notation SymbolTets := (Configurations.SymbolTets GetUnstructuredTets).
+Local Notation AllConfigurations := (Configurations.AllConfigurations GetUnstructuredTets).
+Local Notation CheckRepresentatives :=
+  (Configurations.CheckRepresentatives GetUnstructuredTets).
+
 (** ** The enumeration has the size that is known *)
 
 Definition CountConfigurations : Z :=

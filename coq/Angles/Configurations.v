@@ -3,7 +3,8 @@
     The four corners of the case I1 stand for those of all twelve cases.  Each
     corner has a sign after warping, and each corner on the surface has moved
     along one of its fourteen edges (if it never moved, then by nothing).
-    The output tetrahedra are [GetUnstructuredTets]' own, run on symbols. *)
+    The output tetrahedra are those of any set of stencils, run on symbols; the
+    product's is [GetUnstructuredTets]. *)
 
 From Coq Require Import ZArith List Bool.
 From Certet Require Import Lattice.Coord3 Lattice.Direction.
@@ -45,8 +46,9 @@ Definition SymbolSign (signs : Quad Sign) (v : Symbol) : Sign :=
 Definition SymbolIntersection (a b : Symbol) : Symbol :=
   match a, b with CornerOf p, CornerOf m => CutOf p m | _, _ => a end.
 
-Definition SymbolTets (signs : Quad Sign) : list (UnstructuredTet Symbol) :=
-  GetUnstructuredTets Symbol (SymbolSign signs) SymbolIntersection
+Definition SymbolTets (stencils : StencilSet) (signs : Quad Sign)
+  : list (UnstructuredTet Symbol) :=
+  stencils Symbol (SymbolSign signs) SymbolIntersection
     (CornerOf V1) (CornerOf V2) (CornerOf V3) (CornerOf V4).
 
 (** ** Configurations *)
@@ -109,9 +111,10 @@ Definition MovesFor (signs : Quad Sign) : list (Quad (option Direction)) :=
         (Product4 (MovesOf a) (MovesOf b) (MovesOf c) (MovesOf d))
   end.
 
-Definition AllConfigurations : list (Quad Sign * Quad (option Direction)) :=
+Definition AllConfigurations (stencils : StencilSet)
+  : list (Quad Sign * Quad (option Direction)) :=
   flat_map (fun signs =>
-    match SymbolTets signs with
+    match SymbolTets stencils signs with
     | [] => []
     | _ => map (pair signs) (MovesFor signs)
     end) AllSigns.
@@ -161,9 +164,9 @@ Definition SymbolSegment (r : Ranges) (moves : Quad (option Direction))
   end.
 
 (** All that one sign pattern can become stays within bounds. *)
-Definition CheckSigns (bounds : AngleBounds) (r : Ranges) (signs : Quad Sign)
-  : bool :=
-  match SymbolTets signs with
+Definition CheckSigns (stencils : StencilSet) (bounds : AngleBounds)
+  (r : Ranges) (signs : Quad Sign) : bool :=
+  match SymbolTets stencils signs with
   | [] => true
   | tets =>
       forallb (fun moves =>
@@ -218,7 +221,7 @@ Definition SurfaceCorners (signs : Quad Sign) : Z :=
   let one s := match s with OnSurface => 1 | _ => 0 end in
   match signs with Q4 a b c d => one a + one b + one c + one d end.
 
-Definition CheckRepresentatives (bounds : AngleBounds) (r : Ranges)
-  (take : Z -> bool) : bool :=
-  forallb (CheckSigns bounds r)
+Definition CheckRepresentatives (stencils : StencilSet) (bounds : AngleBounds)
+  (r : Ranges) (take : Z -> bool) : bool :=
+  forallb (CheckSigns stencils bounds r)
     (filter (fun signs => take (SurfaceCorners signs)) Representatives).

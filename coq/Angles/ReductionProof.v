@@ -14,6 +14,12 @@ From Certet Require Import Angles.SymmetryProof.
 Import ListNotations.
 Open Scope Z_scope.
 
+(** The product's stencils. *)
+Local Notation SymbolTets := (Configurations.SymbolTets GetUnstructuredTets).
+Local Notation CheckSigns := (Configurations.CheckSigns GetUnstructuredTets).
+Local Notation CheckRepresentatives :=
+  (Configurations.CheckRepresentatives GetUnstructuredTets).
+
 (** ** Placements within ranges *)
 
 Section Placement.
@@ -268,7 +274,7 @@ Section Placement.
       Move m Shift (PlacedPosition warping cut (Stands w v))) t).
   Proof.
     intros C I. pose proof (StencilCuts _ _ I) as S.
-    unfold CheckSigns in C.
+    unfold Configurations.CheckSigns in C.
     assert (C' : forallb (fun moves => forallb (fun t =>
       CheckTet bounds (MapTet (SymbolSegment r moves) t)) (SymbolTets signs))
       (MovesFor signs) = true).
@@ -301,7 +307,7 @@ Section Reduction.
     In signs Representatives -> take (SurfaceCorners signs) = true ->
     CheckSigns bounds r signs = true.
   Proof.
-    intros I T. unfold CheckRepresentatives in *.
+    intros I T. unfold Configurations.CheckRepresentatives in *.
     rewrite forallb_forall in Checked.
     apply Checked, filter_In. split; assumption.
   Qed.

@@ -13,6 +13,9 @@ From Certet Require Import Angles.Configurations Angles.Isometry.
 Import ListNotations.
 Open Scope Z_scope.
 
+(** The product's stencils. *)
+Local Notation SymbolTets := (Configurations.SymbolTets GetUnstructuredTets).
+
 (** ** Stencils on symbols *)
 
 Lemma InProduct4 {T} (a b c d : list T) w x y z :
@@ -57,7 +60,7 @@ Lemma StencilsNatural (sign : MeshVertex -> Sign) (corners : Quad Coord3) :
       (SymbolTets (Q4 (sign (at_ V1)) (sign (at_ V2))
                       (sign (at_ V3)) (sign (at_ V4)))).
 Proof.
-  intros at_. unfold SymbolTets, GetUnstructuredTets. cbn [SymbolSign Of].
+  intros at_. unfold Configurations.SymbolTets, GetUnstructuredTets. cbn [SymbolSign Of].
   destruct (sign (at_ V1)), (sign (at_ V2)), (sign (at_ V3)), (sign (at_ V4));
     reflexivity.
 Qed.

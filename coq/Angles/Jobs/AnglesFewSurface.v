@@ -2,10 +2,11 @@
     surface. *)
 
 From Coq Require Import ZArith.
+From Certet Require Import Stencil.UnstructuredTet.
 From Certet Require Import Warp.Warp Angles.AnglesSpec Angles.Configurations.
 Open Scope Z_scope.
 
 Lemma AnglesFewSurface :
-  CheckRepresentatives WidestAngles (RangesOf AngleThresholds)
+  CheckRepresentatives GetUnstructuredTets WidestAngles (RangesOf AngleThresholds)
     (fun n => n <? 3) = true.
 Proof. vm_compute. reflexivity. Qed.

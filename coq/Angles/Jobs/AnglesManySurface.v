@@ -2,10 +2,11 @@
     the surface. *)
 
 From Coq Require Import ZArith.
+From Certet Require Import Stencil.UnstructuredTet.
 From Certet Require Import Warp.Warp Angles.AnglesSpec Angles.Configurations.
 Open Scope Z_scope.
 
 Lemma AnglesManySurface :
-  CheckRepresentatives WidestAngles (RangesOf AngleThresholds)
+  CheckRepresentatives GetUnstructuredTets WidestAngles (RangesOf AngleThresholds)
     (fun n => 3 <=? n) = true.
 Proof. vm_compute. reflexivity. Qed.

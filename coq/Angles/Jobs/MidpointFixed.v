@@ -2,6 +2,7 @@
     nothing slides. *)
 
 From Coq Require Import ZArith.
+From Certet Require Import Stencil.UnstructuredTet.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
 From Certet Require Import Angles.Configurations.
 Open Scope Z_scope.
@@ -11,5 +12,5 @@ Definition MidpointRanges : Ranges := {|
 |}.
 
 Lemma MidpointFixed :
-  CheckRepresentatives MidpointAngles MidpointRanges (fun n => n =? 0) = true.
+  CheckRepresentatives GetUnstructuredTets MidpointAngles MidpointRanges (fun n => n =? 0) = true.
 Proof. vm_compute. reflexivity. Qed.
