@@ -9,10 +9,7 @@ namespace certet::command {
 bool holds(const MeshReport& report) {
   constexpr double rounding = 1e-6;  // degrees
   for (const Quality* quality : {&report.written.lattice, &report.written.world})
-    if (quality->nonpositive != 0 || quality->tets != report.tets ||
-        !(quality->min_dihedral >= report.bounds.min_dihedral - rounding) ||
-        !(quality->max_dihedral <= report.bounds.max_dihedral + rounding))
-      return false;
+    if (quality->tets != report.tets || !within(*quality, report.bounds, rounding)) return false;
   return true;
 }
 

@@ -16,4 +16,9 @@ AngleBounds proven_bounds(Cuts cuts, Guarantee guarantee) {
   return guarantee == Guarantee::angles ? dihedral_bounds : embedding_bounds;
 }
 
+bool within(const Quality& quality, const AngleBounds& bounds, double rounding) {
+  return quality.nonpositive == 0 && quality.min_dihedral >= bounds.min_dihedral - rounding &&
+         quality.max_dihedral <= bounds.max_dihedral + rounding;
+}
+
 }  // namespace certet

@@ -88,4 +88,8 @@ struct AngleBounds {
 /// The theorem that covers a mesh made this way.
 AngleBounds proven_bounds(Cuts cuts, Guarantee guarantee);
 
+/// Whether all tetrahedra are positive and all angles within the bounds, but for
+/// `rounding` degrees.
+bool within(const Quality& quality, const AngleBounds& bounds, double rounding);
+
 }  // namespace certet
