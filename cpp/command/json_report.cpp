@@ -87,6 +87,7 @@ std::string json(const CheckedFile& checked) {
                   {"volume", report.quality.volume},
                   {"unused_points", report.unused_points},
                   {"nonfinite_points", report.nonfinite_points},
+                  {"duplicate_points", report.duplicate_points},
                   {"bad_indices", report.bad_indices},
                   {"nonpositive_tets", report.quality.nonpositive},
                   {"overfull_faces", report.overfull_faces},

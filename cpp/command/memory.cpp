@@ -7,22 +7,26 @@
 
 namespace certet::command {
 
-std::uint64_t available_memory() {
-  std::ifstream file("/proc/meminfo");
-  std::string key, unit;
-  std::uint64_t kibibytes = 0;
-  while (file >> key >> kibibytes) {
-    if (key == "MemAvailable:") return kibibytes * 1024;
-    std::getline(file, unit);
+namespace {
+
+/// The entry `key` of a file like /proc/meminfo, in bytes; 0 if there is none.
+std::uint64_t entry(const char* name, const std::string& key) {
+  std::ifstream file(name);
+  std::string word, rest;
+  while (file >> word) {
+    std::uint64_t kibibytes = 0;
+    if (word == key && file >> kibibytes) return kibibytes * 1024;
+    std::getline(file, rest);
   }
   return 0;
 }
 
-std::uint64_t peak_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-}
+}  // namespace
+
+std::uint64_t available_memory() { return entry("/proc/meminfo", "MemAvailable:"); }
+
+// getrusage would count what the parent held before it started this program.
+std::uint64_t peak_memory() { return entry("/proc/self/status", "VmHWM:"); }
 
 #if defined(__SANITIZE_ADDRESS__)
 // The sanitizer's shadow memory is larger than any limit worth setting.

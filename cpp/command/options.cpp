@@ -25,9 +25,9 @@ a dry run leaves out what it does not know.)";
 
 constexpr const char* check_footer = R"(
 Keys of the JSON: certet, command, file, ok, failures, mesh {points, tets, volume,
-unused_points, nonfinite_points, bad_indices, nonpositive_tets, overfull_faces,
-misoriented_faces, boundary_faces, open_edges}, dihedral {min, max, histogram},
-seconds {read, check, total}, memory {peak}.)";
+unused_points, nonfinite_points, duplicate_points, bad_indices, nonpositive_tets,
+overfull_faces, misoriented_faces, boundary_faces, open_edges}, dihedral {min, max,
+histogram}, seconds {read, check, total}, memory {peak}.)";
 
 constexpr const char* main_footer = R"(
 Exit status: 0 all is well; 1 `check` found a defect; 2 wrong usage; 3 an input
