@@ -133,6 +133,17 @@ void for_each_piece(const Lattice& lattice, std::int32_t begin, std::int32_t end
   });
 }
 
+template <class Index>
+void emit_all_tets(const RowNumbers& numbers, const SignPlanes& planes, const Lattice& lattice,
+                   std::int32_t begin, std::int32_t end, std::uint64_t start,
+                   std::span<Tet<Index>> out, Context& context) {
+  for_each_piece(lattice, begin, end, context, [&](int j_begin, int j_end, int k) {
+    const std::size_t row = static_cast<std::size_t>(k) * static_cast<std::size_t>(lattice.cells[1]) +
+                            static_cast<std::size_t>(j_begin);
+    emit_row_tets(planes, numbers, j_begin, j_end, k, out.data() + (numbers.first_tet[row] - start));
+  });
+}
+
 }  // namespace
 
 void Stuffing::emit_points(std::int32_t begin, std::int32_t end, std::span<Coord3> out,
@@ -146,17 +157,6 @@ void Stuffing::emit_points(std::int32_t begin, std::int32_t end, std::span<Coord
       emit_row_points(s.warped, s.lattice, row, j, k,
                       out.data() + (s.numbers.first_point[s.row(j, k)] - start));
     }
-  });
-}
-
-template <class Index>
-static void emit_all_tets(const RowNumbers& numbers, const SignPlanes& planes,
-                          const Lattice& lattice, std::int32_t begin, std::int32_t end,
-                          std::uint64_t start, std::span<Tet<Index>> out, Context& context) {
-  for_each_piece(lattice, begin, end, context, [&](int j_begin, int j_end, int k) {
-    const std::size_t row = static_cast<std::size_t>(k) * static_cast<std::size_t>(lattice.cells[1]) +
-                            static_cast<std::size_t>(j_begin);
-    emit_row_tets(planes, numbers, j_begin, j_end, k, out.data() + (numbers.first_tet[row] - start));
   });
 }
 

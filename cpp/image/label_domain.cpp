@@ -120,19 +120,10 @@ class LabelDomain final : public ImageDomain {
   }
 
   [[nodiscard]] Extent extent(const LatticeBox& box) const override {
-    const double low[3] = {double(box.low.x), double(box.low.y), double(box.low.z)};
-    const double high[3] = {double(box.high.x), double(box.high.y), double(box.high.z)};
-    VoxelBox reach;
-    bool whole = true;
-    for (std::size_t a = 0; a < 3; ++a) {
-      const auto voxels = voxels_between(placement_.axis[a], low[a], high[a], false);
-      if (voxels.low > voxels.high) return Extent::outside;
-      reach.low[a] = voxels.low;
-      reach.high[a] = voxels.high;
-      whole = whole && voxels.whole;
-    }
-    const Extent found = mask_.extent(reach);
-    return found == Extent::inside && !whole ? Extent::mixed : found;
+    const auto reach = voxels_within(placement_, box, false);
+    if (!reach) return Extent::outside;
+    const Extent found = mask_.extent(reach->voxels);
+    return found == Extent::inside && !reach->whole ? Extent::mixed : found;
   }
 
   void label(std::span<const std::array<Coord3, 4>> tets,

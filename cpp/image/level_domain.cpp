@@ -168,24 +168,15 @@ class LevelDomain final : public ImageDomain {
   }
 
   [[nodiscard]] Extent extent(const LatticeBox& box) const override {
-    const double low[3] = {double(box.low.x), double(box.low.y), double(box.low.z)};
-    const double high[3] = {double(box.high.x), double(box.high.y), double(box.high.z)};
-    VoxelBox reach;
-    bool whole = true;
-    for (std::size_t a = 0; a < 3; ++a) {
-      const auto voxels = voxels_between(placement_.axis[a], low[a], high[a], true);
-      if (voxels.low > voxels.high) return Extent::outside;
-      reach.low[a] = voxels.low;
-      reach.high[a] = voxels.high;
-      whole = whole && voxels.whole;
-    }
-    const auto range = ranges_.range(reach, level_);
+    const auto reach = voxels_within(placement_, box, true);
+    if (!reach) return Extent::outside;
+    const auto range = ranges_.range(reach->voxels, level_);
     // Interpolation may overshoot its corners by a rounding or two.
     const double rounding = 1e-12 * (std::abs(range.low) + std::abs(range.high));
     if (!std::isfinite(rounding) || !std::isfinite(range.high - range.low))
       return Extent::mixed;
     if (range.high < level_ - rounding) return Extent::outside;
-    if (range.low > level_ + rounding && whole) return Extent::inside;
+    if (range.low > level_ + rounding && reach->whole) return Extent::inside;
     return Extent::mixed;
   }
 

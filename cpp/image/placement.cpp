@@ -116,4 +116,19 @@ VoxelInterval voxels_between(const VoxelAxis& axis, double low, double high,
   return result;
 }
 
+std::optional<VoxelReach> voxels_within(const Placement& placement, const LatticeBox& box,
+                                        bool interpolated) {
+  const std::array<double, 3> low{double(box.low.x), double(box.low.y), double(box.low.z)};
+  const std::array<double, 3> high{double(box.high.x), double(box.high.y), double(box.high.z)};
+  VoxelReach reach;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto voxels = voxels_between(placement.axis[a], low[a], high[a], interpolated);
+    if (voxels.low > voxels.high) return std::nullopt;
+    reach.voxels.low[a] = voxels.low;
+    reach.voxels.high[a] = voxels.high;
+    reach.whole = reach.whole && voxels.whole;
+  }
+  return reach;
+}
+
 }  // namespace certet

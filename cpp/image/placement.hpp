@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
+#include "certet/domain.hpp"
 #include "certet/image.hpp"
 
 namespace certet {
@@ -61,5 +63,15 @@ struct VoxelInterval {
 /// With the voxels that trilinear interpolation reaches for, if `interpolated`.
 VoxelInterval voxels_between(const VoxelAxis& axis, double low, double high,
                              bool interpolated);
+
+/// The stored voxels of the part of a lattice box that lies in the image.
+struct VoxelReach {
+  VoxelBox voxels;
+  bool whole = true;  ///< no part of the box is beyond the image
+};
+
+/// Nothing if all of the box is beyond the image.
+std::optional<VoxelReach> voxels_within(const Placement& placement, const LatticeBox& box,
+                                        bool interpolated);
 
 }  // namespace certet
