@@ -1,5 +1,6 @@
 #include "certet/stuffing.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <new>
 #include <string>
@@ -54,6 +55,16 @@ auto within_memory(const Work& work) {
 }
 
 }  // namespace
+
+std::int32_t checked_cells(double cells) {
+  if (!(cells <= cells_limit))
+    throw Error(ErrorCode::too_large,
+                "the lattice would have " +
+                    std::to_string(static_cast<std::int64_t>(std::min(cells, 1e18))) +
+                    " cells along one axis, more than " + std::to_string(cells_limit) +
+                    "; choose a larger size");
+  return static_cast<std::int32_t>(cells);
+}
 
 struct Stuffing::State {
   Lattice lattice;

@@ -11,9 +11,6 @@
 namespace certet {
 namespace {
 
-/// As many as the engine takes on either side of coordinate 0.
-constexpr std::int32_t cells_limit = anchor_limit - 2;
-
 double checked_size(const Bounds& bounds, double size) {
   double longest = 0;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -31,13 +28,7 @@ double checked_size(const Bounds& bounds, double size) {
 
 /// Even cells, so that the even point (0,0,0) is in the middle.
 std::int32_t cells_along(double side, double size, std::int32_t margin) {
-  const double cells = 2 * (std::ceil(side / (2 * size)) + margin);
-  if (!(cells <= cells_limit))
-    throw Error(ErrorCode::too_large,
-                "the lattice would have " + std::to_string(static_cast<std::int64_t>(std::min(cells, 1e18))) +
-                    " cells along one axis, more than " +
-                    std::to_string(cells_limit) + "; choose a larger size");
-  return static_cast<std::int32_t>(cells);
+  return checked_cells(2 * (std::ceil(side / (2 * size)) + margin));
 }
 
 /// How far a point is beyond the bounds along one axis; negative within.

@@ -9,9 +9,6 @@
 namespace certet {
 namespace {
 
-/// As many as the engine takes on either side of coordinate 0.
-constexpr std::int32_t cells_limit = anchor_limit - 2;
-
 using Matrix = std::array<std::array<double, 3>, 3>;
 
 double determinant(const Matrix& m) {
@@ -28,16 +25,6 @@ double long_edge(const Image& image, const ImageLattice& choice) {
   if (choice.margin < 1)
     throw Error(ErrorCode::bad_option, "the margin must be at least 1");
   return size;
-}
-
-/// Cells before and behind lattice coordinate 0 must fit the coordinate range.
-std::int32_t checked_cells(double cells) {
-  if (!(cells <= cells_limit))
-    throw Error(ErrorCode::too_large,
-                "the lattice would have " + std::to_string(static_cast<std::int64_t>(std::min(cells, 1e18))) +
-                    " cells along one axis, more than " +
-                    std::to_string(cells_limit) + "; choose a larger size");
-  return static_cast<std::int32_t>(cells);
 }
 
 /// Places one axis; returns the cells.  Origin and shift centre the lattice's

@@ -9,6 +9,7 @@
 #include "certet/context.hpp"
 #include "certet/domain.hpp"
 #include "certet/mesh.hpp"
+#include "certet/structured_tet.hpp"
 #include "certet/warp.hpp"
 
 namespace certet {
@@ -22,6 +23,14 @@ struct Lattice {
   Coord3 origin{0, 0, 0};
   std::array<std::int32_t, 3> cells{0, 0, 0};
 };
+
+/// The cells along an axis that fit the coordinate range, if the lattice is
+/// centred around 0.
+inline constexpr std::int32_t cells_limit = anchor_limit - 2;
+
+/// A number of cells computed in floating point, as a whole number.
+/// \throws Error `too_large` beyond cells_limit, and for NaN
+std::int32_t checked_cells(double cells);
 
 /// Where the cuts are put.
 enum class Cuts {
