@@ -1,16 +1,35 @@
 #pragma once
 /// \file
-/// The subcommands.
+/// The subcommands.  Each has a folder of its name; it declares its options on
+/// an empty CLI11 app and gives what is to be done once they have been read.
 
-#include "options.hpp"
+#include <CLI/App.hpp>
+#include <array>
+#include <functional>
+
 #include "status.hpp"
 
 namespace certet::command {
 
-/// From an image or a formula to a mesh file.  \throws Error.
-Status mesh(const MeshOptions& options);
+/// Carries out a subcommand.  \throws Error.
+using Run = std::function<Status()>;
 
-/// Reads a mesh file and verifies it anew.  \throws Error.
-Status check(const CheckOptions& options);
+/// From an image or a formula to a mesh file.
+Run declare_mesh(CLI::App& app);
+
+/// Reads a mesh file and verifies it anew.
+Run declare_check(CLI::App& app);
+
+struct Subcommand {
+  const char* name;
+  const char* description;
+  Run (*declare)(CLI::App&);
+};
+
+/// In the order of the help.
+inline constexpr std::array subcommands{
+    Subcommand{"mesh", "Mesh an image or a formula", declare_mesh},
+    Subcommand{"check", "Verify a mesh anew, from its file alone", declare_check},
+};
 
 }  // namespace certet::command

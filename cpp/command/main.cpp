@@ -4,21 +4,11 @@
 #include <new>
 #include <string>
 
-#include "commands.hpp"
-#include "outputs.hpp"
+#include "command_line.hpp"
 #include "signals.hpp"
 
 namespace certet::command {
 namespace {
-
-Status run(const Options& options) {
-  if (const auto* notice = std::get_if<Notice>(&options)) {
-    write_text("-", notice->text);
-    return Status::ok;
-  }
-  if (const auto* wanted = std::get_if<MeshOptions>(&options)) return mesh(*wanted);
-  return check(std::get<CheckOptions>(options));
-}
 
 Status say(Status status, const char* sentence) {
   std::fprintf(stderr, "certet: %s\n", sentence);
@@ -32,7 +22,7 @@ int main(int argc, char** argv) {
   using namespace certet::command;
   ignore_write_signals();
   try {
-    return static_cast<int>(run(parse_options(argc, argv)));
+    return static_cast<int>(CommandLine().parse(argc, argv)());
   } catch (const certet::Error& error) {
     return static_cast<int>(say(status_of(error.code()), error.what()));
   } catch (const std::bad_alloc&) {

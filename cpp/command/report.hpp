@@ -1,69 +1,23 @@
 #pragma once
 /// \file
-/// What is known at the end of a run, and how it is told.
+/// How the end of a run is told.
 
-#include <array>
-#include <cstdint>
+#include <cstdio>
 #include <string>
 
-#include "certet/check.hpp"
-#include "certet/quality.hpp"
-#include "certet/stuffing.hpp"
-#include "certet/write_mesh.hpp"
+#include "outputs.hpp"
 
 namespace certet::command {
 
-/// Of `certet mesh`.
-struct MeshReport {
-  bool dry_run = false;
-  std::string input_kind;  ///< labels, level or formula
-  std::string input_name;
-  std::string output, format;
-  std::uint64_t output_bytes = 0;
-
-  std::array<std::int32_t, 3> cells{};
-  double size = 0;
-  Cuts cuts{};
-  Guarantee asked{}, used{};
-  std::uint64_t inverted_tets = 0;
-  AngleBounds bounds{};
-
-  std::uint64_t points = 0, tets = 0;
-  WrittenMesh written;  ///< empty after a dry run
-
-  double read_seconds = 0, sample_seconds = 0, cut_seconds = 0, warp_seconds = 0,
-         count_seconds = 0, total_seconds = 0;
-  std::uint64_t memory_limit = 0;   ///< what the run may use
-  std::uint64_t memory_needed = 0;  ///< what it holds while writing
-  std::uint64_t memory_least = 0;   ///< the smallest limit that would do
-  std::uint64_t memory_peak = 0;    ///< what the process had in the end
-};
-
-/// Whether the measured angles are within the proven ones, up to the rounding of
-/// world coordinates.
-bool holds(const MeshReport& report);
-
-/// Of `certet check`.
-struct CheckedFile {
-  std::string file;
-  CheckReport report;
-  double read_seconds = 0, check_seconds = 0, total_seconds = 0;
-  std::uint64_t memory_peak = 0;
-};
-
-std::string name(Cuts cuts);
-std::string name(Guarantee guarantee);
-
-/// For people.
-std::string table(const MeshReport& report);
-std::string table(const CheckedFile& checked);
-
-/// For programs: one object, its keys as `--help` lists them.
-std::string json(const MeshReport& report);
-std::string json(const CheckedFile& checked);
-
 /// To stdout and to where --json says; the table gives way to JSON on stdout.
+/// A report has a `table` for people and a `json` for programs.
 template <class Report>
-void tell(const Report& report, const std::string& json_target);
+void tell(const Report& report, const std::string& json_target) {
+  if (!json_target.empty()) write_text(json_target, json(report));
+  if (json_target == "-")
+    std::fputs(table(report).c_str(), stderr);
+  else
+    write_text("-", table(report));
+}
 
 }  // namespace certet::command

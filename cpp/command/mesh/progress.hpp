@@ -3,26 +3,14 @@
 /// How far a run is, and how long its stages took.
 
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <string_view>
 
 #include "certet/context.hpp"
 #include "certet/formats.hpp"
+#include "stopwatch.hpp"
 
 namespace certet::command {
-
-/// Seconds since the clock was made.
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(clock::now() - start_).count();
-  }
-
- private:
-  using clock = std::chrono::steady_clock;
-  clock::time_point start_ = clock::now();
-};
 
 /// Listens to a context.  Shows a line on stderr if that is a terminal and the
 /// run takes longer than a second; wipes it away in the end.

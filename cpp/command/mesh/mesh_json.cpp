@@ -1,20 +1,13 @@
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
-#include "report.hpp"
+#include "json.hpp"
+#include "mesh_report.hpp"
 
 namespace certet::command {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// 64 bits do not fit the numbers of every JSON reader.
 std::string hexadecimal(std::uint64_t number) { return fmt::format("0x{:016x}", number); }
-
-std::string print(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
 
 Json guarantee(const MeshReport& report) {
   Json json{{"asked", name(report.asked)},
@@ -71,36 +64,6 @@ std::string json(const MeshReport& report) {
                     {"needed", report.memory_needed},
                     {"least", report.memory_least},
                     {"peak", report.memory_peak}};
-  return print(json);
-}
-
-std::string json(const CheckedFile& checked) {
-  const CheckReport& report = checked.report;
-  Json json;
-  json["certet"] = CERTET_VERSION;
-  json["command"] = "check";
-  json["file"] = checked.file;
-  json["ok"] = report.failures.empty();
-  json["failures"] = report.failures;
-  json["mesh"] = {{"points", report.points},
-                  {"tets", report.quality.tets},
-                  {"volume", report.quality.volume},
-                  {"unused_points", report.unused_points},
-                  {"nonfinite_points", report.nonfinite_points},
-                  {"duplicate_points", report.duplicate_points},
-                  {"bad_indices", report.bad_indices},
-                  {"nonpositive_tets", report.quality.nonpositive},
-                  {"overfull_faces", report.overfull_faces},
-                  {"misoriented_faces", report.misoriented_faces},
-                  {"boundary_faces", report.boundary_faces},
-                  {"open_edges", report.open_edges}};
-  json["dihedral"] = {{"min", report.quality.min_dihedral},
-                      {"max", report.quality.max_dihedral},
-                      {"histogram", report.quality.histogram}};
-  json["seconds"] = {{"read", checked.read_seconds},
-                     {"check", checked.check_seconds},
-                     {"total", checked.total_seconds}};
-  json["memory"] = {{"peak", checked.memory_peak}};
   return print(json);
 }
 

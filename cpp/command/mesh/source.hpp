@@ -6,7 +6,7 @@
 #include <string>
 
 #include "certet/write_mesh.hpp"
-#include "options.hpp"
+#include "mesh_options.hpp"
 
 namespace certet::command {
 

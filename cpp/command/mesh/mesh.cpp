@@ -4,9 +4,10 @@
 #include "certet/error.hpp"
 #include "commands.hpp"
 #include "memory.hpp"
+#include "mesh_options.hpp"
+#include "mesh_report.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
-#include "report.hpp"
 #include "signals.hpp"
 #include "source.hpp"
 
@@ -146,14 +147,18 @@ MeshReport run(const MeshOptions& options, Context& context) {
   return report;
 }
 
-}  // namespace
-
 Status mesh(const MeshOptions& options) {
   Context context;
   context.threads = options.threads;
   const Signals signals(context);
   tell(run(options, context), options.json);
   return Status::ok;
+}
+
+}  // namespace
+
+Run declare_mesh(CLI::App& app) {
+  return [options = declare_mesh_options(app)] { return mesh(options()); };
 }
 
 }  // namespace certet::command

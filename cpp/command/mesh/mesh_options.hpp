@@ -1,12 +1,13 @@
 #pragma once
 /// \file
-/// What the user asks for.
+/// The options of `certet mesh`.
 
+#include <CLI/App.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "certet/expression.hpp"
@@ -16,7 +17,7 @@
 
 namespace certet::command {
 
-/// `certet mesh`
+/// What the user asks of `certet mesh`.
 struct MeshOptions {
   std::filesystem::path input;  ///< empty if there is a formula
   std::string formula;
@@ -34,20 +35,8 @@ struct MeshOptions {
   std::string json;  ///< a file, - for stdout, or empty
 };
 
-/// `certet check`
-struct CheckOptions {
-  std::filesystem::path mesh;
-  std::string json;
-};
-
-/// Text to be printed instead of a run: the help, or the version.
-struct Notice {
-  std::string text;
-};
-
-using Options = std::variant<Notice, MeshOptions, CheckOptions>;
-
-/// \throws Error `bad_option` with one sentence.
-Options parse_options(int argc, char** argv);
+/// Declares the options and gives what reads them once the command line has
+/// been parsed.  \throws Error `bad_option` with one sentence (the result).
+std::function<MeshOptions()> declare_mesh_options(CLI::App& mesh);
 
 }  // namespace certet::command

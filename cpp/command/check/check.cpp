@@ -1,14 +1,28 @@
-#include "certet/check.hpp"
+#include <CLI/CLI.hpp>
+#include <memory>
 
 #include "certet/error.hpp"
 #include "certet/formats.hpp"
+#include "check_report.hpp"
 #include "commands.hpp"
 #include "memory.hpp"
 #include "outputs.hpp"
-#include "progress.hpp"
-#include "report.hpp"
+#include "stopwatch.hpp"
 
 namespace certet::command {
+namespace {
+
+constexpr const char* footer = R"(
+Keys of the JSON: certet, command, file, ok, failures, mesh {points, tets, volume,
+unused_points, nonfinite_points, duplicate_points, bad_indices, nonpositive_tets,
+overfull_faces, misoriented_faces, boundary_faces, open_edges}, dihedral {min, max,
+histogram}, seconds {read, check, total}, memory {peak}.)";
+
+/// What the user asks of `certet check`.
+struct CheckOptions {
+  std::filesystem::path mesh;
+  std::string json;
+};
 
 Status check(const CheckOptions& options) {
   const Stopwatch clock;
@@ -28,6 +42,17 @@ Status check(const CheckOptions& options) {
   checked.memory_peak = peak_memory();
   tell(checked, options.json);
   return checked.report.failures.empty() ? Status::ok : Status::check_failed;
+}
+
+}  // namespace
+
+Run declare_check(CLI::App& app) {
+  const auto options = std::make_shared<CheckOptions>();
+  app.add_option("mesh", options->mesh, "Mesh: .vtu or .mesh")->required()->option_text("MESH");
+  app.add_option("--json", options->json, "Report for programs; - is stdout")
+      ->option_text("FILE|-");
+  app.footer(footer);
+  return [options] { return check(*options); };
 }
 
 }  // namespace certet::command

@@ -1,7 +1,8 @@
-#include "options.hpp"
+#include "mesh_options.hpp"
 
 #include <CLI/CLI.hpp>
 #include <map>
+#include <memory>
 
 #include "certet/error.hpp"
 #include "option_values.hpp"
@@ -9,7 +10,7 @@
 namespace certet::command {
 namespace {
 
-constexpr const char* mesh_footer = R"(
+constexpr const char* footer = R"(
 World coordinates are the image's own: millimetres, LPS (x to the left, y to the
 back, z to the head), as ITK has them, for NIfTI too.
 
@@ -22,19 +23,6 @@ peak}.  Lengths are in world units, angles in degrees, memory in bytes; the
 histogram has 36 bins of 5 degrees, counted before coordinates are rounded; the
 seconds of emit, measure and write overlap and are those of all threads together;
 a dry run leaves out what it does not know.)";
-
-constexpr const char* check_footer = R"(
-Keys of the JSON: certet, command, file, ok, failures, mesh {points, tets, volume,
-unused_points, nonfinite_points, duplicate_points, bad_indices, nonpositive_tets,
-overfull_faces, misoriented_faces, boundary_faces, open_edges}, dihedral {min, max,
-histogram}, seconds {read, check, total}, memory {peak}.)";
-
-constexpr const char* main_footer = R"(
-Exit status: 0 all is well; 1 `check` found a defect; 2 wrong usage; 3 an input
-that cannot be read; 4 nothing is inside; 5 too large for the memory or the
-coordinate range; 6 an output cannot be written; 7 a mesh outside its proven
-bounds (not written); 130 interrupted.  A run that fails says why in one sentence
-on stderr and leaves no output.)";
 
 [[noreturn]] void refuse(const std::string& sentence) {
   throw Error(ErrorCode::bad_option, sentence);
@@ -136,47 +124,16 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   return options;
 }
 
-/// CLI11 may say more than one sentence; the first line is the cause.
-std::string first_line(const CLI::ParseError& error) {
-  std::string line = error.what();
-  line.resize(std::min(line.find('\n'), line.size()));
-  return line.empty() ? "wrong usage" : line;
-}
-
 }  // namespace
 
-Options parse_options(int argc, char** argv) {
-  CLI::App app("Tetrahedral meshes with proven angles, by isosurface stuffing", "certet");
-  app.set_version_flag("--version", "certet " CERTET_VERSION);
-  app.require_subcommand(1);
-  app.footer(main_footer);
-  MeshOptions mesh_options;
-  CheckOptions check_options;
-  RawMesh raw;
-  CLI::App* mesh = app.add_subcommand("mesh", "Mesh an image or a formula");
-  declare_source(*mesh, mesh_options, raw);
-  declare_lattice(*mesh, mesh_options, raw);
-  declare_run(*mesh, mesh_options, raw);
-  mesh->footer(mesh_footer);
-  CLI::App* check = app.add_subcommand("check", "Verify a mesh anew, from its file alone");
-  check->add_option("mesh", check_options.mesh, "Mesh: .vtu or .mesh")
-      ->required()
-      ->option_text("MESH");
-  check->add_option("--json", check_options.json, "Report for programs; - is stdout")
-      ->option_text("FILE|-");
-  check->footer(check_footer);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    const CLI::App* asked = mesh->parsed() ? mesh : check->parsed() ? check : &app;
-    return Notice{asked->help()};
-  } catch (const CLI::CallForVersion&) {
-    return Notice{"certet " CERTET_VERSION "\n"};
-  } catch (const CLI::ParseError& error) {
-    refuse(first_line(error));
-  }
-  if (check->parsed()) return check_options;
-  return finish(std::move(mesh_options), raw);
+std::function<MeshOptions()> declare_mesh_options(CLI::App& mesh) {
+  const auto options = std::make_shared<MeshOptions>();
+  const auto raw = std::make_shared<RawMesh>();
+  declare_source(mesh, *options, *raw);
+  declare_lattice(mesh, *options, *raw);
+  declare_run(mesh, *options, *raw);
+  mesh.footer(footer);
+  return [options, raw] { return finish(*options, *raw); };
 }
 
 }  // namespace certet::command

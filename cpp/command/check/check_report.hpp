@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// What is known at the end of `certet check`.
+
+#include <cstdint>
+#include <string>
+
+#include "certet/check.hpp"
+#include "report.hpp"
+
+namespace certet::command {
+
+struct CheckedFile {
+  std::string file;
+  CheckReport report;
+  double read_seconds = 0, check_seconds = 0, total_seconds = 0;
+  std::uint64_t memory_peak = 0;
+};
+
+/// For people.
+std::string table(const CheckedFile& checked);
+/// For programs: one object, its keys as `--help` lists them.
+std::string json(const CheckedFile& checked);
+
+}  // namespace certet::command

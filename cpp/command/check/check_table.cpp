@@ -1,0 +1,29 @@
+#include "check_report.hpp"
+#include "table.hpp"
+
+namespace certet::command {
+
+std::string table(const CheckedFile& checked) {
+  const CheckReport& report = checked.report;
+  Lines lines;
+  lines.add("mesh", "{}", checked.file);
+  lines.add("", "{} points, {} tetrahedra, {} boundary faces", grouped(report.points),
+            grouped(report.quality.tets), grouped(report.boundary_faces));
+  lines.add("volume", "{:.9g}", report.quality.volume);
+  add_angles(lines, report.quality);
+  add_histogram(lines, report.quality);
+  for (const std::string& failure : report.failures) lines.add("defect", "{}", failure);
+  lines.add("verdict", "{}",
+            report.failures.empty()
+                ? "valid, positive, conforming and closed"
+                : fmt::format("{} broken", report.failures.size() == 1
+                                               ? std::string("one property is")
+                                               : fmt::format("{} properties are",
+                                                             report.failures.size())));
+  lines.add("seconds", "read {:.2f}, check {:.2f}, total {:.2f}", checked.read_seconds,
+            checked.check_seconds, checked.total_seconds);
+  lines.add("memory", "peak {}", bytes(checked.memory_peak));
+  return std::move(lines).text();
+}
+
+}  // namespace certet::command

@@ -1,0 +1,17 @@
+#pragma once
+/// \file
+/// JSON for programs.
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace certet::command {
+
+using Json = nlohmann::ordered_json;
+
+/// Indented, and valid UTF-8 whatever bytes a file name has.
+inline std::string print(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace certet::command

@@ -1,0 +1,50 @@
+#include "mesh_report.hpp"
+#include "table.hpp"
+
+namespace certet::command {
+namespace {
+
+void add_guarantee(Lines& lines, const MeshReport& report) {
+  lines.add("proven", "{:.3f}° to {:.3f}°, theorem {}", report.bounds.min_dihedral,
+            report.bounds.max_dihedral, report.bounds.theorem);
+  if (report.cuts == Cuts::midpoint) return;
+  lines.add("thresholds", "{}{}", name(report.used),
+            report.used == report.asked
+                ? ""
+                : fmt::format(" (those of {} inverted {} dropped tetrahedra)",
+                              name(report.asked), grouped(report.inverted_tets)));
+}
+
+}  // namespace
+
+std::string table(const MeshReport& report) {
+  Lines lines;
+  lines.add("input", "{} ({})", report.input_name, report.input_kind);
+  if (!report.output.empty() || report.dry_run)
+    lines.add("output", "{} ({}, {}){}",
+              report.output.empty() ? "none" : report.output, report.format,
+              bytes(report.output_bytes), report.dry_run ? ", not written" : "");
+  lines.add("lattice", "{} x {} x {} cells of size {:.6g}, cuts {}", report.cells[0],
+            report.cells[1], report.cells[2], report.size, name(report.cuts));
+  lines.add("mesh", "{} points, {} tetrahedra", grouped(report.points), grouped(report.tets));
+  if (!report.dry_run) {
+    lines.add("volume", "{:.9g}", report.written.world.volume);
+    lines.add("checksum", "0x{:016x}", report.written.checksum);
+    add_angles(lines, report.written.world);
+    // In exact coordinates an angle on the edge between two bins is in its own.
+    add_histogram(lines, report.written.lattice);
+  }
+  add_guarantee(lines, report);
+  lines.add("seconds", "read {:.2f}, sample {:.2f}, cut {:.2f}, warp {:.2f}, count {:.2f}",
+            report.read_seconds, report.sample_seconds, report.cut_seconds,
+            report.warp_seconds, report.count_seconds);
+  if (!report.dry_run)
+    lines.add("", "emit {:.2f}, measure {:.2f}, write {:.2f}", report.written.emit_seconds,
+              report.written.measure_seconds, report.written.write_seconds);
+  lines.add("", "total {:.2f}", report.total_seconds);
+  lines.add("memory", "needed {}, peak {}, limit {}", bytes(report.memory_needed),
+            bytes(report.memory_peak), bytes(report.memory_limit));
+  return std::move(lines).text();
+}
+
+}  // namespace certet::command
