@@ -21,11 +21,6 @@ using namespace core;
 /// Rows that one task emits.
 constexpr int rows_per_task = 32;
 
-Thresholds thresholds_of(Cuts cuts, Guarantee guarantee) {
-  if (cuts == Cuts::midpoint) return no_warp_thresholds;
-  return guarantee == Guarantee::angles ? angle_thresholds : embedding_thresholds;
-}
-
 /// The lattice is checked once, here; every coordinate that the engine computes
 /// afterwards is in range.
 void check_range(const Lattice& lattice) {
@@ -81,15 +76,26 @@ struct Stuffing::State {
 
 namespace {
 
+static_assert(no_warp_thresholds.long_edge == 0 && no_warp_thresholds.short_edge == 0,
+              "with cuts in the middle no cut violates a vertex");
+
+/// With cuts in the middle nothing is left to decide: no vertex is violated, and
+/// none lies on the surface, for there it counts as inside.
+WarpedLattice unwarped(SignPlanes planes, std::vector<CutLayer> cuts, const Lattice& lattice) {
+  const auto rows = static_cast<std::size_t>(lattice.cells[1]);
+  const ZeroLayer none{{}, std::vector<std::uint32_t>(rows, 0)};
+  std::vector<ZeroLayer> zeros(static_cast<std::size_t>(lattice.cells[2]), none);
+  return {std::move(planes), std::move(cuts), std::move(zeros)};
+}
+
 /// Warps with the thresholds asked for; falls back to those of `embedding` if a
 /// tetrahedron that is dropped came out inverted, for it would cover others.
 WarpedLattice warp_lattice(const SignPlanes& planes, const std::vector<CutLayer>& cuts,
-                           const Lattice& lattice, const StuffingOptions& options,
-                           Guarantee& guarantee, std::uint64_t& inverted, Context& context) {
-  {
-    const Violations violations(planes, cuts, thresholds_of(options.cuts, guarantee), context);
-    if (options.cuts == Cuts::bisect && guarantee == Guarantee::angles)
-      inverted = violations.inverted_tets(lattice, context);
+                           const Lattice& lattice, Guarantee& guarantee, std::uint64_t& inverted,
+                           Context& context) {
+  if (guarantee == Guarantee::angles) {
+    const Violations violations(planes, cuts, angle_thresholds, context);
+    inverted = violations.inverted_tets(lattice, context);
     if (inverted == 0) return violations.apply(context);
   }
   guarantee = Guarantee::embedding;
@@ -104,9 +110,12 @@ Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, const StuffingO
   state_ = within_memory([&] {
     Guarantee guarantee = options.guarantee;
     std::uint64_t inverted = 0;
-    const SignPlanes planes = sample(domain, lattice, options.cuts, context);
-    const std::vector<CutLayer> cuts = find_cuts(planes, domain, lattice, options.cuts, context);
-    WarpedLattice warped = warp_lattice(planes, cuts, lattice, options, guarantee, inverted, context);
+    SignPlanes planes = sample(domain, lattice, options.cuts, context);
+    std::vector<CutLayer> cuts = find_cuts(planes, domain, lattice, options.cuts, context);
+    WarpedLattice warped =
+        options.cuts == Cuts::midpoint
+            ? unwarped(std::move(planes), std::move(cuts), lattice)
+            : warp_lattice(planes, cuts, lattice, guarantee, inverted, context);
     RowNumbers numbers = count_rows(warped.planes, context);
     return std::make_unique<State>(
         State{lattice, std::move(warped), std::move(numbers), guarantee, inverted});
@@ -119,6 +128,7 @@ Stuffing& Stuffing::operator=(Stuffing&&) noexcept = default;
 
 std::uint64_t Stuffing::point_count() const { return state_->numbers.first_point.back(); }
 std::uint64_t Stuffing::tet_count() const { return state_->numbers.first_tet.back(); }
+const Lattice& Stuffing::lattice() const { return state_->lattice; }
 Guarantee Stuffing::guarantee() const { return state_->guarantee; }
 std::uint64_t Stuffing::inverted_tets() const { return state_->inverted_tets; }
 std::int32_t Stuffing::layers() const { return state_->lattice.cells[2]; }

@@ -90,8 +90,10 @@ class LabelDomain final : public ImageDomain {
         placement_(placement),
         along_x_(placement.lattice.origin.x, placement.lattice.cells[0],
                  [this](double x) { return column(x); }),
-        eighths_{eighths(0, placement.lattice.origin.x), eighths(1, placement.lattice.origin.y),
-                 eighths(2, placement.lattice.origin.z)} {}
+        eighths_{eighths(0, placement.lattice.origin.x, {1, 1}),
+                 eighths(1, placement.lattice.origin.y, {size_[0], mask_.row_bits()}),
+                 eighths(2, placement.lattice.origin.z,
+                         {size_[0] * size_[1], mask_.row_bits() * size_[1]})} {}
 
   [[nodiscard]] const Frame& frame() const override { return placement_.frame; }
   [[nodiscard]] const Lattice& lattice() const override { return placement_.lattice; }
@@ -128,7 +130,11 @@ class LabelDomain final : public ImageDomain {
 
   void label(std::span<const std::array<Coord3, 4>> tets,
              std::span<std::int32_t> out) const override {
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = label_of(tets[i]);
+    constexpr std::size_t batch = 64;
+    for (std::size_t begin = 0; begin < out.size(); begin += batch) {
+      const std::size_t count = std::min(batch, out.size() - begin);
+      label_batch(tets.subspan(begin, count), out.subspan(begin, count));
+    }
   }
 
  private:
@@ -141,39 +147,79 @@ class LabelDomain final : public ImageDomain {
   /// which is four times its centroid.
   using Sum = std::array<std::int64_t, 3>;
 
-  [[nodiscard]] std::int32_t label_of(const std::array<Coord3, 4>& corners) const {
+  static Sum sum_of(const std::array<Coord3, 4>& corners) {
     const auto& [a, b, c, d] = corners;
-    const Sum sum{std::int64_t{a.x} + b.x + c.x + d.x, std::int64_t{a.y} + b.y + c.y + d.y,
-                  std::int64_t{a.z} + b.z + c.z + d.z};
-    std::int64_t best = chosen_voxel(sum);
-    if (best < 0) best = voxel_of_nearest_corner(corners, sum);
-    return best < 0 ? 0
-                    : static_cast<std::int32_t>(voxels_[static_cast<std::size_t>(best)]);
+    return {std::int64_t{a.x} + b.x + c.x + d.x, std::int64_t{a.y} + b.y + c.y + d.y,
+            std::int64_t{a.z} + b.z + c.z + d.z};
   }
 
-  /// Both factors are exact, for the sum fits 35 bits.
-  static double from_sum(std::int64_t sum) { return 0.25 / steps * static_cast<double>(sum); }
+  /// Where a voxel stands in `voxels_`, and its bit in the mask; a sum over the
+  /// three axes.  Negative beyond the image, whatever is added.
+  struct Place {
+    std::int64_t voxel, bit;
+  };
+  using PlaceTable = AxisTable<Place>;
 
-  /// The index of the voxel at a position, or -1 where it is not chosen.  Away
-  /// from the surface, and everywhere with midpoint cuts, positions and centroids
-  /// are at eighths of lattice units, which are tabled.
-  [[nodiscard]] std::int64_t chosen_voxel(const Sum& sum) const {
-    constexpr int eighth_bits = step_bits - 1;  // of four times an eighth
-    constexpr std::int64_t fraction = (std::int64_t{1} << eighth_bits) - 1;
-    if (((sum[0] | sum[1] | sum[2]) & fraction) == 0) {
-      const auto x = static_cast<std::int32_t>(sum[0] >> eighth_bits);
-      const auto y = static_cast<std::int32_t>(sum[1] >> eighth_bits);
-      const auto z = static_cast<std::int32_t>(sum[2] >> eighth_bits);
-      if (eighths_[0].holds(x, 1) && eighths_[1].holds(y, 1) && eighths_[2].holds(z, 1))
-        return index_if_chosen(*eighths_[0].from(x), *eighths_[1].from(y),
-                               *eighths_[2].from(z));
+  [[nodiscard]] PlaceTable eighths(std::size_t axis, std::int32_t origin, Place stride) const {
+    return {8 * origin, 8 * placement_.lattice.cells[axis], [&, axis, stride](double at) {
+              const std::int64_t voxel = placement_.axis[axis].nearest(0.125 * at);
+              constexpr std::int64_t beyond = std::numeric_limits<std::int64_t>::min() / 4;
+              return voxel < 0 ? Place{beyond, beyond}
+                               : Place{voxel * stride.voxel, voxel * stride.bit};
+            }};
+  }
+
+  /// Away from the surface, and everywhere with midpoint cuts, centroids are at
+  /// eighths of lattice units, which are tabled.
+  void label_batch(std::span<const std::array<Coord3, 4>> tets,
+                   std::span<std::int32_t> out) const {
+    std::array<Sum, 64> sums{};
+    for (std::size_t i = 0; i < tets.size(); ++i) sums[i] = sum_of(tets[i]);
+    const bool tabled = all_tabled(std::span(sums).first(tets.size()));
+    for (std::size_t i = 0; i < tets.size(); ++i) {
+      const std::int64_t voxel =
+          tabled && at_eighths(sums[i]) ? tabled_voxel(sums[i]) : chosen_voxel(sums[i]);
+      out[i] = voxel < 0 ? label_of_nearest_corner(tets[i], sums[i])
+                         : static_cast<std::int32_t>(voxels_[static_cast<std::size_t>(voxel)]);
     }
-    return chosen_voxel(from_sum(sum[0]), from_sum(sum[1]), from_sum(sum[2]));
   }
 
-  [[nodiscard]] AxisTable<std::int64_t> eighths(std::size_t axis, std::int32_t origin) const {
-    return {8 * origin, 8 * placement_.lattice.cells[axis],
-            [&voxels = placement_.axis[axis]](double at) { return voxels.nearest(0.125 * at); }};
+  static constexpr int eighth_bits = step_bits - 1;  ///< of four times an eighth
+
+  static bool at_eighths(const Sum& sum) {
+    constexpr std::int64_t fraction = (std::int64_t{1} << eighth_bits) - 1;
+    return ((sum[0] | sum[1] | sum[2]) & fraction) == 0;
+  }
+
+  /// Whether the tables reach as far as these centroids.
+  [[nodiscard]] bool all_tabled(std::span<const Sum> sums) const {
+    Sum low = sums.front(), high = sums.front();
+    for (const Sum& sum : sums)
+      for (std::size_t a = 0; a < 3; ++a) {
+        low[a] = std::min(low[a], sum[a]);
+        high[a] = std::max(high[a], sum[a]);
+      }
+    for (std::size_t a = 0; a < 3; ++a)
+      if (!eighths_[a].holds(static_cast<std::int32_t>(low[a] >> eighth_bits), 1) ||
+          !eighths_[a].holds(static_cast<std::int32_t>(high[a] >> eighth_bits), 1))
+        return false;
+    return true;
+  }
+
+  /// As `chosen_voxel`, at eighths that are in the tables.
+  [[nodiscard]] std::int64_t tabled_voxel(const Sum& sum) const {
+    const Place& x = *eighths_[0].from(static_cast<std::int32_t>(sum[0] >> eighth_bits));
+    const Place& y = *eighths_[1].from(static_cast<std::int32_t>(sum[1] >> eighth_bits));
+    const Place& z = *eighths_[2].from(static_cast<std::int32_t>(sum[2] >> eighth_bits));
+    const std::int64_t bit = x.bit + y.bit + z.bit;
+    return bit < 0 || !mask_.test(bit) ? -1 : x.voxel + y.voxel + z.voxel;
+  }
+
+  /// The index of the voxel at a centroid, or -1 where it is not chosen.  Both
+  /// factors are exact, for the sum fits 35 bits.
+  [[nodiscard]] std::int64_t chosen_voxel(const Sum& sum) const {
+    const auto lattice = [](std::int64_t s) { return 0.25 / steps * static_cast<double>(s); };
+    return chosen_voxel(lattice(sum[0]), lattice(sum[1]), lattice(sum[2]));
   }
 
   [[nodiscard]] std::int64_t column(double x) const {
@@ -200,24 +246,24 @@ class LabelDomain final : public ImageDomain {
 
   /// Every tetrahedron of the mesh has a corner inside, which is a lattice
   /// point that was not warped, so that there always is one.
-  [[nodiscard]] std::int64_t voxel_of_nearest_corner(const std::array<Coord3, 4>& corners,
+  [[nodiscard]] std::int32_t label_of_nearest_corner(const std::array<Coord3, 4>& corners,
                                                      const Sum& sum) const {
-    const double center[3] = {from_sum(sum[0]), from_sum(sum[1]), from_sum(sum[2])};
     std::int64_t best = -1;
     double least = std::numeric_limits<double>::infinity();
     for (const Coord3 corner : corners) {
-      const std::int64_t candidate =
-          chosen_voxel(Sum{4 * std::int64_t{corner.x}, 4 * std::int64_t{corner.y},
-                           4 * std::int64_t{corner.z}});
-      const double dx = corner.x / double(steps) - center[0];
-      const double dy = corner.y / double(steps) - center[1];
-      const double dz = corner.z / double(steps) - center[2];
-      const double distance = dx * dx + dy * dy + dz * dz;
+      const Sum four{4 * std::int64_t{corner.x}, 4 * std::int64_t{corner.y},
+                     4 * std::int64_t{corner.z}};
+      const std::int64_t candidate = chosen_voxel(four);
+      double distance = 0;
+      for (std::size_t a = 0; a < 3; ++a) {
+        const auto difference = static_cast<double>(four[a] - sum[a]);
+        distance += difference * difference;
+      }
       if (candidate < 0 || distance >= least) continue;
       best = candidate;
       least = distance;
     }
-    return best;
+    return best < 0 ? 0 : static_cast<std::int32_t>(voxels_[static_cast<std::size_t>(best)]);
   }
 
   std::array<std::int64_t, 3> size_;
@@ -225,7 +271,7 @@ class LabelDomain final : public ImageDomain {
   VoxelMask mask_;
   Placement placement_;
   AxisTable<std::int64_t> along_x_;
-  std::array<AxisTable<std::int64_t>, 3> eighths_;  ///< by eighths of lattice units
+  std::array<PlaceTable, 3> eighths_;  ///< by eighths of lattice units
 };
 
 }  // namespace

@@ -32,6 +32,10 @@ class VoxelMask {
     return test(row(y, z), x);
   }
 
+  /// The bit of a voxel is number x + row_bits() (y + size_y z) of all.
+  [[nodiscard]] std::int64_t row_bits() const { return 64 * words_; }
+  [[nodiscard]] bool test(std::int64_t bit) const { return test(bits_.data(), bit); }
+
   /// To be called once, when all bits are set.
   void summarise();
   /// The smallest box that holds all set bits.

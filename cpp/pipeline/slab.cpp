@@ -1,9 +1,8 @@
 #include "slab.hpp"
 
-#include <algorithm>
-#include <array>
-
 #include "certet/context.hpp"
+#include "quality/corners.hpp"
+#include "quality/lattice_measurement.hpp"
 
 namespace certet::pipeline {
 namespace {
@@ -22,6 +21,7 @@ void PointSlab::make_layer(Source& source, std::int32_t layer) {
   OneThread context;
   source.stuffing.emit_points(layer, layer + 1, {steps_.begin() + begin, steps_.begin() + end},
                               context);
+  if (!has_world()) return;
   for (std::uint64_t i = begin; i < end; ++i) world_[i] = source.frame.world(steps_[i]);
 }
 
@@ -51,33 +51,25 @@ Findings TetSlab<Index>::make_layer(Source& source, const PointSlab& points, std
   }
   const Timer timer(source.measuring);
   const std::int32_t behind = source.points_end(layer + 1);
-  const std::span<const Coord3> steps = points.steps(stuffing, layer, behind);
   const std::uint64_t first_point = stuffing.first_point(layer);
-  if (source.labeller)
-    label(source.labeller, steps, first_point, tets,
-          {labels_.begin() + begin, labels_.begin() + end});
-  Findings found;
   const std::span<const Tet<Index>> made = tets;
-  found.lattice = measure_lattice(steps, first_point, made);
-  found.world = measure_world(points.world(stuffing, layer, behind), first_point, made,
-                              Histogram::empty);
+  const std::span<const Coord3> steps = points.steps(stuffing, layer, behind);
+  quality::LatticeMeasurement lattice(steps);
+  quality::for_each_batch(steps, first_point, made,
+                          [&](std::size_t from, quality::Corners corners) {
+                            lattice.add(corners);
+                            if (source.labeller)
+                              source.labeller(corners, {labels_.begin() + begin + from,
+                                                        corners.size()});
+                          });
+  Findings found;
+  found.lattice = lattice.result();
+  if (points.has_world())
+    found.world = measure_world(points.world(stuffing, layer, behind), first_point, made,
+                                Histogram::empty);
   found.checksum.tets(first_tet, made);
   found.checksum.points(first_point, points.steps(stuffing, layer, layer + 1));
   return found;
-}
-
-template <class Index>
-void TetSlab<Index>::label(const Labeller& labeller, std::span<const Coord3> points,
-                           std::uint64_t first_point, std::span<const Tet<Index>> tets,
-                           std::span<std::int32_t> labels) const {
-  std::array<std::array<Coord3, 4>, 256> corners;
-  for (std::size_t begin = 0; begin < tets.size(); begin += corners.size()) {
-    const std::size_t count = std::min(corners.size(), tets.size() - begin);
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t v = 0; v < 4; ++v)
-        corners[i][v] = points[tets[begin + i][v] - first_point];
-    labeller(std::span(corners).first(count), labels.subspan(begin, count));
-  }
 }
 
 template <class Index>

@@ -28,16 +28,19 @@ struct Source {
   }
 };
 
-/// Points of some layers, in the coordinates of the file, and in steps.
+/// Points of some layers, in steps and, where they are wanted, in the coordinates
+/// of the file.
 class PointSlab {
  public:
-  explicit PointSlab(std::uint64_t capacity) : steps_(capacity), world_(capacity) {}
+  PointSlab(std::uint64_t capacity, bool world)
+      : steps_(capacity), world_(world ? capacity : 0) {}
 
   /// From now on, the points of layers from `begin` on.
   void open(const Source& source, std::int32_t begin) {
     first_ = source.stuffing.first_point(begin);
   }
   void make_layer(Source& source, std::int32_t layer);
+  [[nodiscard]] bool has_world() const { return !world_.empty(); }
 
   /// The points of layers [begin, end).
   [[nodiscard]] std::span<const Coord3> steps(const Stuffing& stuffing, std::int32_t begin,
@@ -74,9 +77,6 @@ class TetSlab {
   void write(Source& source, std::int32_t begin, std::int32_t end, MeshWriter& writer) const;
 
  private:
-  void label(const Labeller& labeller, std::span<const Coord3> points, std::uint64_t first_point,
-             std::span<const Tet<Index>> tets, std::span<std::int32_t> labels) const;
-
   std::uint64_t first_ = 0;
   Buffer<Tet<Index>> tets_;
   Buffer<std::int32_t> labels_;

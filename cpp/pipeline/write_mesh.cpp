@@ -108,18 +108,47 @@ void write_tets(Source& source, const Slabs& slabs, PointSlab& points, MeshWrite
   written.checksum = checksum.value();
 }
 
+/// The greatest magnitude of a coordinate of the lattice, in lattice units.
+std::int32_t reach(const Lattice& lattice) {
+  const Coord3 low = lattice.origin;
+  const Coord3 high = low + 2 * Coord3{lattice.cells[0], lattice.cells[1], lattice.cells[2]};
+  return std::max({-low.x, -low.y, -low.z, high.x, high.y, high.z});
+}
+
+/// Whether rounding to world coordinates could turn an angle by 1e-6 degrees.
+/// Points moved by 1e-11 long edges turn a face by less than that as long as its
+/// altitudes are above a 250th of a long edge; the least that random sign fields
+/// lead to is an eighth.
+bool rounding_matters(const Frame& frame, const Lattice& lattice) {
+  return !frame.is_rotation(1e-12) || !(frame.rounding(reach(lattice)) <= 1e-11);
+}
+
+/// A similarity transform changes nothing but the volume.
+Quality in_world(Quality lattice, const Frame& frame) {
+  lattice.volume *= frame.size * frame.size * frame.size;
+  lattice.histogram.fill(0);
+  return lattice;
+}
+
 void stop_if_cancelled(const Context& context) {
   if (context.cancelled) throw Error(ErrorCode::cancelled, "the run was interrupted");
 }
 
+void write_points(Source& source, const Slabs& slabs, MeshWriter& writer, Context& context) {
+  std::array<PointSlab, 2> points{PointSlab(slabs.points, true), PointSlab(slabs.points, true)};
+  write_points(source, slabs, points, writer, context);
+}
+
 WrittenMesh write_all(Source& source, const Slabs& slabs, MeshWriter& writer, Context& context) {
   WrittenMesh written;
-  std::array<PointSlab, 2> points{PointSlab(slabs.points), PointSlab(slabs.points)};
-  write_points(source, slabs, points, writer, context);
+  write_points(source, slabs, writer, context);
+  const bool rounds = rounding_matters(source.frame, source.stuffing.lattice());
+  PointSlab points(slabs.points, rounds);
   if (fits_32_bits(source.stuffing))
-    write_tets<std::uint32_t>(source, slabs, points[0], writer, context, written);
+    write_tets<std::uint32_t>(source, slabs, points, writer, context, written);
   else
-    write_tets<std::uint64_t>(source, slabs, points[0], writer, context, written);
+    write_tets<std::uint64_t>(source, slabs, points, writer, context, written);
+  if (!rounds) written.world = in_world(written.lattice, source.frame);
   written.emit_seconds = pipeline::seconds(source.emitting);
   written.measure_seconds = pipeline::seconds(source.measuring);
   written.write_seconds = pipeline::seconds(source.writing);

@@ -2,6 +2,7 @@
 /// \file
 /// Tetrahedra that are translates of each other, counted instead of measured.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -12,18 +13,41 @@
 
 namespace certet::quality {
 
-/// The vector from one position to another, in steps.
+/// The vector between two positions in range, in steps, as two words that are
+/// quickly subtracted and compared: x + 2^32 y, and z modulo 2^32.  Coordinates
+/// in range are less than 2^32 - 2^19 apart, so that the words of an edge that
+/// is not wide are those of no other.
 struct LatticeEdge {
-  std::int64_t x, y, z;
+  std::uint64_t xy = 0;
+  std::uint32_t z = 0;
 
   LatticeEdge() = default;
   LatticeEdge(Coord3 from, Coord3 to)
-      : x(std::int64_t{to.x} - from.x), y(std::int64_t{to.y} - from.y),
-        z(std::int64_t{to.z} - from.z) {}
-  friend bool operator==(const LatticeEdge&, const LatticeEdge&) = default;
+      : xy(word(to) - word(from)),
+        z(static_cast<std::uint32_t>(to.z) - static_cast<std::uint32_t>(from.z)) {}
+
+  [[nodiscard]] std::array<std::int64_t, 3> coordinates() const {
+    const auto x = static_cast<std::int32_t>(xy);
+    const std::uint64_t y = (xy - static_cast<std::uint64_t>(std::int64_t{x})) >> 32;
+    return {x, static_cast<std::int32_t>(y), static_cast<std::int32_t>(z)};
+  }
+
+  /// 2^19 steps or more along an axis.
+  [[nodiscard]] bool is_wide() const {
+    constexpr std::int64_t limit = std::int64_t{1} << 19;
+    return std::ranges::any_of(coordinates(),
+                               [](std::int64_t c) { return c < -limit || c >= limit; });
+  }
 
   [[nodiscard]] Point3 exact() const {
+    const auto [x, y, z] = coordinates();
     return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+  }
+
+ private:
+  static std::uint64_t word(Coord3 p) {
+    return static_cast<std::uint64_t>(std::int64_t{p.x}) +
+           (static_cast<std::uint64_t>(static_cast<std::uint32_t>(p.y)) << 32);
   }
 };
 
@@ -31,12 +55,31 @@ struct LatticeEdge {
 struct LatticeShape {
   LatticeEdge a, b, c;
 
-  friend bool operator==(const LatticeShape&, const LatticeShape&) = default;
+  LatticeShape() = default;
+  explicit LatticeShape(const std::array<Coord3, 4>& corners)
+      : a(corners[0], corners[1]), b(corners[0], corners[2]), c(corners[0], corners[3]) {}
 
+  /// Without a branch for each word.
+  friend bool operator==(const LatticeShape& p, const LatticeShape& q) {
+    return ((p.a.xy ^ q.a.xy) | (p.b.xy ^ q.b.xy) | (p.c.xy ^ q.c.xy) | (p.a.z ^ q.a.z) |
+            (p.b.z ^ q.b.z) | (p.c.z ^ q.c.z)) == 0;
+  }
+
+  [[nodiscard]] bool is_wide() const { return a.is_wide() || b.is_wide() || c.is_wide(); }
   [[nodiscard]] Edges exact() const { return {a.exact(), b.exact(), c.exact()}; }
+
+  /// Smaller than 2^60 if no edge is wide.
   [[nodiscard]] std::int64_t determinant() const {
-    return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
-           a.z * (b.x * c.y - b.y * c.x);
+    const auto u = a.coordinates(), v = b.coordinates(), w = c.coordinates();
+    return u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) +
+           u[2] * (v[0] * w[1] - v[1] * w[0]);
+  }
+
+  [[nodiscard]] std::uint64_t hash() const {
+    std::uint64_t hash = 0;
+    for (const LatticeEdge& edge : {a, b, c})
+      hash = ((hash + edge.xy) * 0x9e3779b97f4a7c15 + edge.z) * 0x9e3779b97f4a7c15;
+    return hash;
   }
 };
 
@@ -81,11 +124,7 @@ class ShapeCounter {
   };
 
   static std::uint32_t slot(const LatticeShape& shape) {
-    std::uint64_t hash = 0;
-    for (const LatticeEdge& edge : {shape.a, shape.b, shape.c})
-      for (const std::int64_t coordinate : {edge.x, edge.y, edge.z})
-        hash = (hash + static_cast<std::uint64_t>(coordinate)) * 0x9e3779b97f4a7c15;
-    return static_cast<std::uint32_t>(hash >> (64 - slot_bits));
+    return static_cast<std::uint32_t>(shape.hash() >> (64 - slot_bits));
   }
 
   std::vector<Entry> entries_ = std::vector<Entry>(std::size_t{1} << slot_bits);

@@ -2,6 +2,7 @@
 /// \file
 /// One number that tells whether two meshes are the same.
 
+#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -17,21 +18,15 @@ class Checksum {
  public:
   /// `first` is the number of the first point (tetrahedron) given.
   void points(std::uint64_t first, std::span<const Coord3> points) {
-    for (const Coord3 p : points) {
-      std::uint64_t hash = mix(point_seed ^ first++);
-      for (const std::int32_t c : {p.x, p.y, p.z})
-        hash = mix(hash ^ static_cast<std::uint64_t>(std::int64_t{c}));
-      sum_ += hash;
-    }
+    for (const Coord3 p : points)
+      sum_ += hash(word(p.x) | word(p.y) << 32, word(p.z), point_key + first++);
   }
 
   template <class Index>
   void tets(std::uint64_t first, std::span<const Tet<Index>> tets) {
-    for (const Tet<Index>& tet : tets) {
-      std::uint64_t hash = mix(tet_seed ^ first++);
-      for (const Index corner : tet) hash = mix(hash ^ std::uint64_t{corner});
-      sum_ += hash;
-    }
+    for (const auto [a, b, c, d] : tets)
+      sum_ += hash(std::uint64_t{a} ^ std::rotl(std::uint64_t{b}, 32),
+                   std::uint64_t{c} ^ std::rotl(std::uint64_t{d}, 32), tet_key + first++);
   }
 
   Checksum& operator+=(const Checksum& other) {
@@ -41,15 +36,21 @@ class Checksum {
   [[nodiscard]] std::uint64_t value() const { return sum_; }
 
  private:
-  static constexpr std::uint64_t point_seed = 0x9e3779b97f4a7c15;
-  static constexpr std::uint64_t tet_seed = 0xc2b2ae3d27d4eb4f;
+  static constexpr std::uint64_t point_key = std::uint64_t{1} << 62;
+  static constexpr std::uint64_t tet_key = std::uint64_t{1} << 63;
 
-  /// A bijection in which every bit of the result hangs on every bit given.
-  static constexpr std::uint64_t mix(std::uint64_t x) {
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-    return x ^ (x >> 31);
+  static constexpr std::uint64_t word(std::int32_t number) {
+    return static_cast<std::uint32_t>(number);
   }
+
+  /// Both halves of a 128-bit product, one upon the other: every bit of the
+  /// result hangs on every bit given.
+  static constexpr std::uint64_t hash(std::uint64_t a, std::uint64_t b, std::uint64_t key) {
+    const auto product = static_cast<Wide>(a + 0x9e3779b97f4a7c15 * key) *
+                         (b ^ 0xbf58476d1ce4e5b9 * key);
+    return static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
+  }
+  __extension__ using Wide = unsigned __int128;
 
   std::uint64_t sum_ = 0;
 };

@@ -2,7 +2,9 @@
 /// \file
 /// The similarity transform from lattice to world coordinates.
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "certet/coord3.hpp"
 
@@ -27,6 +29,28 @@ struct Frame {
     return {origin[0] + (axes[0][0] * x + axes[0][1] * y + axes[0][2] * z),
             origin[1] + (axes[1][0] * x + axes[1][1] * y + axes[1][2] * z),
             origin[2] + (axes[2][0] * x + axes[2][1] * y + axes[2][2] * z)};
+  }
+
+  /// How far `world` may move a coordinate by rounding, in long edges; for
+  /// positions whose coordinates are at most `reach` lattice units.  Each
+  /// coordinate is a sum of three products and the origin: with u = 2^-53, three
+  /// products of three factors come within 2u of each, their sum within 2u more,
+  /// and the last addition within u of the result.
+  [[nodiscard]] double rounding(std::int32_t reach) const {
+    const double farthest = std::max({std::fabs(origin[0]), std::fabs(origin[1]),
+                                      std::fabs(origin[2])});
+    return std::ldexp(farthest / size + 16 * (0.5 * reach), -53);
+  }
+
+  /// Whether `axes` are orthonormal but for `tolerance`.
+  [[nodiscard]] bool is_rotation(double tolerance) const {
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::size_t b = 0; b <= a; ++b) {
+        double dot = 0;
+        for (std::size_t r = 0; r < 3; ++r) dot += axes[r][a] * axes[r][b];
+        if (!(std::fabs(dot - (a == b ? 1 : 0)) <= tolerance)) return false;
+      }
+    return true;
   }
 };
 

@@ -72,8 +72,8 @@ Quality measure_world(std::span<const Point3> points, std::uint64_t first_point,
 /// tetrahedron is looked at; those whose edges are the same integer vectors have
 /// the same angles and volume, which are computed once.
 /// \throws Error `bad_input` if a tetrahedron is 2^19 steps wide (eight lattice
-/// units) or wider along an axis; those that stuffing makes are at most half
-/// as wide.
+/// units) or wider along an axis, or beyond `coordinate_limit`; those that
+/// stuffing makes are at most half as wide.
 Quality measure_lattice(std::span<const Coord3> points, std::uint64_t first_point,
                         std::span<const Tet<std::uint32_t>> tets);
 Quality measure_lattice(std::span<const Coord3> points, std::uint64_t first_point,

@@ -70,6 +70,7 @@ class Stuffing {
   [[nodiscard]] std::uint64_t point_count() const;
   [[nodiscard]] std::uint64_t tet_count() const;
 
+  [[nodiscard]] const Lattice& lattice() const;
   /// The thresholds that were used in the end.
   [[nodiscard]] Guarantee guarantee() const;
   /// All-zero tetrahedra that the `angles` thresholds had inverted; if there

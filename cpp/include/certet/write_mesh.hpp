@@ -36,7 +36,9 @@ Slabs cut_slabs(const Stuffing& stuffing, std::uint64_t max_bytes);
 /// What is known of a mesh that has been written.
 struct WrittenMesh {
   Quality lattice;  ///< in exact lattice coordinates
-  Quality world;    ///< in the coordinates that the file has; without histogram
+  /// In the coordinates that the file has; without histogram.  That of the lattice
+  /// where rounding cannot turn an angle by 1e-6 degrees, and measured elsewhere.
+  Quality world;
   std::uint64_t checksum = 0;
   /// Of all threads together; they overlap.
   double emit_seconds = 0, measure_seconds = 0, write_seconds = 0;

@@ -1,0 +1,117 @@
+/// Writing a counted mesh: what is reported of the file's coordinates.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "certet/write_mesh.hpp"
+#include "domains.hpp"
+
+namespace certet {
+namespace {
+
+/// Keeps what it is given.
+class Keeper final : public MeshWriter {
+ public:
+  void points(std::span<const Point3> points) override {
+    points_.insert(points_.end(), points.begin(), points.end());
+  }
+  void tets(std::span<const Tet<std::uint32_t>> tets, std::span<const std::int32_t>) override {
+    tets_.insert(tets_.end(), tets.begin(), tets.end());
+  }
+  void tets(std::span<const Tet<std::uint64_t>>, std::span<const std::int32_t>) override {
+    FAIL() << "indices fit 32 bits";
+  }
+  void finish() override {}
+
+  [[nodiscard]] Quality measured() const {
+    return measure_world(points_, 0, std::span<const Tet<std::uint32_t>>(tets_),
+                         Histogram::empty);
+  }
+
+ private:
+  std::vector<Point3> points_;
+  std::vector<Tet<std::uint32_t>> tets_;
+};
+
+/// A turned frame whose origin is `distance` long edges away along each axis.
+Frame far_frame(double distance) {
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  Frame frame{.axes = {{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}}, .size = 0.37};
+  frame.origin.fill(distance * frame.size);
+  return frame;
+}
+
+struct Outcome {
+  Quality told, measured;
+  double rounding;
+};
+
+Outcome write(const Frame& frame) {
+  const auto domain = domains::of_level([](double x, double y, double z) {
+    return std::sin(3.1 * x + 1.7 * y) + std::sin(2.3 * y - 4.1 * z) + std::sin(5.3 * z + x);
+  });
+  Context context;
+  const Stuffing stuffing(domain, {{-16, -16, -16}, {16, 16, 16}}, {}, context);
+  Keeper keeper;
+  const WrittenMesh written =
+      write_mesh(stuffing, frame, cut_slabs(stuffing, 0), {}, keeper, context);
+  return {written.world, keeper.measured(), frame.rounding(16)};
+}
+
+TEST(WrittenMesh, NearTheOriginTheWorldHasTheAnglesOfTheLattice) {
+  for (const double distance : {0.0, 1.0, 1e3, 8e4}) {
+    const auto [told, measured, rounding] = write(far_frame(distance));
+    EXPECT_LE(rounding, 1e-11);
+    EXPECT_NEAR(told.min_dihedral, measured.min_dihedral, 1e-6);
+    EXPECT_NEAR(told.max_dihedral, measured.max_dihedral, 1e-6);
+    EXPECT_NEAR(told.volume, measured.volume, 1e-6 * measured.volume);
+    EXPECT_EQ(told.nonpositive, measured.nonpositive);
+    EXPECT_EQ(told.tets, measured.tets);
+  }
+}
+
+TEST(WrittenMesh, FarFromTheOriginAnglesAreMeasured) {
+  for (const double distance : {1e6, 1e9, 1e12}) {
+    const auto [told, measured, rounding] = write(far_frame(distance));
+    EXPECT_GT(rounding, 1e-11);
+    EXPECT_EQ(told.min_dihedral, measured.min_dihedral);
+    EXPECT_EQ(told.max_dihedral, measured.max_dihedral);
+    EXPECT_EQ(told.nonpositive, measured.nonpositive);
+  }
+  // The error that would be overlooked otherwise.
+  const auto [told, measured, rounding] = write(far_frame(1e12));
+  EXPECT_GT(std::fabs(told.min_dihedral - write(far_frame(0)).told.min_dihedral), 1e-4);
+}
+
+TEST(WrittenMesh, AFrameThatIsNoRotationIsMeasured) {
+  Frame sheared = far_frame(0);
+  sheared.axes[0][1] += 0.3;
+  const auto [told, measured, rounding] = write(sheared);
+  EXPECT_EQ(told.min_dihedral, measured.min_dihedral);
+  EXPECT_GT(std::fabs(told.min_dihedral - write(far_frame(0)).told.min_dihedral), 1e-2);
+}
+
+/// The bound itself: no point is farther from its exact place.
+TEST(Frame, RoundingIsBounded) {
+  for (const double distance : {0.0, 3.0, 1e6}) {
+    const Frame frame = far_frame(distance);
+    const double bound = frame.rounding(1000) * frame.size;
+    for (std::int32_t n = -1000; n <= 1000; n += 7) {
+      const Coord3 position{n * steps + 12345, -n * steps + 777, n * steps - 1};
+      const Point3 world = frame.world(position);
+      for (std::size_t r = 0; r < 3; ++r) {
+        const long double unit = static_cast<long double>(frame.size) / (2.0L * steps);
+        const long double exact =
+            frame.origin[r] + unit * (frame.axes[r][0] * static_cast<long double>(position.x) +
+                                      frame.axes[r][1] * static_cast<long double>(position.y) +
+                                      frame.axes[r][2] * static_cast<long double>(position.z));
+        EXPECT_LE(std::fabs(static_cast<double>(world[r] - exact)), bound);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace certet
