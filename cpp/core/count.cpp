@@ -47,12 +47,13 @@ static_assert([] {
 }());
 
 std::uint64_t count_tets(const SignPlanes& planes, int j, int k) {
+  const SignRows signs(planes, j, k);
   std::uint64_t count = 0;
   for (int w = 0; w < planes.words(); ++w) {
     std::array<SignWord, cell_vertex_count> vertex;
     std::uint64_t any_plus = 0;
     for (int v = 0; v < cell_vertex_count; ++v) {
-      vertex[v] = signs_at(planes, cell.vertices[v], j, k, w);
+      vertex[v] = signs.at(cell.vertices[v], w);
       any_plus |= vertex[v].plus;
     }
     if (any_plus == 0) continue;

@@ -31,7 +31,8 @@ class TetEmitter {
   void emit_row() {
     for (int y = 0; y < 2; ++y)
       for (int z = 0; z < 2; ++z) first_point_[y][z] = row_number(j_ + y, k_ + z);
-    for (int w = 0; w < planes_.words(); ++w) emit_word(w);
+    const SignRows signs(planes_, j_, k_);
+    for (int w = 0; w < planes_.words(); ++w) emit_word(signs, w);
     ++j_;
     window_.next();
   }
@@ -45,11 +46,11 @@ class TetEmitter {
                              static_cast<std::size_t>(j)]);
   }
 
-  void emit_word(int w) {
+  void emit_word(const SignRows& signs, int w) {
     std::uint64_t any_plus = 0;
     std::uint64_t all_plus = ~std::uint64_t{0};
     for (int v = 0; v < cell_vertex_count; ++v) {
-      vertex_[v] = signs_at(planes_, cell.vertices[v], j_, k_, w);
+      vertex_[v] = signs.at(cell.vertices[v], w);
       any_plus |= vertex_[v].plus;
       all_plus &= vertex_[v].plus;
     }

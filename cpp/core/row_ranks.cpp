@@ -27,13 +27,13 @@ constexpr std::array<std::array<int, 2>, family_count> family_ends = [] {
 }();
 
 /// Where the edges owned by the indices of a word are cut.
-std::array<std::uint64_t, family_count> cut_masks(const SignPlanes& planes, int j, int k, int w) {
+std::array<std::uint64_t, family_count> cut_masks(const SignRows& rows, int w) {
   std::array<std::uint64_t, edge_ends.size()> plus;
   std::array<std::uint64_t, edge_ends.size()> minus;
   std::uint64_t any_plus = 0;
   std::uint64_t any_minus = 0;
   for (std::size_t n = 0; n < edge_ends.size(); ++n) {
-    const SignWord signs = signs_at(planes, edge_ends[n], j, k, w);
+    const SignWord signs = rows.at(edge_ends[n], w);
     any_plus |= plus[n] = signs.plus;
     any_minus |= minus[n] = signs.minus();
   }
@@ -53,13 +53,14 @@ void RowRanks::compute(const SignPlanes& planes, int j, int k) {
   entries_.assign(static_cast<std::size_t>(words_ * kind_count), {});
   count_ = corners_ = 0;
   if (j < 0 || k < 0 || j >= planes.cells()[1] || k >= planes.cells()[2]) return;
+  const SignRows rows(planes, j, k);
   for (int w = 0; w < words_; ++w) {
     Entry* const entry = &entries_[static_cast<std::size_t>(w * kind_count)];
     for (const Grid grid : {even, odd}) {
-      const SignWord own = signs_at(planes, {grid, {}}, j, k, w);
+      const SignWord own = rows.at({grid, {}}, w);
       entry[grid].mask = own.plus | own.zero;
     }
-    const auto masks = cut_masks(planes, j, k, w);
+    const auto masks = cut_masks(rows, w);
     for (int f = 0; f < family_count; ++f) entry[corner_kinds + f].mask = masks[f];
   }
   number_entries();

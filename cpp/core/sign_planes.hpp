@@ -3,6 +3,7 @@
 /// The signs of all lattice vertices, two bits each.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -81,12 +82,25 @@ struct SignWord {
   [[nodiscard]] constexpr std::uint64_t minus() const { return ~(plus | zero); }
 };
 
-/// Signs of the vertices at `ref` from the indices of word w of row (j,k).
-inline SignWord signs_at(const SignPlanes& planes, VertexRef ref, int j, int k, int w) {
-  const int y = j + ref.shift.y;
-  const int z = k + ref.shift.z;
-  return {shifted(planes.plus(ref.grid, y, z), w, ref.shift.x),
-          shifted(planes.zero(ref.grid, y, z), w, ref.shift.x)};
-}
+/// Signs as seen from a row: addresses are worked out once for all its words.
+class SignRows {
+ public:
+  SignRows(const SignPlanes& planes, int j, int k)
+      : plus_{planes.plus(even, j, k), planes.plus(odd, j, k)},
+        zero_{planes.zero(even, j, k), planes.zero(odd, j, k)},
+        row_stride_(planes.plus(even, j + 1, k) - plus_[even]),
+        layer_stride_(planes.plus(even, j, k + 1) - plus_[even]) {}
+
+  /// The vertices at `ref` from the indices of word w.
+  [[nodiscard]] SignWord at(VertexRef ref, int w) const {
+    const std::ptrdiff_t row = ref.shift.y * row_stride_ + ref.shift.z * layer_stride_;
+    return {shifted(plus_[ref.grid] + row, w, ref.shift.x),
+            shifted(zero_[ref.grid] + row, w, ref.shift.x)};
+  }
+
+ private:
+  std::array<const std::uint64_t*, grid_count> plus_, zero_;
+  std::ptrdiff_t row_stride_, layer_stride_;
+};
 
 }  // namespace certet::core

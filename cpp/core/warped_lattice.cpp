@@ -15,11 +15,11 @@ struct CutEdges {
   std::uint64_t any;   ///< those with a cut anywhere
   std::array<std::uint64_t, direction_count> towards;
 
-  CutEdges(const SignPlanes& planes, Grid grid, int j, int k, int w) : any(0) {
-    const SignWord own = signs_at(planes, {grid, {}}, j, k, w);
+  CutEdges(const SignRows& rows, Grid grid, int w) : any(0) {
+    const SignWord own = rows.at({grid, {}}, w);
     plus = own.plus;
     for (int d = 0; d < direction_count; ++d) {
-      const SignWord other = signs_at(planes, neighbor(grid, d), j, k, w);
+      const SignWord other = rows.at(neighbor(grid, d), w);
       towards[d] = (own.plus & other.minus()) | (own.minus() & other.plus);
       any |= towards[d];
     }
@@ -46,16 +46,17 @@ class LayerWarper {
     ZeroLayer moves;
     for (j_ = 0; j_ < planes_.cells()[1]; ++j_, window_.next()) {
       moves.row_begin.push_back(static_cast<std::uint32_t>(moves.displacements.size()));
+      const SignRows rows(planes_, j_, k_);
       for (const Grid grid : {even, odd})
         for (int w = 0; w < planes_.words(); ++w)
-          violated.plus(grid, j_, k_)[w] = warp_word(grid, w, moves);
+          violated.plus(grid, j_, k_)[w] = warp_word(rows, grid, w, moves);
     }
     return moves;
   }
 
  private:
-  std::uint64_t warp_word(Grid grid, int w, ZeroLayer& moves) const {
-    const CutEdges edges(planes_, grid, j_, k_, w);
+  std::uint64_t warp_word(const SignRows& rows, Grid grid, int w, ZeroLayer& moves) const {
+    const CutEdges edges(rows, grid, w);
     std::uint64_t violated = 0;
     for_each_bit(edges.any, [&](int b) {
       const Warping warping = warp_vertex(edges, grid, w, b);
