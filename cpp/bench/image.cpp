@@ -1,13 +1,14 @@
 /// The engine alone on the labels of an image, to compare the command with.
 ///
-/// usage: certet_bench_image FILE SIZE THREADS REPEATS
-/// Cuts are in the middle of edges.  Prints one JSON object; times are in
+/// usage: certet_bench_image FILE SIZE CUTS THREADS REPEATS
+/// CUTS is bisect or midpoint.  Prints one JSON object; times are in
 /// seconds, those of the engine the least of the repeats.
 
 #include <cstdlib>
 #include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "certet/error.hpp"
 #include "certet/image.hpp"
@@ -18,7 +19,7 @@ namespace {
 using namespace certet;
 using namespace certet::bench;
 
-nlohmann::json measure(const char* file, double size, int threads, int repeats) {
+nlohmann::json measure(const char* file, double size, Cuts cuts, int threads, int repeats) {
   const double start = now();
   const auto domain = label_domain(
       read_image(file, std::numeric_limits<std::uint64_t>::max()), {}, {.size = size});
@@ -26,7 +27,7 @@ nlohmann::json measure(const char* file, double size, int threads, int repeats) 
   EngineRun engine(threads);
   nlohmann::json json;
   for (; repeats > 0; --repeats)
-    json = engine.report(engine.run(*domain, domain->lattice(), {.cuts = Cuts::midpoint}));
+    json = engine.report(engine.run(*domain, domain->lattice(), {.cuts = cuts}));
   json["read_seconds"] = read_seconds;
   json["peak_bytes"] = peak_bytes();
   return json;
@@ -35,12 +36,14 @@ nlohmann::json measure(const char* file, double size, int threads, int repeats) 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) {
-    std::cerr << "usage: certet_bench_image FILE SIZE THREADS REPEATS\n";
+  if (argc != 6) {
+    std::cerr << "usage: certet_bench_image FILE SIZE CUTS THREADS REPEATS\n";
     return 2;
   }
   try {
-    std::cout << measure(argv[1], std::atof(argv[2]), std::atoi(argv[3]), std::atoi(argv[4]))
+    const Cuts cuts = std::string_view(argv[3]) == "bisect" ? Cuts::bisect : Cuts::midpoint;
+    std::cout << measure(argv[1], std::atof(argv[2]), cuts, std::atoi(argv[4]),
+                         std::atoi(argv[5]))
               << '\n';
   } catch (const Error& error) {
     std::cerr << "certet_bench_image: " << error.what() << '\n';

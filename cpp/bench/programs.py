@@ -51,8 +51,8 @@ class Programs:
         out, _, _ = run([self.bin / "certet_bench_whole", *joined, repeats], self.folder)
         return [json.loads(line) for line in out.splitlines()]
 
-    def image(self, file, size, threads, repeats):
-        out, _, _ = run([self.bin / "certet_bench_image", file, size, threads, repeats],
+    def image(self, file, size, cuts, threads, repeats):
+        out, _, _ = run([self.bin / "certet_bench_image", file, size, cuts, threads, repeats],
                         self.folder)
         return json.loads(out)
 

@@ -1,99 +1,142 @@
 #include "warped_lattice.hpp"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "parallel.hpp"
-#include "row_window.hpp"
+#include "row_ranks.hpp"
 
 namespace certet::core {
 namespace {
 
-/// The edges around the 64 vertices of a word: for each direction, which of the
-/// vertices have a cut on that edge.
-struct CutEdges {
-  std::uint64_t plus;  ///< the vertices that are plus
-  std::uint64_t any;   ///< those with a cut anywhere
-  std::array<std::uint64_t, direction_count> towards;
-
-  CutEdges(const SignRows& rows, Grid grid, int w) : any(0) {
-    const SignWord own = rows.at({grid, {}}, w);
-    plus = own.plus;
+/// The direction of a family's edge as its first and its second end see it.
+constexpr std::array<std::array<int, 2>, family_count> family_directions = [] {
+  std::array<std::array<int, 2>, family_count> table{};
+  for (const Grid grid : {even, odd})
     for (int d = 0; d < direction_count; ++d) {
-      const SignWord other = rows.at(neighbor(grid, d), w);
-      towards[d] = (own.plus & other.minus()) | (own.minus() & other.plus);
-      any |= towards[d];
+      const EdgeRef& edge = edges_of[grid][d];
+      table[edge.kind - corner_kinds][edge.is_first ? 0 : 1] = d;
     }
+  return table;
+}();
+
+/// The cuts that violate the vertices of one row, collected from the edges.
+class ViolatedRow {
+ public:
+  explicit ViolatedRow(int words)
+      : words_(words), violated_(static_cast<std::size_t>(grid_count * words)),
+        vertices_(static_cast<std::size_t>(grid_count * words) * 64) {}
+
+  void add(Grid grid, int i, int direction, std::int32_t cut) {
+    const std::size_t word = word_of(grid, i >> 6);
+    violated_[word] |= std::uint64_t{1} << (i & 63);
+    Vertex& vertex = vertices_[64 * word + static_cast<std::size_t>(i & 63)];
+    vertex.edges |= std::uint32_t{1} << direction;
+    vertex.cut[static_cast<std::size_t>(direction)] = cut;
   }
 
-  /// The directions of the cuts around vertex b, as bits.
-  [[nodiscard]] std::uint32_t around(int b) const {
-    std::uint32_t directions = 0;
-    for (int d = 0; d < direction_count; ++d)
-      directions |= static_cast<std::uint32_t>(towards[d] >> b & 1) << d;
-    return directions;
+  /// Where the vertices of a word go, in the order of the index; they are
+  /// forgotten then.  \returns which ones move.
+  std::uint64_t take(Grid grid, int w, const Thresholds& thresholds,
+                     std::vector<Displacement>& moves) {
+    const std::size_t word = word_of(grid, w);
+    for_each_bit(violated_[word], [&](int b) {
+      Vertex& vertex = vertices_[64 * word + static_cast<std::size_t>(b)];
+      const Warping warping = warp(thresholds, std::exchange(vertex.edges, 0), vertex.cut);
+      moves.push_back({static_cast<std::uint16_t>(warping.distance),
+                       static_cast<std::uint8_t>(warping.direction)});
+    });
+    return std::exchange(violated_[word], 0);
   }
+
+ private:
+  struct Vertex {
+    std::uint32_t edges = 0;  ///< a bit for each direction
+    std::array<std::int32_t, direction_count> cut;
+  };
+  [[nodiscard]] std::size_t word_of(Grid grid, int w) const {
+    return static_cast<std::size_t>(grid * words_ + w);
+  }
+
+  int words_;
+  std::vector<std::uint64_t> violated_;
+  std::vector<Vertex> vertices_;
 };
 
-/// Decides over the vertices of one layer.
+/// Decides over the vertices of one layer.  Goes through the cuts once, in
+/// their order, and leaves each with the end that it violates, if any.
 class LayerWarper {
  public:
   LayerWarper(const SignPlanes& planes, const std::vector<CutLayer>& cuts,
               const Thresholds& thresholds, int k)
       : planes_(planes), cuts_(cuts), thresholds_(thresholds), k_(k),
-        window_(planes, -1, k - 1) {}
+        rows_{ViolatedRow(planes.words()), ViolatedRow(planes.words())} {}
 
   ZeroLayer warp_layer(SignPlanes& violated) {
     ZeroLayer moves;
-    for (j_ = 0; j_ < planes_.cells()[1]; ++j_, window_.next()) {
+    for (int j = 0; j < planes_.cells()[1]; ++j) {
+      if (k_ > 0) collect(j, k_ - 1);
+      collect(j, k_);
       moves.row_begin.push_back(static_cast<std::uint32_t>(moves.displacements.size()));
-      const SignRows rows(planes_, j_, k_);
       for (const Grid grid : {even, odd})
         for (int w = 0; w < planes_.words(); ++w)
-          violated.plus(grid, j_, k_)[w] = warp_word(rows, grid, w, moves);
+          violated.plus(grid, j, k_)[w] =
+              rows_[j & 1].take(grid, w, thresholds_, moves.displacements);
     }
     return moves;
   }
 
  private:
-  std::uint64_t warp_word(const SignRows& rows, Grid grid, int w, ZeroLayer& moves) const {
-    const CutEdges edges(rows, grid, w);
-    std::uint64_t violated = 0;
-    for_each_bit(edges.any, [&](int b) {
-      const Warping warping = warp_vertex(edges, grid, w, b);
-      if (!warping.moves()) return;
-      violated |= std::uint64_t{1} << b;
-      moves.displacements.push_back({static_cast<std::uint16_t>(warping.distance),
-                                     static_cast<std::uint8_t>(warping.direction)});
-    });
-    return violated;
-  }
-
-  Warping warp_vertex(const CutEdges& edges, Grid grid, int w, int b) const {
-    const bool plus = (edges.plus >> b & 1) != 0;
-    const std::uint32_t cut_edges = edges.around(b);
-    std::array<std::int32_t, direction_count> cut;
-    for (std::uint32_t left = cut_edges; left != 0; left &= left - 1) {
-      const int d = std::countr_zero(left);
-      const std::int32_t from_plus = cut_on(edges_of[grid][d], w, b);
-      cut[d] = plus ? from_plus : steps - from_plus;
+  /// The cuts that row (j,k) owns.  Their ends are in rows j and j + 1, and in
+  /// layers k and k + 1.
+  void collect(int j, int k) {
+    row_.compute(planes_, j, k);
+    const CutLayer& layer = cuts_[static_cast<std::size_t>(k)];
+    const std::uint16_t* cut = layer.steps.data() + layer.row_begin[static_cast<std::size_t>(j)];
+    for (int f = 0; f < family_count; ++f) {
+      const bool first_counts = k == k_;
+      const bool second_counts = k + families[f].second.shift.z == k_;
+      for (int w = 0; w < row_.words(); ++w) {
+        const std::uint64_t mask = row_.mask(corner_kinds + f, w);
+        const std::uint64_t first_plus = planes_.plus(families[f].first.grid, j, k)[w];
+        if (first_counts || second_counts)
+          collect_word(f, j, w, mask, first_plus, cut, {first_counts, second_counts});
+        cut += std::popcount(mask);
+      }
     }
-    return warp(thresholds_, cut_edges, cut);
   }
 
-  std::int32_t cut_on(const EdgeRef& edge, int w, int b) const {
-    const WordBit at = WordBit{w, b}.moved(edge.owner.x);
-    const RowRanks& row = window_.row(1 + edge.owner.y, 1 + edge.owner.z);
-    const CutLayer& layer = cuts_[static_cast<std::size_t>(k_ + edge.owner.z)];
-    return layer.at(j_ + edge.owner.y, row, row.rank(edge.kind, at.w, at.b));
+  void collect_word(int f, int j, int w, std::uint64_t mask, std::uint64_t first_plus,
+                    const std::uint16_t* cut, std::array<bool, 2> counts) {
+    const std::int32_t threshold = thresholds_.in_steps(family_directions[f][0]);
+    for_each_bit(mask, [&](int b) {
+      const std::int32_t from_plus = *cut++;
+      const std::int32_t from_minus = steps - from_plus;
+      const bool plus = from_plus < threshold;
+      if (!plus && from_minus >= threshold) return;
+      const bool second = plus != ((first_plus >> b & 1) != 0);
+      if (!counts[second]) return;
+      const VertexRef& end = second ? families[f].second : families[f].first;
+      rows_[(j + end.shift.y) & 1].add(end.grid, 64 * w + b + end.shift.x,
+                                       family_directions[f][second],
+                                       plus ? from_plus : from_minus);
+    });
   }
 
   const SignPlanes& planes_;
   const std::vector<CutLayer>& cuts_;
   const Thresholds& thresholds_;
   int k_;
-  int j_ = 0;
-  RowWindow window_;  ///< rows j-1..j of layers k-1..k
+  RowRanks row_;
+  std::array<ViolatedRow, 2> rows_;  ///< of the even and the odd row in hand
 };
+
+/// A cut is nearer to one end than the thresholds of both, so that it cannot
+/// violate both.
+static_assert(2 * std::max({angle_thresholds.long_edge, angle_thresholds.short_edge,
+                            embedding_thresholds.long_edge, embedding_thresholds.short_edge}) <=
+              256);
 
 /// The cuts that are left in layer k, in the order of the new signs.
 CutLayer remaining_cuts(const SignPlanes& before, const CutLayer& cuts, const SignPlanes& after,
