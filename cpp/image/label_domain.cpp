@@ -5,6 +5,7 @@
 #include "axis_table.hpp"
 #include "certet/error.hpp"
 #include "certet/image.hpp"
+#include "geometry.hpp"
 #include "voxel_mask.hpp"
 
 namespace certet {
@@ -278,6 +279,7 @@ class LabelDomain final : public ImageDomain {
 
 std::unique_ptr<ImageDomain> label_domain(Image image, std::vector<LabelRange> labels,
                                           const ImageLattice& lattice) {
+  judge_geometry(image);
   const bool all = labels.empty();
   const LabelSet set(std::move(labels));
   return std::visit(

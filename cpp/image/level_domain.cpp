@@ -7,6 +7,7 @@
 #include "axis_table.hpp"
 #include "certet/error.hpp"
 #include "certet/image.hpp"
+#include "geometry.hpp"
 #include "placement.hpp"
 
 namespace certet {
@@ -230,6 +231,7 @@ class LevelDomain final : public ImageDomain {
 
 std::unique_ptr<ImageDomain> level_domain(Image image, double level,
                                           const ImageLattice& lattice) {
+  judge_geometry(image);
   if (!std::isfinite(level))
     throw Error(ErrorCode::bad_option, "the level must be a finite number");
   return std::visit(

@@ -13,6 +13,7 @@
 #include "certet/error.hpp"
 #include "certet/image.hpp"
 #include "completeness.hpp"
+#include "geometry.hpp"
 
 namespace certet {
 namespace {
@@ -81,44 +82,15 @@ std::uint64_t judge_bytes(const fs::path& file, const Reader& header,
   return bytes;
 }
 
-/// Deviations from an orthonormal matrix up to this are taken for rounding.
-constexpr double direction_tolerance = 1e-3;
-
-double dot(const Point3& a, const Point3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/// Makes nearly orthonormal columns orthonormal (Gram and Schmidt).
-void orthonormalise(const fs::path& file, std::array<Point3, 3>& column) {
-  for (std::size_t a = 0; a < 3; ++a)
-    for (std::size_t b = 0; b <= a; ++b)
-      if (!(std::abs(dot(column[a], column[b]) - (a == b ? 1 : 0)) <= direction_tolerance))
-        refuse(file, "has a direction matrix that is not orthonormal (sheared or singular)");
-  for (std::size_t a = 0; a < 3; ++a) {
-    for (std::size_t b = 0; b < a; ++b) {
-      const double along = dot(column[a], column[b]);
-      for (std::size_t r = 0; r < 3; ++r) column[a][r] -= along * column[b][r];
-    }
-    const double length = std::sqrt(dot(column[a], column[a]));
-    for (std::size_t r = 0; r < 3; ++r) column[a][r] /= length;
-  }
-}
-
-void read_geometry(const fs::path& file, const Reader& header, Image& image) {
-  std::array<Point3, 3> column;
+void read_geometry(const Reader& header, Image& image) {
   for (unsigned a = 0; a < 3; ++a) {
     image.size[a] = static_cast<std::int64_t>(header.GetDimensions(a));
     image.spacing[a] = header.GetSpacing(a);
     image.origin[a] = header.GetOrigin(a);
-    if (!std::isfinite(image.spacing[a]) || image.spacing[a] <= 0)
-      refuse(file, "has a voxel spacing that is not a positive number");
-    if (!std::isfinite(image.origin[a])) refuse(file, "has an origin that is not finite");
     const std::vector<double> direction = header.GetDirection(a);
-    std::copy_n(direction.begin(), 3, column[a].begin());
+    for (std::size_t r = 0; r < 3; ++r) image.axes[r][a] = direction[r];
   }
-  orthonormalise(file, column);
-  for (std::size_t r = 0; r < 3; ++r)
-    for (std::size_t a = 0; a < 3; ++a) image.axes[r][a] = column[a][r] + 0.0;  // no -0
+  judge_geometry(image);
 }
 
 template <class T>
@@ -183,7 +155,7 @@ Image read(const fs::path& file, std::uint64_t max_bytes) {
   auto complete = std::async(std::launch::async, is_complete, file, bytes);
   Image image;
   image.name = file.string();
-  read_geometry(file, *reader, image);
+  read_geometry(*reader, image);
   itk::ImageIORegion region(reader->GetNumberOfDimensions());
   for (unsigned d = 0; d < reader->GetNumberOfDimensions(); ++d)
     region.SetSize(d, reader->GetDimensions(d));
