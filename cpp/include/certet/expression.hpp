@@ -24,11 +24,16 @@ bool can_read_expressions();
 /// Beyond the bounds all is outside, which closes the solid there; where the
 /// formula gives NaN is outside too.
 ///
-/// The formula is muParser's: + - * / ^ and comparisons, c ? a : b, min max abs
-/// sqrt exp log (natural) log10 sin cos tan asin acos atan sinh cosh tanh atan2,
-/// and pow(a,b) floor ceil hypot(a,b,…) clamp(v,low,high), pi and e.
+/// The formula is read as muParser reads it: + - * / ^ (to the right first, and
+/// before a minus sign: -x^2 is -(x^2)), comparisons, && and || (true is 1), and
+/// c ? a : b.  Functions: min max sum avg hypot length of any number of operands;
+/// abs sign sqrt exp log (ln) log2 log10 sin cos tan asin acos atan sinh cosh tanh
+/// asinh acosh atanh floor ceil round trunc rint not; atan2(y,x) pow(a,b) fmod(a,b);
+/// clamp(v,low,high) mix(a,b,t) if(c,a,b); pi and e.  A smooth union of a and b,
+/// rounded over about 1/k: -log(exp(-k*a)+exp(-k*b))/k.
 ///
-/// Evaluates in several threads at once, each with a parser of its own.
+/// Points are computed in batches, and blocks of the lattice that interval
+/// arithmetic proves to lie on one side are not computed at all.
 class ExpressionDomain final : public Domain {
  public:
   /// `size` is the long edge in world units; 0: a 64th of the longest side of
