@@ -1,38 +1,15 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "batch.hpp"
-#include "certet/error.hpp"
 #include "certet/expression.hpp"
-#include "certet/structured_tet.hpp"
 #include "parse.hpp"
 #include "range.hpp"
 
 namespace certet {
 namespace {
-
-double checked_size(const Bounds& bounds, double size) {
-  double longest = 0;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double side = bounds.high[a] - bounds.low[a];
-    if (!std::isfinite(side) || side <= 0)
-      throw Error(ErrorCode::bad_option,
-                  "the bounds must be finite, and each low one less than the high one");
-    longest = std::max(longest, side);
-  }
-  const double chosen = size == 0 ? longest / 64 : size;
-  if (!std::isfinite(chosen) || chosen <= 0)
-    throw Error(ErrorCode::bad_option, "the size must be a positive number");
-  return chosen;
-}
-
-/// Even cells, so that the even point (0,0,0) is in the middle.
-std::int32_t cells_along(double side, double size, std::int32_t margin) {
-  return checked_cells(2 * (std::ceil(side / (2 * size)) + margin));
-}
 
 /// How far a point is beyond the bounds along one axis; negative within.
 NodeId record_beyond(const Bounds& bounds, Tape& tape) {
@@ -63,10 +40,12 @@ struct CutFormula {
 }  // namespace
 
 struct ExpressionDomain::State {
-  State(const std::string& text, const Bounds& bounds)
+  State(const std::string& text, const Bounds& bounds, const BoxLattice& around)
       : formula(text, bounds),
         of_rows(formula.tape, formula.level, Batch::row),
-        of_points(formula.tape, formula.level, Batch::points) {}
+        of_points(formula.tape, formula.level, Batch::points),
+        frame(around.frame),
+        lattice(around.lattice) {}
 
   CutFormula formula;
   BatchFormula of_rows, of_points;
@@ -84,19 +63,9 @@ void judge(const Coordinates& levels, std::span<Sign> out) {
 
 }  // namespace
 
-ExpressionDomain::ExpressionDomain(std::string formula, const Bounds& bounds, double size,
+ExpressionDomain::ExpressionDomain(const std::string& formula, const Bounds& bounds, double size,
                                    std::int32_t margin)
-    : state_(new State(formula, bounds)) {
-  if (margin < 1) throw Error(ErrorCode::bad_option, "the margin must be at least 1");
-  Frame& frame = state_->frame;
-  Lattice& lattice = state_->lattice;
-  frame.size = checked_size(bounds, size);
-  for (std::size_t a = 0; a < 3; ++a) {
-    frame.origin[a] = 0.5 * (bounds.low[a] + bounds.high[a]);
-    lattice.cells[a] = cells_along(bounds.high[a] - bounds.low[a], frame.size, margin);
-  }
-  lattice.origin = {-lattice.cells[0], -lattice.cells[1], -lattice.cells[2]};
-}
+    : state_(new State(formula, bounds, lattice_around(bounds, size, margin))) {}
 
 ExpressionDomain::~ExpressionDomain() = default;
 

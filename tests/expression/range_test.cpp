@@ -10,14 +10,13 @@
 #include <string>
 
 #include "certet/expression.hpp"
+#include "extents.hpp"
 #include "random_formula.hpp"
 
 namespace {
 
-using certet::Extent;
 using certet::Operation;
 using certet::Range;
-using certet::Sign;
 using random_formula::Random;
 
 /// A node of a random formula whose value leaves its range, in words.
@@ -102,31 +101,6 @@ TEST(FormulaRange, IsTightEnoughToBeOfUse) {
   EXPECT_FALSE(found[root].may_be_nan);
 }
 
-/// A block of the lattice whose signs contradict its extent, in words; counts
-/// those that were decided.
-std::string contradiction(Random& random, const certet::ExpressionDomain& domain, int& decided) {
-  const auto& [origin, cells] = domain.lattice();
-  constexpr int side = 6;
-  const auto at = [&](std::int32_t from, std::int32_t count) {
-    return from + 2 * between(random, 0, count - side);
-  };
-  const certet::Coord3 low{at(origin.x, cells[0]), at(origin.y, cells[1]), at(origin.z, cells[2])};
-  const int last = 2 * side - 1;
-  const Extent extent = domain.extent({low, low + certet::Coord3{last, last, last}});
-  if (extent == Extent::mixed) return "";
-  ++decided;
-  const Sign expected = extent == Extent::inside ? Sign::plus : Sign::minus;
-  for (int z = 0; z <= last; ++z)
-    for (int y = 0; y <= last; ++y)
-      for (int x = 0; x < 2; ++x) {
-        std::array<Sign, side> signs;
-        domain.row(low + certet::Coord3{x, y, z}, signs);
-        for (const Sign sign : signs)
-          if (sign != expected) return "a block has points on both sides";
-      }
-  return "";
-}
-
 TEST(ExpressionDomain, ExtentAgreesWithRows) {
   const char* const formulas[] = {
       "(sqrt(x^2+y^2)-1)^2+z^2-0.16",
@@ -141,8 +115,8 @@ TEST(ExpressionDomain, ExtentAgreesWithRows) {
   for (const char* formula : formulas) {
     const certet::ExpressionDomain domain(formula, {{-1.5, -1.4, -1.3}, {1.5, 1.6, 1.7}}, 0.06, 2);
     int decided = 0;
-    for (int trial = 0; trial < 300; ++trial)
-      ASSERT_EQ(contradiction(random, domain, decided), "") << formula;
+    EXPECT_EQ(extents::first_contradiction(random, domain, domain.lattice(), 300, decided), "")
+        << formula;
     EXPECT_GT(decided, 20) << formula;
   }
 }

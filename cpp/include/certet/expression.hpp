@@ -6,16 +6,12 @@
 #include <memory>
 #include <string>
 
+#include "certet/bounds.hpp"
 #include "certet/domain.hpp"
 #include "certet/frame.hpp"
 #include "certet/stuffing.hpp"
 
 namespace certet {
-
-/// An axis-aligned box in world coordinates.
-struct Bounds {
-  Point3 low, high;
-};
 
 /// Whether formulas were built in.
 bool can_read_expressions();
@@ -36,12 +32,10 @@ bool can_read_expressions();
 /// arithmetic proves to lie on one side are not computed at all.
 class ExpressionDomain final : public Domain {
  public:
-  /// `size` is the long edge in world units; 0: a 64th of the longest side of
-  /// the bounds.  Lattice point (0,0,0) is the centre of the bounds, the axes
-  /// are the world's, and `margin` (at least 1) cells surround the bounds.
+  /// `size` and `margin` are those of `lattice_around`.
   /// \throws Error `bad_input` (a formula that cannot be read, with the position),
-  /// `bad_option` (bounds, size, margin), `too_large` (coordinate range).
-  ExpressionDomain(std::string formula, const Bounds& bounds, double size,
+  /// and as `lattice_around`.
+  ExpressionDomain(const std::string& formula, const Bounds& bounds, double size,
                    std::int32_t margin);
   ~ExpressionDomain() override;
 
