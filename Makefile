@@ -25,6 +25,7 @@ PACKAGES := \
   libcli11-dev nlohmann-json3-dev libfmt-dev \
   zlib1g-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev \
   python3 python3-numpy python3-meshio python3-matplotlib \
+  libboost-dev \
   mricron-data
 
 deps:

@@ -53,6 +53,15 @@ double parse_number(const std::string& option, const std::string& text) {
   return value;
 }
 
+std::uint64_t parse_count(const std::string& option, const std::string& text) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, failure] = std::from_chars(text.data(), end, value);
+  if (failure != std::errc{} || stop != end || value == 0)
+    refuse(option + " takes a whole number of at least 1, not '" + text + "'");
+  return value;
+}
+
 Bounds parse_bounds(const std::string& text) {
   std::vector<double> numbers;
   for (std::size_t begin = 0; begin <= text.size();) {

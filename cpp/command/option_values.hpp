@@ -2,6 +2,7 @@
 /// \file
 /// Values of options that are more than one number.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ std::vector<LabelRange> parse_labels(const std::string& text);
 
 /// "x0,y0,z0,x1,y1,z1".  \throws Error `bad_option`.
 Bounds parse_bounds(const std::string& text);
+
+/// A whole number of at least 1.  \throws Error `bad_option` naming the option.
+std::uint64_t parse_count(const std::string& option, const std::string& text);
 
 /// A finite number.  \throws Error `bad_option` naming the option.
 double parse_number(const std::string& option, const std::string& text);

@@ -1,75 +1,71 @@
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <string>
-#include <utility>
+#include <vector>
 
-#include "certet/error.hpp"
-#include "certet/structured_tet.hpp"
+#include "batch.hpp"
 #include "certet/expression.hpp"
-#include "formula.hpp"
+#include "parse.hpp"
+#include "range.hpp"
 
 namespace certet {
 namespace {
 
-double checked_size(const Bounds& bounds, double size) {
-  double longest = 0;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double side = bounds.high[a] - bounds.low[a];
-    if (!std::isfinite(side) || side <= 0)
-      throw Error(ErrorCode::bad_option,
-                  "the bounds must be finite, and each low one less than the high one");
-    longest = std::max(longest, side);
-  }
-  const double chosen = size == 0 ? longest / 64 : size;
-  if (!std::isfinite(chosen) || chosen <= 0)
-    throw Error(ErrorCode::bad_option, "the size must be a positive number");
-  return chosen;
-}
-
-/// Even cells, so that the even point (0,0,0) is in the middle.
-std::int32_t cells_along(double side, double size, std::int32_t margin) {
-  return checked_cells(2 * (std::ceil(side / (2 * size)) + margin));
-}
-
 /// How far a point is beyond the bounds along one axis; negative within.
-double beyond(const Bounds& bounds, const Point3& point) {
-  double most = bounds.low[0] - point[0];
-  for (std::size_t a = 0; a < 3; ++a)
-    most = std::max({most, bounds.low[a] - point[a], point[a] - bounds.high[a]});
+NodeId record_beyond(const Bounds& bounds, Tape& tape) {
+  const auto difference = [&tape](NodeId a, NodeId b) {
+    return tape.add(Operation::subtract, a, b);
+  };
+  NodeId most = difference(tape.constant(bounds.low[0]), tape.variable(0));
+  for (std::size_t a = 0; a < 3; ++a) {
+    const NodeId at = tape.variable(a);
+    most = tape.add(Operation::maximum, most, difference(tape.constant(bounds.low[a]), at));
+    most = tape.add(Operation::maximum, most, difference(at, tape.constant(bounds.high[a])));
+  }
   return most;
 }
+
+/// The formula cut by the bounds is a formula again.
+struct CutFormula {
+  CutFormula(const std::string& text, const Bounds& bounds)
+      : within(parse(text, tape)),
+        beyond(record_beyond(bounds, tape)),
+        level(tape.add(Operation::maximum, within, beyond)) {}
+
+  Tape tape;
+  NodeId within, beyond;
+  NodeId level;  ///< NaN where the formula is NaN, which is outside too
+};
 
 }  // namespace
 
 struct ExpressionDomain::State {
-  Bounds bounds;
+  State(const std::string& text, const Bounds& bounds, const BoxLattice& around)
+      : formula(text, bounds),
+        of_rows(formula.tape, formula.level, Batch::row),
+        of_points(formula.tape, formula.level, Batch::points),
+        frame(around.frame),
+        lattice(around.lattice) {}
+
+  CutFormula formula;
+  BatchFormula of_rows, of_points;
   Frame frame;
   Lattice lattice;
-  FormulaPool formulas;
-
-  /// The level function of the formula's solid cut by the bounds.
-  Sign sign(FormulaPool::Loan& formula, Coord3 position) const {
-    const Point3 point = frame.world(position);
-    const double outer = beyond(bounds, point);
-    if (outer > 0) return Sign::minus;
-    const double inner = formula(point);
-    return std::isnan(inner) ? Sign::minus : sign_of_level(std::max(inner, outer));
-  }
 };
 
-ExpressionDomain::ExpressionDomain(std::string formula, const Bounds& bounds, double size,
-                                   std::int32_t margin)
-    : state_(new State{bounds, {}, {}, FormulaPool(std::move(formula))}) {
-  if (margin < 1) throw Error(ErrorCode::bad_option, "the margin must be at least 1");
-  Frame& frame = state_->frame;
-  Lattice& lattice = state_->lattice;
-  frame.size = checked_size(bounds, size);
-  for (std::size_t a = 0; a < 3; ++a) {
-    frame.origin[a] = 0.5 * (bounds.low[a] + bounds.high[a]);
-    lattice.cells[a] = cells_along(bounds.high[a] - bounds.low[a], frame.size, margin);
-  }
-  lattice.origin = {-lattice.cells[0], -lattice.cells[1], -lattice.cells[2]};
+namespace {
+
+using Coordinates = std::array<double, batch_limit>;
+
+void judge(const Coordinates& levels, std::span<Sign> out) {
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = sign_of_level(levels[i]);
 }
+
+}  // namespace
+
+ExpressionDomain::ExpressionDomain(const std::string& formula, const Bounds& bounds, double size,
+                                   std::int32_t margin)
+    : state_(new State(formula, bounds, lattice_around(bounds, size, margin))) {}
 
 ExpressionDomain::~ExpressionDomain() = default;
 
@@ -79,24 +75,52 @@ const Frame& ExpressionDomain::frame() const { return state_->frame; }
 const Lattice& ExpressionDomain::lattice() const { return state_->lattice; }
 
 void ExpressionDomain::row(Coord3 first, std::span<Sign> out) const {
-  FormulaPool::Loan formula(state_->formulas);
-  for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = state_->sign(
-        formula, steps * (first + Coord3{2 * static_cast<std::int32_t>(i), 0, 0}));
+  const State& state = *state_;
+  BatchFormula::Workspace workspace(state.of_rows);
+  const auto [x0, y, z] = state.frame.world(steps * first);
+  Coordinates x, levels;
+  while (!out.empty()) {
+    const std::size_t count = std::min(out.size(), batch_limit);
+    for (std::size_t i = 0; i < count; ++i)
+      x[i] = state.frame.world(steps * (first + Coord3{2 * static_cast<std::int32_t>(i), 0, 0}))[0];
+    state.of_rows.evaluate({x.data(), &y, &z}, count, workspace, levels.data());
+    judge(levels, out.first(count));
+    out = out.subspan(count);
+    first.x += 2 * static_cast<std::int32_t>(count);
+  }
 }
 
 void ExpressionDomain::at(std::span<const Coord3> positions, std::span<Sign> out) const {
-  FormulaPool::Loan formula(state_->formulas);
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = state_->sign(formula, positions[i]);
+  const State& state = *state_;
+  BatchFormula::Workspace workspace(state.of_points);
+  Coordinates x, y, z, levels;
+  for (std::size_t begin = 0; begin < out.size(); begin += batch_limit) {
+    const std::size_t count = std::min(out.size() - begin, batch_limit);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Point3 point = state.frame.world(positions[begin + i]);
+      x[i] = point[0];
+      y[i] = point[1];
+      z[i] = point[2];
+    }
+    state.of_points.evaluate({x.data(), y.data(), z.data()}, count, workspace, levels.data());
+    judge(levels, out.subspan(begin, count));
+  }
 }
 
+/// The axes are the world's and rounding is monotone: the corners of the box
+/// bound the coordinates of all its points as computed.
 Extent ExpressionDomain::extent(const LatticeBox& box) const {
+  const CutFormula& formula = state_->formula;
   const Point3 low = state_->frame.world(steps * box.low);
   const Point3 high = state_->frame.world(steps * box.high);
-  for (std::size_t a = 0; a < 3; ++a)
-    if (high[a] < state_->bounds.low[a] || low[a] > state_->bounds.high[a])
-      return Extent::outside;
-  return Extent::mixed;
+  std::array<Range, 3> sides;
+  for (std::size_t a = 0; a < 3; ++a) sides[a] = {low[a], high[a], false};
+  const std::vector<Range> found = ranges(formula.tape, formula.level, sides);
+  if (found[formula.beyond].low > 0) return Extent::outside;
+  const Range& level = found[formula.level];
+  if (level.may_be_nan) return Extent::mixed;
+  if (level.low > 0) return Extent::outside;
+  return level.high < 0 ? Extent::inside : Extent::mixed;
 }
 
 }  // namespace certet

@@ -10,7 +10,7 @@ struct ExpressionDomain::State {
   Lattice lattice;
 };
 
-ExpressionDomain::ExpressionDomain(std::string, const Bounds&, double, std::int32_t) {
+ExpressionDomain::ExpressionDomain(const std::string&, const Bounds&, double, std::int32_t) {
   throw Error(ErrorCode::bad_input, "the formula cannot be read: formulas were not built in");
 }
 

@@ -19,12 +19,32 @@ double dot(const Point3& a, const Point3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Gram and Schmidt.
-void orthonormalise(const Image& image, std::array<Point3, 3>& column) {
+/// The directions of the voxel axes.
+std::array<Point3, 3> columns(const Image& image) {
+  std::array<Point3, 3> column;
   for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t r = 0; r < 3; ++r) column[a][r] = image.axes[r][a];
+  return column;
+}
+
+}  // namespace
+
+void judge_geometry(const Image& image) {
+  const auto column = columns(image);
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (image.size[a] < 1) refuse(image, "has no voxels");
+    if (!std::isfinite(image.spacing[a]) || image.spacing[a] <= 0)
+      refuse(image, "has a voxel spacing that is not a positive number");
+    if (!std::isfinite(image.origin[a])) refuse(image, "has an origin that is not finite");
     for (std::size_t b = 0; b <= a; ++b)
       if (!(std::abs(dot(column[a], column[b]) - (a == b ? 1 : 0)) <= direction_tolerance))
         refuse(image, "has a direction matrix that is not orthonormal (sheared or singular)");
+  }
+}
+
+/// Gram and Schmidt.
+void orthonormalise(Image& image) {
+  auto column = columns(image);
   for (std::size_t a = 0; a < 3; ++a) {
     for (std::size_t b = 0; b < a; ++b) {
       const double along = dot(column[a], column[b]);
@@ -33,20 +53,6 @@ void orthonormalise(const Image& image, std::array<Point3, 3>& column) {
     const double length = std::sqrt(dot(column[a], column[a]));
     for (std::size_t r = 0; r < 3; ++r) column[a][r] /= length;
   }
-}
-
-}  // namespace
-
-void judge_geometry(Image& image) {
-  std::array<Point3, 3> column;
-  for (std::size_t a = 0; a < 3; ++a) {
-    if (image.size[a] < 1) refuse(image, "has no voxels");
-    if (!std::isfinite(image.spacing[a]) || image.spacing[a] <= 0)
-      refuse(image, "has a voxel spacing that is not a positive number");
-    if (!std::isfinite(image.origin[a])) refuse(image, "has an origin that is not finite");
-    for (std::size_t r = 0; r < 3; ++r) column[a][r] = image.axes[r][a];
-  }
-  orthonormalise(image, column);
   for (std::size_t r = 0; r < 3; ++r)
     for (std::size_t a = 0; a < 3; ++a) image.axes[r][a] = column[a][r] + 0.0;  // no -0
 }

@@ -6,8 +6,12 @@
 
 namespace certet {
 
-/// Judges spacing, origin and axes; makes nearly orthonormal axes orthonormal.
+/// Judges size, spacing, origin and axes, which may deviate a little from
+/// orthonormal ones.
 /// \throws Error `bad_input` with a sentence that names the image.
-void judge_geometry(Image& image);
+void judge_geometry(const Image& image);
+
+/// Makes the axes of an image that `judge_geometry` let pass orthonormal.
+void orthonormalise(Image& image);
 
 }  // namespace certet

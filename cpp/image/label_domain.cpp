@@ -83,10 +83,10 @@ void refuse_wide_labels(const Image& image, const Buffer<T>& voxels, const Label
 template <class T>
 class LabelDomain final : public ImageDomain {
  public:
-  LabelDomain(const Image& image, Buffer<T> voxels, VoxelMask mask,
-              const Placement& placement)
-      : size_(image.size),
-        voxels_(std::move(voxels)),
+  LabelDomain(std::shared_ptr<const Image> image, VoxelMask mask, const Placement& placement)
+      : image_(std::move(image)),
+        size_(image_->size),
+        voxels_(std::get<Buffer<T>>(image_->voxels)),
         mask_(std::move(mask)),
         placement_(placement),
         along_x_(placement.lattice.origin.x, placement.lattice.cells[0],
@@ -99,6 +99,7 @@ class LabelDomain final : public ImageDomain {
   [[nodiscard]] const Frame& frame() const override { return placement_.frame; }
   [[nodiscard]] const Lattice& lattice() const override { return placement_.lattice; }
 
+  [[nodiscard]] double longest_side() const override { return placement_.longest_side; }
   [[nodiscard]] std::uint64_t bytes() const override {
     return voxels_.size() * sizeof(T) + mask_.bytes();
   }
@@ -267,8 +268,9 @@ class LabelDomain final : public ImageDomain {
     return best < 0 ? 0 : static_cast<std::int32_t>(voxels_[static_cast<std::size_t>(best)]);
   }
 
+  std::shared_ptr<const Image> image_;
   std::array<std::int64_t, 3> size_;
-  Buffer<T> voxels_;
+  const Buffer<T>& voxels_;  ///< the image's
   VoxelMask mask_;
   Placement placement_;
   AxisTable<std::int64_t> along_x_;
@@ -277,13 +279,15 @@ class LabelDomain final : public ImageDomain {
 
 }  // namespace
 
-std::unique_ptr<ImageDomain> label_domain(Image image, std::vector<LabelRange> labels,
+std::unique_ptr<ImageDomain> label_domain(std::shared_ptr<const Image> shared,
+                                          std::vector<LabelRange> labels,
                                           const ImageLattice& lattice) {
+  const Image& image = *shared;
   judge_geometry(image);
   const bool all = labels.empty();
   const LabelSet set(std::move(labels));
   return std::visit(
-      [&]<class T>(Buffer<T>& voxels) -> std::unique_ptr<ImageDomain> {
+      [&]<class T>(const Buffer<T>& voxels) -> std::unique_ptr<ImageDomain> {
         if constexpr (std::is_floating_point_v<T>) {
           throw Error(ErrorCode::bad_input,
                       "the voxels of '" + image.name +
@@ -296,8 +300,7 @@ std::unique_ptr<ImageDomain> label_domain(Image image, std::vector<LabelRange> l
                         "no voxel of '" + image.name + "' has " +
                             (all ? "a label other than 0" : "one of the chosen labels"));
           const Placement placement = place(image, mask.bounds(), lattice);
-          return std::make_unique<LabelDomain<T>>(image, std::move(voxels), std::move(mask),
-                                                  placement);
+          return std::make_unique<LabelDomain<T>>(shared, std::move(mask), placement);
         }
       },
       image.voxels);

@@ -122,9 +122,10 @@ void refuse_nonfinite(const Image& image, const Buffer<T>& voxels) {
 template <class T>
 class LevelDomain final : public ImageDomain {
  public:
-  LevelDomain(const Image& image, Buffer<T> voxels, double level, const Placement& placement)
-      : size_(image.size),
-        voxels_(std::move(voxels)),
+  LevelDomain(std::shared_ptr<const Image> image, double level, const Placement& placement)
+      : image_(std::move(image)),
+        size_(image_->size),
+        voxels_(std::get<Buffer<T>>(image_->voxels)),
         level_(level),
         placement_(placement),
         ranges_(size_, voxels_),
@@ -138,6 +139,7 @@ class LevelDomain final : public ImageDomain {
     std::fill(out.begin(), out.end(), 0);
   }
 
+  [[nodiscard]] double longest_side() const override { return placement_.longest_side; }
   [[nodiscard]] std::uint64_t bytes() const override {
     return voxels_.size() * sizeof(T) + ranges_.bytes();
   }
@@ -219,8 +221,9 @@ class LevelDomain final : public ImageDomain {
     double first_ = 0, second_ = 0;
   };
 
+  std::shared_ptr<const Image> image_;
   std::array<std::int64_t, 3> size_;
-  Buffer<T> voxels_;
+  const Buffer<T>& voxels_;  ///< the image's
   double level_;
   Placement placement_;
   BlockRanges ranges_;
@@ -229,17 +232,18 @@ class LevelDomain final : public ImageDomain {
 
 }  // namespace
 
-std::unique_ptr<ImageDomain> level_domain(Image image, double level,
+std::unique_ptr<ImageDomain> level_domain(std::shared_ptr<const Image> shared, double level,
                                           const ImageLattice& lattice) {
   judge_geometry(image);
   if (!std::isfinite(level))
     throw Error(ErrorCode::bad_option, "the level must be a finite number");
+  const Image& image = *shared;
   return std::visit(
-      [&]<class T>(Buffer<T>& voxels) -> std::unique_ptr<ImageDomain> {
+      [&]<class T>(const Buffer<T>& voxels) -> std::unique_ptr<ImageDomain> {
         refuse_nonfinite(image, voxels);
         const Placement placement =
             place(image, reach_above(image, voxels, level), lattice);
-        return std::make_unique<LevelDomain<T>>(image, std::move(voxels), level, placement);
+        return std::make_unique<LevelDomain<T>>(shared, level, placement);
       },
       image.voxels);
 }

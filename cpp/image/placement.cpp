@@ -67,6 +67,9 @@ Placement place(const Image& image, const VoxelBox& box, const ImageLattice& cho
   for (std::size_t a = 0; a < 3; ++a) {
     VoxelAxis& axis = result.axis[a];
     axis.count = image.size[a];
+    result.longest_side =
+        std::max(result.longest_side,
+                 image.spacing[a] * static_cast<double>(box.high[a] - box.low[a] + 1));
     axis.reversed = reflected && a == 2;
     result.lattice.cells[a] =
         place_axis(axis, image.spacing[a], size, choice.margin, box.low[a], box.high[a],

@@ -47,6 +47,7 @@ struct Placement {
   Lattice lattice;
   Frame frame;
   std::array<VoxelAxis, 3> axis;
+  double longest_side = 0;  ///< of the box of voxels, in world units
 };
 
 /// Puts a lattice around the voxels of `box`.

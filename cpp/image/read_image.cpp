@@ -91,6 +91,7 @@ void read_geometry(const Reader& header, Image& image) {
     for (std::size_t r = 0; r < 3; ++r) image.axes[r][a] = direction[r];
   }
   judge_geometry(image);
+  orthonormalise(image);
 }
 
 template <class T>

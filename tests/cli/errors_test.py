@@ -24,6 +24,17 @@ class Usage(ProgramTest):
                 (["six"], ["mesh", "--expr", "x", "--bounds", "1,2,3", "-o", "a.vtu"]),
                 (["bounds"], ["mesh", "--expr", "x", "--bounds", "1,1,1,0,0,0", "-o", "a.vtu"]),
                 (["exclude"], ["mesh", "a.nrrd", *TORUS, "-o", "a.vtu"]),
+                (["exclude"], ["mesh", "a.nrrd", "--shape", "sphere:1", "-o", "a.vtu"]),
+                (["exclude"], ["mesh", *TORUS, "--shape", "sphere:1", "-o", "a.vtu"]),
+                (["--shape"], ["mesh", "-o", "a.vtu"]),
+                (["--labels"], ["mesh", "--shape", "sphere:1", "--labels", "1", "-o", "a.vtu"]),
+                (["--iso"], ["mesh", *TORUS, "--iso", "1", "-o", "a.vtu"]),
+                (["--bounds"], ["mesh", "a.nrrd", "--bounds", "0,0,0,1,1,1", "-o", "a.vtu"]),
+                (["exclude"], ["mesh", *TORUS, "--size", "1", "--rel-size", "1", "-o", "a.vtu"]),
+                (["exclude"], ["mesh", *TORUS, "--size", "1", "--target-tets", "1",
+                               "-o", "a.vtu"]),
+                (["exclude"], ["mesh", *TORUS, "--rel-size", "1", "--target-tets", "1",
+                               "-o", "a.vtu"]),
                 (["exclude"], ["mesh", "a.nrrd", "--iso", "1", "--labels", "1", "-o", "a.vtu"]),
                 (["--cuts"], ["mesh", *TORUS, "--cuts", "random", "-o", "a.vtu"]),
                 (["--margin"], ["mesh", *TORUS, "--margin", "0", "-o", "a.vtu"]),
@@ -38,6 +49,28 @@ class Usage(ProgramTest):
             with self.subTest(size):
                 self.assert_fails(USAGE, ["--size"], "mesh", *TORUS, "--size", size,
                                   "-o", "a.vtu")
+
+    def test_relative_size_and_target(self):
+        for value in ("0", "-1", "nan", "wide", "1e", "1e400"):
+            with self.subTest(value):
+                self.assert_fails(USAGE, ["--rel-size"], "mesh", *TORUS, "--rel-size", value,
+                                  "-o", "a.vtu")
+        for value in ("0", "-1", "1.5", "1e6", "many", "99999999999999999999"):
+            with self.subTest(value):
+                self.assert_fails(USAGE, ["--target-tets"], "mesh", *TORUS, "--target-tets",
+                                  value, "-o", "a.vtu")
+
+    def test_shapes(self):
+        for shape, words in (
+                ("cone:1", ["sphere, torus, box"]), ("sphere", ["sphere:R"]),
+                ("sphere:0", ["positive"]), ("sphere:1,2", ["2 numbers"]),
+                ("sphere:x", ["'x'"]), ("torus:1,2", ["ring"]), ("box:1,1", ["box:a,b,c"]),
+                ("cylinder:1", ["cylinder:R,H"]), ("gyroid:1,1", ["gap"])):
+            with self.subTest(shape):
+                self.assert_fails(USAGE, [f"'{shape}'", *words], "mesh", "--shape", shape,
+                                  "-o", "a.vtu")
+        self.assert_fails(USAGE, ["within the bounds"], "mesh", "--shape", "sphere:1",
+                          "--bounds", "2,2,2,3,3,3", "-o", "a.vtu")
 
     def test_label_lists(self):
         for labels in ("", "1,", "a", "5-1", "1-2-3", "1 2"):
@@ -69,6 +102,8 @@ class Formulas(ProgramTest):
             with self.subTest(formula):
                 self.assert_fails(EMPTY, ["inside"], "mesh", "--expr", formula, "--bounds",
                                   "0.1,0.1,0.1,1.1,1.1,1.1", "-o", "a.vtu")
+        self.assert_fails(EMPTY, ["inside"], "mesh", "--expr", "1", "--bounds",
+                          "0,0,0,1,1,1", "--target-tets", 1000, "-o", "a.vtu")
 
 
 class Images(ProgramTest):
@@ -189,6 +224,8 @@ class Limits(ProgramTest):
                           "-o", "a.vtu")
         self.assert_fails(TOO_LARGE, ["memory"], "mesh", *TORUS, "--max-memory", "100K",
                           "-o", "a.vtu")
+        self.assert_fails(TOO_LARGE, ["memory", "--target-tets"], "mesh", *TORUS,
+                          "--target-tets", 10 ** 15, "-o", "a.vtu")
 
     def test_memory_of_voxels(self):
         write_nrrd(self.folder / "a.nrrd", (50, 50, 50), [1] * 125000)

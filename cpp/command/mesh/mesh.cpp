@@ -1,5 +1,6 @@
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "certet/error.hpp"
 #include "commands.hpp"
@@ -10,6 +11,7 @@
 #include "progress.hpp"
 #include "signals.hpp"
 #include "source.hpp"
+#include "target_size.hpp"
 
 namespace certet::command {
 namespace {
@@ -48,12 +50,12 @@ void judge_outputs(const MeshOptions& options) {
   throw Error(ErrorCode::too_large, what + " needs " + std::to_string(needed) +
                                         " bytes of memory, more than the " +
                                         std::to_string(limit) +
-                                        " allowed; choose a larger --size");
+                                        " allowed; choose a larger --size or fewer --target-tets");
 }
 
 /// The engine holds a sign in two bits for two points in each cell, twice while
 /// it warps, and the numbers of every row.
-void judge_lattice(const Source& source, std::uint64_t limit) {
+void judge_lattice(const PlacedSource& source, std::uint64_t limit) {
   const auto& cells = source.lattice.cells;
   const double rows = static_cast<double>(cells[1]) * cells[2];
   const double needed = rows * (static_cast<double>(cells[0]) + 32) +
@@ -65,7 +67,8 @@ void judge_lattice(const Source& source, std::uint64_t limit) {
 }
 
 /// Chooses the slabs by the memory that is left.
-Slabs plan(const Stuffing& stuffing, const Source& source, MeshReport& report) {
+Slabs plan(const Counted& counted, MeshReport& report) {
+  const auto& [source, stuffing] = counted;
   const std::uint64_t held = source.bytes + stuffing.bytes();
   report.memory_least = held + cut_slabs(stuffing, 0).bytes;
   if (report.memory_least > report.memory_limit)
@@ -75,9 +78,9 @@ Slabs plan(const Stuffing& stuffing, const Source& source, MeshReport& report) {
   return slabs;
 }
 
-void write(const MeshOptions& options, const Stuffing& stuffing, const Source& source,
-           const Slabs& slabs, const MeshSize& size, Context& context, Progress& progress,
-           MeshReport& report) {
+void write(const MeshOptions& options, const Counted& counted, const Slabs& slabs,
+           const MeshSize& size, Context& context, Progress& progress, MeshReport& report) {
+  const auto& [source, stuffing] = counted;
   judge_room(options.output, report.output_bytes);
   const auto file = open_writer(options.output, options.format, size);
   WatchedWriter writer(*file, size, progress);
@@ -94,20 +97,48 @@ void write(const MeshOptions& options, const Stuffing& stuffing, const Source& s
   report.written.write_seconds += finishing.seconds();
 }
 
+/// A cell of the lattice has twelve tetrahedra and takes more than a byte.
+void judge_target(const MeshOptions& options, std::uint64_t limit) {
+  if (options.target_tets / 12 > limit)
+    refuse_memory("a mesh of " + std::to_string(options.target_tets) + " tetrahedra",
+                  options.target_tets / 12, limit);
+}
+
+/// By the size that was asked for, or searching for it.
+Counted count(const MeshOptions& options, const Source& source, Context& context,
+              MeshReport& report) {
+  judge_target(options, report.memory_limit);
+  const Stopwatch reading;
+  const double side =
+      options.relative_size != 0 || options.target_tets != 0 ? source.place(0).longest_side : 0;
+  report.read_seconds += reading.seconds();
+  const auto count_at = [&](double size) {
+    PlacedSource placed = source.place(size);
+    judge_lattice(placed, report.memory_limit);
+    Stuffing stuffing(*placed.domain, placed.lattice, options.stuffing, context);
+    return Counted{std::move(placed), std::move(stuffing)};
+  };
+  if (options.target_tets != 0)
+    return count_near(options.target_tets, side, count_at, report.tries);
+  return count_at(options.relative_size != 0 ? options.relative_size * side : options.size);
+}
+
 void describe(const MeshOptions& options, const Source& source, MeshReport& report) {
   report.dry_run = options.dry_run;
   report.input_kind = source.kind;
   report.input_name = source.name;
   report.output = options.output.string();
   report.format = options.format == Format::vtu ? "vtu" : "medit";
-  report.cells = source.lattice.cells;
-  report.size = source.frame.size;
+  report.target_tets = options.target_tets;
   report.cuts = options.stuffing.cuts;
   report.asked = options.stuffing.guarantee;
 }
 
-void describe(const MeshOptions& options, const Stuffing& stuffing, const Progress& progress,
+void describe(const MeshOptions& options, const Counted& counted, const Progress& progress,
               MeshReport& report) {
+  const auto& [source, stuffing] = counted;
+  report.cells = source.lattice.cells;
+  report.size = source.frame.size;
   report.used = stuffing.guarantee();
   report.inverted_tets = stuffing.inverted_tets();
   report.bounds = proven_bounds(options.stuffing.cuts, report.used);
@@ -128,20 +159,19 @@ MeshReport run(const MeshOptions& options, Context& context) {
   const Source source = open_source(options, report.memory_limit);
   report.read_seconds = clock.seconds();
   describe(options, source, report);
-  judge_lattice(source, report.memory_limit);
   Progress progress(context);
-  const Stuffing stuffing(*source.domain, source.lattice, options.stuffing, context);
+  const Counted counted = count(options, source, context, report);
   progress.stop();
-  describe(options, stuffing, progress, report);
+  describe(options, counted, progress, report);
   if (report.tets == 0)
     throw Error(ErrorCode::empty_domain,
                 "nothing of '" + source.name + "' is inside at size " +
-                    std::to_string(source.frame.size) + ", so there is no mesh");
-  const MeshSize size{report.points, report.tets, static_cast<bool>(source.labeller)};
+                    std::to_string(report.size) + ", so there is no mesh");
+  const MeshSize size{report.points, report.tets,
+                      static_cast<bool>(counted.source.labeller)};
   report.output_bytes = file_bytes(options.format, size);
-  const Slabs slabs = plan(stuffing, source, report);
-  if (!options.dry_run)
-    write(options, stuffing, source, slabs, size, context, progress, report);
+  const Slabs slabs = plan(counted, report);
+  if (!options.dry_run) write(options, counted, slabs, size, context, progress, report);
   report.total_seconds = clock.seconds();
   report.memory_peak = peak_memory();
   return report;

@@ -48,6 +48,10 @@ std::string json(const MeshReport& report) {
       {"file", report.output}, {"format", report.format}, {"bytes", report.output_bytes}};
   json["lattice"] = {
       {"cells", report.cells}, {"size", report.size}, {"cuts", name(report.cuts)}};
+  if (report.target_tets != 0) {
+    json["lattice"]["target_tets"] = report.target_tets;
+    json["lattice"]["tries"] = report.tries;
+  }
   json["mesh"] = {{"points", report.points}, {"tets", report.tets}};
   if (!report.dry_run) {
     json["mesh"]["volume"] = written.world.volume;

@@ -11,12 +11,24 @@ namespace certet::command {
 namespace {
 
 constexpr const char* footer = R"(
+Formulas: + - * / ^ (-x^2 is -(x^2)), < <= > >= == != && || and c ? a : b, where
+true is 1; min max sum avg hypot length of any number of operands; abs sign sqrt
+exp log log2 log10 sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh
+floor ceil round trunc not; atan2(y,x) pow(a,b) fmod(a,b) clamp(v,low,high)
+mix(a,b,t) if(c,a,b); pi and e.  The union of two solids is min(a,b), the part
+they share max(a,b), the first without the second max(a,-b).  A union that is
+rounded over about 1/k world units is -log(exp(-k*a)+exp(-k*b))/k.
+
+Shapes, around the origin of the world: sphere:R, torus:R,r (around z), box:a,b,c
+(lengths of the edges), cylinder:R,H (along z), gyroid:PERIOD,THICKNESS[,SIDE] (a
+wall at least THICKNESS thick, in a cube of SIDE; default: two periods).
+
 World coordinates are the image's own: millimetres, LPS (x to the left, y to the
 back, z to the head), as ITK has them, for NIfTI too.
 
 Keys of the JSON: certet, command, dry_run, input {kind, name}, output {file,
-format, bytes}, lattice {cells, size, cuts}, mesh {points, tets, volume, checksum},
-dihedral {min, max, lattice_min, lattice_max, histogram}, guarantee {asked, used,
+format, bytes}, lattice {cells, size, cuts, and with --target-tets: target_tets,
+tries}, mesh {points, tets, volume, checksum}, dihedral {min, max, lattice_min, lattice_max, histogram}, guarantee {asked, used,
 theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
 cut, warp, count, emit, measure, write, total}, memory {limit, needed, least,
 peak}.  Lengths are in world units, angles in degrees, memory in bytes; the
@@ -30,7 +42,7 @@ a dry run leaves out what it does not know.)";
 
 /// Options whose values need more than CLI11's own reading.
 struct RawMesh {
-  std::string size, iso, labels, bounds, format;
+  std::string size, relative_size, target_tets, iso, labels, bounds, format;
 };
 
 void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
@@ -44,15 +56,26 @@ void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("--expr", options.formula,
                   "The solid is where a formula in x, y, z is negative")
       ->option_text("FORMULA");
-  mesh.add_option("--bounds", raw.bounds, "Box around the formula's solid")
+  mesh.add_option("--shape", options.shape, "A named shape, like torus:1,0.4; see below")
+      ->option_text("NAME:NUMBERS");
+  mesh.add_option("--bounds", raw.bounds,
+                  "Box that cuts off the solid of a formula, or of a shape (optional)")
       ->option_text("x0,y0,z0,x1,y1,z1");
 }
 
 void declare_lattice(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("--size", raw.size,
                   "Long edge in world units (default: the smallest voxel spacing; "
-                  "with --expr a 64th of the longest side)")
+                  "without an image a 64th of the longest side)")
       ->option_text("H");
+  mesh.add_option("--rel-size", raw.relative_size,
+                  "Long edge as a fraction of the longest side of the solid's box: of the "
+                  "voxels chosen (along the image's axes), of --bounds, or of the shape")
+      ->option_text("F");
+  mesh.add_option("--target-tets", raw.target_tets,
+                  "Finds the size that gives about N tetrahedra: within 2 % of N, or the "
+                  "nearest of 12 tries")
+      ->option_text("N");
   mesh.add_option("--margin", options.margin, "Lattice cells around the solid (default: 2)")
       ->check(CLI::Range(1, 1000))
       ->option_text("N");
@@ -98,24 +121,37 @@ Format chosen_format(const MeshOptions& options, const std::string& name) {
 }
 
 void judge_source(const MeshOptions& options, const RawMesh& raw) {
+  const bool image = !options.input.empty();
   const bool formula = !options.formula.empty();
-  if (formula == !options.input.empty())
-    refuse(formula ? "an image and --expr exclude each other"
-                   : "mesh needs an image or --expr");
-  if (formula && (!raw.labels.empty() || !raw.iso.empty()))
-    refuse("--labels and --iso go with an image, not with --expr");
-  if (formula == raw.bounds.empty())
-    refuse(formula ? "--expr needs --bounds" : "--bounds goes with --expr");
+  const bool shape = !options.shape.empty();
+  if (image + formula + shape == 0) refuse("mesh needs an image, --expr or --shape");
+  if (image + formula + shape > 1) refuse("an image, --expr and --shape exclude each other");
+  if (!image && (!raw.labels.empty() || !raw.iso.empty()))
+    refuse("--labels and --iso go with an image, not with --expr or --shape");
+  if (formula && raw.bounds.empty()) refuse("--expr needs --bounds");
+  if (image && !raw.bounds.empty()) refuse("--bounds goes with --expr and --shape");
   if (!raw.labels.empty() && !raw.iso.empty())
     refuse("--labels and --iso exclude each other");
 }
 
+double positive(const std::string& option, const std::string& text) {
+  const double value = parse_number(option, text);
+  if (value <= 0) refuse(option + " takes a positive number, not '" + text + "'");
+  return value;
+}
+
+void read_size(MeshOptions& options, const RawMesh& raw) {
+  if (!raw.size.empty() + !raw.relative_size.empty() + !raw.target_tets.empty() > 1)
+    refuse("--size, --rel-size and --target-tets exclude each other");
+  if (!raw.size.empty()) options.size = positive("--size", raw.size);
+  if (!raw.relative_size.empty())
+    options.relative_size = positive("--rel-size", raw.relative_size);
+  if (!raw.target_tets.empty()) options.target_tets = parse_count("--target-tets", raw.target_tets);
+}
+
 MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   judge_source(options, raw);
-  if (!raw.size.empty()) {
-    options.size = parse_number("--size", raw.size);
-    if (options.size <= 0) refuse("--size takes a positive number, not '" + raw.size + "'");
-  }
+  read_size(options, raw);
   if (!raw.iso.empty()) options.iso = parse_number("--iso", raw.iso);
   if (!raw.labels.empty()) options.labels = parse_labels(raw.labels);
   if (!raw.bounds.empty()) options.bounds = parse_bounds(raw.bounds);

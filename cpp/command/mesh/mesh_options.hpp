@@ -19,12 +19,15 @@ namespace certet::command {
 
 /// What the user asks of `certet mesh`.
 struct MeshOptions {
-  std::filesystem::path input;  ///< empty if there is a formula
+  std::filesystem::path input;  ///< of these three one is not empty
   std::string formula;
-  Bounds bounds{};
+  std::string shape;
+  std::optional<Bounds> bounds;
   std::vector<LabelRange> labels;  ///< empty: all but 0
   std::optional<double> iso;
-  double size = 0;  ///< 0: chosen by the input
+  double size = 0;           ///< 0: chosen by one of the next two, or by the input
+  double relative_size = 0;  ///< 0, or a fraction of the solid's longest side
+  std::uint64_t target_tets = 0;
   std::int32_t margin = 2;
   StuffingOptions stuffing;
   int threads = 0;

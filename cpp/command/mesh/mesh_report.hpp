@@ -15,13 +15,15 @@ namespace certet::command {
 
 struct MeshReport {
   bool dry_run = false;
-  std::string input_kind;  ///< labels, level or formula
+  std::string input_kind;  ///< labels, level, formula or shape
   std::string input_name;
   std::string output, format;
   std::uint64_t output_bytes = 0;
 
   std::array<std::int32_t, 3> cells{};
   double size = 0;
+  std::uint64_t target_tets = 0;  ///< 0: the size was not searched for
+  int tries = 1;
   Cuts cuts{};
   Guarantee asked{}, used{};
   std::uint64_t inverted_tets = 0;

@@ -26,6 +26,9 @@ std::string table(const MeshReport& report) {
               bytes(report.output_bytes), report.dry_run ? ", not written" : "");
   lines.add("lattice", "{} x {} x {} cells of size {:.6g}, cuts {}", report.cells[0],
             report.cells[1], report.cells[2], report.size, name(report.cuts));
+  if (report.target_tets != 0)
+    lines.add("target", "{} tetrahedra, size found in {} tries", grouped(report.target_tets),
+              report.tries);
   lines.add("mesh", "{} points, {} tetrahedra", grouped(report.points), grouped(report.tets));
   if (!report.dry_run) {
     lines.add("volume", "{:.9g}", report.written.world.volume);

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// The domain that the options name.
+/// What the options name, as a domain.
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -10,18 +11,27 @@
 
 namespace certet::command {
 
-/// A domain, and all that belongs to it.
-struct Source {
+/// A domain on a lattice of one size.
+struct PlacedSource {
   std::unique_ptr<Domain> domain;
   Lattice lattice;
   Frame frame;
-  Labeller labeller;  ///< empty where there are no labels
-  std::string kind;   ///< labels, level or formula
-  std::string name;
+  Labeller labeller;        ///< empty where there are no labels
+  double longest_side = 0;  ///< of the solid's box, in world units
   std::uint64_t bytes = 0;
 };
 
-/// Reads the image or the formula.  \throws Error.
+/// What has been read, once; it can be placed on lattices of several sizes, one
+/// after the other.
+struct Source {
+  std::string kind;  ///< labels, level, formula or shape
+  std::string name;
+  /// `size` is the long edge in world units; 0: the source's own choice.
+  /// \throws Error.
+  std::function<PlacedSource(double size)> place;
+};
+
+/// Reads the image, the formula or the shape.  \throws Error.
 Source open_source(const MeshOptions& options, std::uint64_t max_bytes);
 
 }  // namespace certet::command

@@ -6,16 +6,12 @@
 #include <memory>
 #include <string>
 
+#include "certet/bounds.hpp"
 #include "certet/domain.hpp"
 #include "certet/frame.hpp"
 #include "certet/stuffing.hpp"
 
 namespace certet {
-
-/// An axis-aligned box in world coordinates.
-struct Bounds {
-  Point3 low, high;
-};
 
 /// Whether formulas were built in.
 bool can_read_expressions();
@@ -24,19 +20,22 @@ bool can_read_expressions();
 /// Beyond the bounds all is outside, which closes the solid there; where the
 /// formula gives NaN is outside too.
 ///
-/// The formula is muParser's: + - * / ^ and comparisons, c ? a : b, min max abs
-/// sqrt exp log (natural) log10 sin cos tan asin acos atan sinh cosh tanh atan2,
-/// and pow(a,b) floor ceil hypot(a,b,…) clamp(v,low,high), pi and e.
+/// The formula is read as muParser reads it: + - * / ^ (to the right first, and
+/// before a minus sign: -x^2 is -(x^2)), comparisons, && and || (true is 1), and
+/// c ? a : b.  Functions: min max sum avg hypot length of any number of operands;
+/// abs sign sqrt exp log (ln) log2 log10 sin cos tan asin acos atan sinh cosh tanh
+/// asinh acosh atanh floor ceil round trunc rint not; atan2(y,x) pow(a,b) fmod(a,b);
+/// clamp(v,low,high) mix(a,b,t) if(c,a,b); pi and e.  A smooth union of a and b,
+/// rounded over about 1/k: -log(exp(-k*a)+exp(-k*b))/k.
 ///
-/// Evaluates in several threads at once, each with a parser of its own.
+/// Points are computed in batches, and blocks of the lattice that interval
+/// arithmetic proves to lie on one side are not computed at all.
 class ExpressionDomain final : public Domain {
  public:
-  /// `size` is the long edge in world units; 0: a 64th of the longest side of
-  /// the bounds.  Lattice point (0,0,0) is the centre of the bounds, the axes
-  /// are the world's, and `margin` (at least 1) cells surround the bounds.
+  /// `size` and `margin` are those of `lattice_around`.
   /// \throws Error `bad_input` (a formula that cannot be read, with the position),
-  /// `bad_option` (bounds, size, margin), `too_large` (coordinate range).
-  ExpressionDomain(std::string formula, const Bounds& bounds, double size,
+  /// and as `lattice_around`.
+  ExpressionDomain(const std::string& formula, const Bounds& bounds, double size,
                    std::int32_t margin);
   ~ExpressionDomain() override;
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -64,7 +65,8 @@ struct ImageLattice {
   std::int32_t margin = 2;  ///< lattice cells around the solid, at least 1
 };
 
-/// A solid in an image.  Where `size` is the voxel spacing, the lattice lies so
+/// A solid in an image, whose voxels it shares with other solids of the same image,
+/// on lattices of other sizes too.  Where `size` is the voxel spacing, the lattice lies so
 /// that each voxel holds one even and one odd point, a quarter of its diagonal
 /// before and behind its centre.  Beyond the outermost voxels all is outside,
 /// which closes the solid at the image's border.
@@ -79,7 +81,10 @@ class ImageDomain : public Domain {
   /// chosen voxel at the corner nearest to it.  0 for a level's solid.
   virtual void label(std::span<const std::array<Coord3, 4>> tets,
                      std::span<std::int32_t> out) const = 0;
-  /// Bytes that the object holds.
+  /// The longest side, in world units, of the box of voxels that the solid lies
+  /// in; a level's solid may reach into the voxels next to those above the level.
+  [[nodiscard]] virtual double longest_side() const = 0;
+  /// Bytes that the object holds, the image's own voxels among them.
   [[nodiscard]] virtual std::uint64_t bytes() const = 0;
 };
 
@@ -87,14 +92,26 @@ class ImageDomain : public Domain {
 /// are not 0.  The sign of a point is that of the voxel it lies in.
 /// \throws Error `bad_option` (size, margin), `bad_input` (voxels that are not
 /// whole numbers, or chosen labels beyond 32 bits), `empty_domain`, `too_large`.
-std::unique_ptr<ImageDomain> label_domain(Image image, std::vector<LabelRange> labels,
+std::unique_ptr<ImageDomain> label_domain(std::shared_ptr<const Image> image,
+                                          std::vector<LabelRange> labels,
                                           const ImageLattice& lattice);
 
 /// Where the image, interpolated trilinearly between voxel centres (and held
 /// constant over the outer half of the outermost voxels), is above `level`.
 /// \throws Error `bad_option`, `bad_input` (voxels that are NaN or infinite),
 /// `empty_domain`, `too_large`.
-std::unique_ptr<ImageDomain> level_domain(Image image, double level,
+std::unique_ptr<ImageDomain> level_domain(std::shared_ptr<const Image> image, double level,
                                           const ImageLattice& lattice);
+
+/// The same of an image that nobody else needs.
+inline std::unique_ptr<ImageDomain> label_domain(Image image, std::vector<LabelRange> labels,
+                                                 const ImageLattice& lattice) {
+  return label_domain(std::make_shared<const Image>(std::move(image)), std::move(labels),
+                      lattice);
+}
+inline std::unique_ptr<ImageDomain> level_domain(Image image, double level,
+                                                 const ImageLattice& lattice) {
+  return level_domain(std::make_shared<const Image>(std::move(image)), level, lattice);
+}
 
 }  // namespace certet

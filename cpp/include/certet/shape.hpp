@@ -1,0 +1,57 @@
+#pragma once
+/// \file
+/// Solids that have a name.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "certet/bounds.hpp"
+#include "certet/domain.hpp"
+#include "certet/frame.hpp"
+#include "certet/stuffing.hpp"
+
+namespace certet {
+
+/// A named solid around the origin of the world, in world units:
+///
+///     sphere:R               a ball of radius R
+///     torus:R,r              a tube of radius r around a ring of radius R > r about z
+///     box:a,b,c              edges of lengths a, b and c along x, y and z
+///     cylinder:R,H           radius R, height H along z
+///     gyroid:PERIOD,T[,SIDE] a wall along the gyroid of this period, in a cube of
+///                            SIDE (two periods).  It is at least T thick, and up
+///                            to 1.23 T where T is small.
+///
+/// All but the gyroid are signed distances to the surface; the gyroid's function
+/// is no more than the distance.
+class ShapeDomain final : public Domain {
+ public:
+  /// Within `bounds`, if there are any, which cut the solid off.  `size` and
+  /// `margin` are those of `lattice_around`, around the solid's bounds.
+  /// \throws Error `bad_option` (a shape that does not exist, or numbers that do
+  /// not make one), and as `lattice_around`.
+  ShapeDomain(const std::string& shape, const std::optional<Bounds>& bounds, double size,
+              std::int32_t margin);
+
+  [[nodiscard]] const Frame& frame() const { return around_.frame; }
+  [[nodiscard]] const Lattice& lattice() const { return around_.lattice; }
+  /// The box around the solid, exact but where `bounds` cut it.
+  [[nodiscard]] const Bounds& bounds() const { return bounds_; }
+
+  void row(Coord3 first, std::span<Sign> out) const override { solid_->row(first, out); }
+  void at(std::span<const Coord3> positions, std::span<Sign> out) const override {
+    solid_->at(positions, out);
+  }
+  [[nodiscard]] Extent extent(const LatticeBox& box) const override {
+    return solid_->extent(box);
+  }
+
+ private:
+  Bounds bounds_;
+  BoxLattice around_;
+  std::unique_ptr<Domain> solid_;
+};
+
+}  // namespace certet

@@ -1,0 +1,68 @@
+"""What `certet mesh --shape` makes."""
+
+import math
+import unittest
+
+import vtu
+from program import ProgramTest
+
+VOLUMES = {
+    "sphere:1.5": 4 / 3 * math.pi * 1.5 ** 3,
+    "torus:1,0.4": 2 * math.pi ** 2 * 0.4 ** 2,
+    "box:1,2,3": 6,
+    "cylinder:0.5,2": math.pi / 2,
+    "gyroid:1,0.2": 8 * 0.7227,  # the share of the space, by summation
+    "gyroid:1,0.2,1.5": 1.5 ** 3 * 0.7245,
+}
+
+
+class Shapes(ProgramTest):
+    def test_volumes(self):
+        for shape, volume in VOLUMES.items():
+            with self.subTest(shape):
+                report = self.mesh("--shape", shape, "--rel-size", "0.02", "-o", "s.vtu")
+                self.assertEqual(report["input"], {"kind": "shape", "name": shape})
+                self.assertAlmostEqual(report["mesh"]["volume"], volume, delta=0.02 * volume)
+                self.assertTrue(report["guarantee"]["holds"])
+                self.check("s.vtu")
+
+    def test_edges_are_full_lengths_and_z_is_the_axis(self):
+        for shape, sides in (("box:1,2,3", (1, 2, 3)), ("cylinder:0.5,2", (1, 1, 2)),
+                             ("torus:1,0.4", (2.8, 2.8, 0.8))):
+            with self.subTest(shape):
+                self.mesh("--shape", shape, "-o", "s.vtu")
+                points = vtu.points(self.folder / "s.vtu")
+                for axis, side in enumerate(sides):
+                    low = min(p[axis] for p in points)
+                    high = max(p[axis] for p in points)
+                    self.assertAlmostEqual(low, -side / 2, delta=0.05)
+                    self.assertAlmostEqual(high, side / 2, delta=0.05)
+
+    def test_bounds_cut_it_off(self):
+        report = self.mesh("--shape", "sphere:1", "--bounds=-9,0,0,9,9,9", "--size", "0.04",
+                           "-o", "s.vtu")
+        self.assertAlmostEqual(report["mesh"]["volume"], math.pi / 3, delta=0.03)
+        report = self.mesh("--shape", "gyroid:1,0.2", "--bounds", "0,0,0,1,2,3", "--size",
+                           "0.05", "-o", "s.vtu")
+        self.assertAlmostEqual(report["mesh"]["volume"], 6 * 0.7227, delta=0.1)
+
+    def test_same_as_its_formula(self):
+        """The distance and another function of the same sign give nearly the same."""
+        size = ("--size", "0.05")
+        shape = self.mesh("--shape", "torus:1,0.4", *size, "-o", "s.vtu")
+        formula = self.mesh("--expr", "length(length(x,y)-1,z)-0.4", "--bounds",
+                            "-1.4,-1.4,-0.4,1.4,1.4,0.4", *size, "-o", "f.vtu")
+        self.assertEqual(shape["lattice"], formula["lattice"])
+        self.assertAlmostEqual(shape["mesh"]["volume"], formula["mesh"]["volume"], places=3)
+
+    def test_threads(self):
+        for threads in (1, 2, 3):
+            self.mesh("--shape", "gyroid:1,0.2", "--size", "0.05", "--threads", threads,
+                      "-o", f"{threads}.vtu")
+        first = (self.folder / "1.vtu").read_bytes()
+        self.assertEqual(first, (self.folder / "2.vtu").read_bytes())
+        self.assertEqual(first, (self.folder / "3.vtu").read_bytes())
+
+
+if __name__ == "__main__":
+    unittest.main()
