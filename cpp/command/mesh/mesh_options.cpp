@@ -14,7 +14,7 @@ constexpr const char* footer = R"(
 World coordinates are the image's own: millimetres, LPS (x to the left, y to the
 back, z to the head), as ITK has them, for NIfTI too.
 
-Keys of the JSON: certet, command, dry_run, input {kind, name}, output {file,
+Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file,
 format, bytes}, lattice {cells, size, cuts}, mesh {points, tets, volume, checksum},
 dihedral {min, max, lattice_min, lattice_max, histogram}, guarantee {asked, used,
 theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
@@ -34,7 +34,7 @@ struct RawMesh {
 };
 
 void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
-  mesh.add_option("input", options.input, "Image: NIfTI, NRRD or MetaImage")
+  mesh.add_option("input", options.input, "Image: NIfTI, NRRD or MetaImage; surface: STL, OBJ, PLY or OFF")
       ->option_text("INPUT");
   mesh.add_option("--labels", raw.labels,
                   "Labels that make the solid, like 1,5-9 (default: all but 0)")

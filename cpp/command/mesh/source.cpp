@@ -4,6 +4,7 @@
 
 #include "certet/error.hpp"
 #include "silence.hpp"
+#include "surface_source.hpp"
 
 namespace certet::command {
 namespace {
@@ -49,10 +50,26 @@ Source from_image(const MeshOptions& options, std::uint64_t max_bytes) {
   return source;
 }
 
+Source from_surface(const MeshOptions& options) {
+  JudgedSurface judged = open_surface(options.input);
+  auto domain = surface_domain(judged.surface, {options.size, options.margin});
+  Source source;
+  source.lattice = domain->lattice();
+  source.frame = domain->frame();
+  source.bytes = domain->bytes();
+  source.domain = std::move(domain);
+  source.kind = "surface";
+  source.name = judged.surface.name;
+  source.notes = std::move(judged.notes);
+  return source;
+}
+
 }  // namespace
 
 Source open_source(const MeshOptions& options, std::uint64_t max_bytes) {
-  return options.formula.empty() ? from_image(options, max_bytes) : from_formula(options);
+  if (!options.formula.empty()) return from_formula(options);
+  if (is_surface_file(options.input)) return from_surface(options);
+  return from_image(options, max_bytes);
 }
 
 }  // namespace certet::command
