@@ -86,10 +86,10 @@ def volume(surface):
 def stl(surface):
     points, faces = surface
     flat = triangles(faces)
-    data = b"certet".ljust(80, b"\0") + struct.pack("<I", len(flat))
-    for t in flat:
-        data += struct.pack("<12fH", 0, 0, 0, *(c for p in t for c in points[p]), 0)
-    return data
+    head = b"certet".ljust(80, b"\0") + struct.pack("<I", len(flat))
+    return head + b"".join(
+        struct.pack("<12fH", 0, 0, 0, *points[a], *points[b], *points[c], 0)
+        for a, b, c in flat)
 
 
 def ascii_stl(surface):
@@ -125,12 +125,9 @@ def ply_header(form, points, faces):
 
 def ply(surface):
     points, faces = surface
-    data = ply_header("binary_little_endian", len(points), len(faces)).encode()
-    for p in points:
-        data += struct.pack("<3f", *p)
-    for f in faces:
-        data += struct.pack(f"<B{len(f)}i", len(f), *f)
-    return data
+    head = ply_header("binary_little_endian", len(points), len(faces)).encode()
+    return (head + b"".join(struct.pack("<3f", *p) for p in points)
+            + b"".join(struct.pack(f"<B{len(f)}i", len(f), *f) for f in faces))
 
 
 def ascii_ply(surface):
