@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "certet/error.hpp"
+#include "certet/surface.hpp"
+#include "certet/volume.hpp"
 #include "option_values.hpp"
 
 namespace certet::command {
@@ -34,13 +36,16 @@ struct RawMesh {
 };
 
 void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
-  mesh.add_option("input", options.input, "Image: NIfTI, NRRD or MetaImage; surface: STL, OBJ, PLY or OFF")
+  mesh.add_option("input", options.input, "Image: NIfTI, NRRD or MetaImage; surface: STL, OBJ, PLY or OFF; "
+                  "volume: OpenVDB")
       ->option_text("INPUT");
   mesh.add_option("--labels", raw.labels,
                   "Labels that make the solid, like 1,5-9 (default: all but 0)")
       ->option_text("LIST");
   mesh.add_option("--iso", raw.iso, "The solid is where the image is above V")
       ->option_text("V");
+  mesh.add_option("--grid", options.grid, "Grid of a .vdb file (default: its first level set)")
+      ->option_text("NAME");
   mesh.add_option("--expr", options.formula,
                   "The solid is where a formula in x, y, z is negative")
       ->option_text("FORMULA");
@@ -106,6 +111,12 @@ void judge_source(const MeshOptions& options, const RawMesh& raw) {
     refuse("--labels and --iso go with an image, not with --expr");
   if (formula == raw.bounds.empty())
     refuse(formula ? "--expr needs --bounds" : "--bounds goes with --expr");
+  if (!options.grid.empty() && !is_volume_file(options.input))
+    refuse("--grid goes with a .vdb file");
+  if (is_surface_file(options.input) && (!raw.labels.empty() || !raw.iso.empty()))
+    refuse("--labels and --iso go with an image or a volume, not with a surface");
+  if (is_volume_file(options.input) && !raw.labels.empty())
+    refuse("--labels goes with an image, not with a volume");
   if (!raw.labels.empty() && !raw.iso.empty())
     refuse("--labels and --iso exclude each other");
 }

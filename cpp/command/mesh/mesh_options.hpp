@@ -24,6 +24,7 @@ struct MeshOptions {
   Bounds bounds{};
   std::vector<LabelRange> labels;  ///< empty: all but 0
   std::optional<double> iso;
+  std::string grid;  ///< of a volume; empty: the one that speaks for itself
   double size = 0;  ///< 0: chosen by the input
   std::int32_t margin = 2;
   StuffingOptions stuffing;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "certet/error.hpp"
+#include "certet/volume.hpp"
 #include "silence.hpp"
 #include "surface_source.hpp"
 
@@ -64,11 +65,28 @@ Source from_surface(const MeshOptions& options) {
   return source;
 }
 
+Source from_volume(const MeshOptions& options) {
+  const auto read = [&] {
+    const Silence silence;
+    return read_volume(options.input, options.grid);
+  };
+  auto domain = volume_domain(read(), options.iso, {options.size, options.margin});
+  Source source;
+  source.lattice = domain->lattice();
+  source.frame = domain->frame();
+  source.bytes = domain->bytes();
+  source.domain = std::move(domain);
+  source.kind = "volume";
+  source.name = options.input.string();
+  return source;
+}
+
 }  // namespace
 
 Source open_source(const MeshOptions& options, std::uint64_t max_bytes) {
   if (!options.formula.empty()) return from_formula(options);
   if (is_surface_file(options.input)) return from_surface(options);
+  if (is_volume_file(options.input)) return from_volume(options);
   return from_image(options, max_bytes);
 }
 
