@@ -13,7 +13,7 @@ find_package_handle_standard_args(OpenVDB
                 TBB_FOUND Imath_FOUND)
 mark_as_advanced(OpenVDB_INCLUDE_DIR OpenVDB_BOOST_INCLUDE_DIR OpenVDB_LIBRARY)
 if(OpenVDB_FOUND AND NOT TARGET OpenVDB::openvdb)
-  add_library(OpenVDB::openvdb UNKNOWN IMPORTED)
+  add_library(OpenVDB::openvdb UNKNOWN IMPORTED GLOBAL)  # the tests write volumes too
   set_target_properties(OpenVDB::openvdb PROPERTIES
     IMPORTED_LOCATION ${OpenVDB_LIBRARY}
     INTERFACE_INCLUDE_DIRECTORIES ${OpenVDB_INCLUDE_DIR}

@@ -87,7 +87,8 @@ struct SurfaceLattice {
 /// way, and a surface that is inside out encloses the same solid.  Where the
 /// triangles do not agree which side is out, inside is what an odd number of
 /// them separate from the outside.  A point on the surface is on the surface,
-/// unless there is inside on both sides.
+/// unless what is next to it on two opposite sides is inside: so it is where
+/// solids overlap, and on edges that go inwards.
 ///
 /// The centre of the surface's bounding box is lattice point (0,0,0), and the
 /// axes are the world's.

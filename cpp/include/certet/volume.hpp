@@ -30,7 +30,7 @@ bool can_read_volumes();
 bool is_volume_file(const std::filesystem::path& file);
 
 /// Reads a grid of real numbers from a .vdb file.  `grid` names it; without a
-/// name it is the first level set of the file or, if there is none, the only
+/// name it is the first level set, by name, or, if there is none, the only
 /// grid of real numbers.
 /// \throws Error `bad_input` where the file is missing, damaged, has no such grid
 /// or several to choose from, or a transform that is not affine.
