@@ -26,7 +26,8 @@ struct Head {
 
   explicit Head(const fs::path& path) : file(path), size(fs::file_size(path)) {
     text.resize(static_cast<std::size_t>(std::min<std::uint64_t>(size, 1 << 16)));
-    std::ifstream(path, std::ios::binary).read(text.data(), static_cast<std::streamsize>(text.size()));
+    std::ifstream(path, std::ios::binary)
+        .read(text.data(), static_cast<std::streamsize>(text.size()));
   }
 
   [[noreturn]] void refuse(const std::string& reason) const {

@@ -56,7 +56,8 @@ void refuse_malformed(const TriangleSurface& surface) {
         refuse("has a triangle with point number " + std::to_string(point) + ", but only " +
                std::to_string(surface.points.size()) + " points");
       for (const double coordinate : surface.points[point])
-        if (!std::isfinite(coordinate)) refuse("has a triangle with a point that is NaN or infinite");
+        if (!std::isfinite(coordinate))
+          refuse("has a triangle with a point that is NaN or infinite");
     }
 }
 
