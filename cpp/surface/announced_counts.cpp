@@ -104,6 +104,17 @@ void judge_ply(const Head& head) {
   judge();
 }
 
+/// Lines with anything on them but a remark.
+std::uint64_t lines_of(const fs::path& file) {
+  std::uint64_t count = 0;
+  std::ifstream lines(file);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t word = line.find_first_not_of(" \t\r");
+    count += word != std::string::npos && line[word] != '#' && line[word] != 'O';
+  }
+  return count == 0 ? 0 : count - 1;  // one of them has the counts
+}
+
 void judge_off(const Head& head) {
   std::string text;
   std::istringstream lines(head.text);
@@ -114,8 +125,13 @@ void judge_off(const Head& head) {
   std::string magic;
   words >> magic;
   if (magic.find("OFF") == std::string::npos) words.seekg(begin);
-  head.judge(count_of(words), 6, "points");
-  head.judge(count_of(words), 4, "faces");
+  const std::uint64_t points = count_of(words), faces = count_of(words);
+  head.judge(points, 6, "points");
+  head.judge(faces, 4, "faces");
+  // A point or a face is a line, and assimp reads as many as it was promised.
+  if (lines_of(head.file) < points + faces)
+    head.refuse("is too short for the " + std::to_string(points) + " points and " +
+                std::to_string(faces) + " faces it announces");
 }
 
 /// In small letters, with the dot.

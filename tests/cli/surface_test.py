@@ -110,6 +110,7 @@ class Hostile(SurfaceTest):
         huge = surfaces.ply_header("binary_little_endian", 2000000000, 1).encode()
         self.assert_refused("a.ply", huge, "too short", "2000000000")
         self.assert_refused("b.ply", surfaces.ply_header("ascii", 4, 10 ** 30).encode(), "short")
+        self.assert_refused("b.off", b"OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "too short")
         self.assert_refused("a.off", b"OFF\n1000000000 1 0\n0 0 0\n", "too short")
 
     def test_no_surface(self):
