@@ -45,12 +45,14 @@ struct ExpressionDomain::State {
         of_rows(formula.tape, formula.level, Batch::row),
         of_points(formula.tape, formula.level, Batch::points),
         frame(around.frame),
-        lattice(around.lattice) {}
+        lattice(around.lattice),
+        side(certet::longest_side(bounds)) {}
 
   CutFormula formula;
   BatchFormula of_rows, of_points;
   Frame frame;
   Lattice lattice;
+  double side;  ///< the longest of the bounds
 };
 
 namespace {
@@ -73,6 +75,7 @@ bool can_read_expressions() { return true; }
 
 const Frame& ExpressionDomain::frame() const { return state_->frame; }
 const Lattice& ExpressionDomain::lattice() const { return state_->lattice; }
+double ExpressionDomain::longest_side() const { return state_->side; }
 
 void ExpressionDomain::row(Coord3 first, std::span<Sign> out) const {
   const State& state = *state_;

@@ -17,6 +17,7 @@ ExpressionDomain::ExpressionDomain(const std::string&, const Bounds&, double, st
 ExpressionDomain::~ExpressionDomain() = default;
 const Frame& ExpressionDomain::frame() const { return state_->frame; }
 const Lattice& ExpressionDomain::lattice() const { return state_->lattice; }
+double ExpressionDomain::longest_side() const { return 0; }
 void ExpressionDomain::row(Coord3, std::span<Sign>) const {}
 void ExpressionDomain::at(std::span<const Coord3>, std::span<Sign>) const {}
 Extent ExpressionDomain::extent(const LatticeBox&) const { return Extent::outside; }

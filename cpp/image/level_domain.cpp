@@ -234,10 +234,10 @@ class LevelDomain final : public ImageDomain {
 
 std::unique_ptr<ImageDomain> level_domain(std::shared_ptr<const Image> shared, double level,
                                           const ImageLattice& lattice) {
+  const Image& image = *shared;
   judge_geometry(image);
   if (!std::isfinite(level))
     throw Error(ErrorCode::bad_option, "the level must be a finite number");
-  const Image& image = *shared;
   return std::visit(
       [&]<class T>(const Buffer<T>& voxels) -> std::unique_ptr<ImageDomain> {
         refuse_nonfinite(image, voxels);

@@ -10,7 +10,7 @@ from program import TORUS, ProgramTest
 
 KEYS = {
     "certet": None, "command": None, "dry_run": None,
-    "input": {"kind", "name"},
+    "input": {"kind", "name", "notes"},
     "output": {"file", "format", "bytes"},
     "lattice": {"cells", "size", "cuts"},
     "mesh": {"points", "tets", "volume", "checksum"},

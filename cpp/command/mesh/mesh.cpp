@@ -127,6 +127,7 @@ void describe(const MeshOptions& options, const Source& source, MeshReport& repo
   report.dry_run = options.dry_run;
   report.input_kind = source.kind;
   report.input_name = source.name;
+  report.input_notes = source.notes;
   report.output = options.output.string();
   report.format = options.format == Format::vtu ? "vtu" : "medit";
   report.target_tets = options.target_tets;

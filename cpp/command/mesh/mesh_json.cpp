@@ -43,7 +43,8 @@ std::string json(const MeshReport& report) {
   json["certet"] = CERTET_VERSION;
   json["command"] = "mesh";
   json["dry_run"] = report.dry_run;
-  json["input"] = {{"kind", report.input_kind}, {"name", report.input_name}};
+  json["input"] = {{"kind", report.input_kind}, {"name", report.input_name},
+                   {"notes", report.input_notes}};
   json["output"] = {
       {"file", report.output}, {"format", report.format}, {"bytes", report.output_bytes}};
   json["lattice"] = {

@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "certet/error.hpp"
+#include "certet/surface.hpp"
+#include "certet/volume.hpp"
 #include "option_values.hpp"
 
 namespace certet::command {
@@ -26,9 +28,10 @@ wall at least THICKNESS thick, in a cube of SIDE; default: two periods).
 World coordinates are the image's own: millimetres, LPS (x to the left, y to the
 back, z to the head), as ITK has them, for NIfTI too.
 
-Keys of the JSON: certet, command, dry_run, input {kind, name}, output {file,
+Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file,
 format, bytes}, lattice {cells, size, cuts, and with --target-tets: target_tets,
-tries}, mesh {points, tets, volume, checksum}, dihedral {min, max, lattice_min, lattice_max, histogram}, guarantee {asked, used,
+tries}, mesh {points, tets, volume, checksum}, dihedral {min, max, lattice_min,
+lattice_max, histogram}, guarantee {asked, used,
 theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
 cut, warp, count, emit, measure, write, total}, memory {limit, needed, least,
 peak}.  Lengths are in world units, angles in degrees, memory in bytes; the
@@ -46,13 +49,16 @@ struct RawMesh {
 };
 
 void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
-  mesh.add_option("input", options.input, "Image: NIfTI, NRRD or MetaImage")
+  mesh.add_option("input", options.input, "Image: NIfTI, NRRD or MetaImage; surface: STL, OBJ, PLY or OFF; "
+                  "volume: OpenVDB")
       ->option_text("INPUT");
   mesh.add_option("--labels", raw.labels,
                   "Labels that make the solid, like 1,5-9 (default: all but 0)")
       ->option_text("LIST");
   mesh.add_option("--iso", raw.iso, "The solid is where the image is above V")
       ->option_text("V");
+  mesh.add_option("--grid", options.grid, "Grid of a .vdb file (default: its first level set)")
+      ->option_text("NAME");
   mesh.add_option("--expr", options.formula,
                   "The solid is where a formula in x, y, z is negative")
       ->option_text("FORMULA");
@@ -124,12 +130,18 @@ void judge_source(const MeshOptions& options, const RawMesh& raw) {
   const bool image = !options.input.empty();
   const bool formula = !options.formula.empty();
   const bool shape = !options.shape.empty();
-  if (image + formula + shape == 0) refuse("mesh needs an image, --expr or --shape");
-  if (image + formula + shape > 1) refuse("an image, --expr and --shape exclude each other");
+  if (image + formula + shape == 0) refuse("mesh needs an input, --expr or --shape");
+  if (image + formula + shape > 1) refuse("an input, --expr and --shape exclude each other");
   if (!image && (!raw.labels.empty() || !raw.iso.empty()))
     refuse("--labels and --iso go with an image, not with --expr or --shape");
   if (formula && raw.bounds.empty()) refuse("--expr needs --bounds");
   if (image && !raw.bounds.empty()) refuse("--bounds goes with --expr and --shape");
+  if (!options.grid.empty() && !is_volume_file(options.input))
+    refuse("--grid goes with a .vdb file");
+  if (is_surface_file(options.input) && (!raw.labels.empty() || !raw.iso.empty()))
+    refuse("--labels and --iso go with an image or a volume, not with a surface");
+  if (is_volume_file(options.input) && !raw.labels.empty())
+    refuse("--labels goes with an image, not with a volume");
   if (!raw.labels.empty() && !raw.iso.empty())
     refuse("--labels and --iso exclude each other");
 }

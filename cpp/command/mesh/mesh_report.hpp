@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "certet/quality.hpp"
 #include "certet/stuffing.hpp"
@@ -15,8 +16,9 @@ namespace certet::command {
 
 struct MeshReport {
   bool dry_run = false;
-  std::string input_kind;  ///< labels, level, formula or shape
+  std::string input_kind;  ///< labels, level, formula, shape, surface or volume
   std::string input_name;
+  std::vector<std::string> input_notes;
   std::string output, format;
   std::uint64_t output_bytes = 0;
 

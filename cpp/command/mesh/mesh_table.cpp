@@ -20,6 +20,7 @@ void add_guarantee(Lines& lines, const MeshReport& report) {
 std::string table(const MeshReport& report) {
   Lines lines;
   lines.add("input", "{} ({})", report.input_name, report.input_kind);
+  for (const std::string& note : report.input_notes) lines.add("note", "{}", note);
   if (!report.output.empty() || report.dry_run)
     lines.add("output", "{} ({}, {}){}",
               report.output.empty() ? "none" : report.output, report.format,

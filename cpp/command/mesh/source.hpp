@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "certet/write_mesh.hpp"
 #include "mesh_options.hpp"
@@ -24,14 +25,15 @@ struct PlacedSource {
 /// What has been read, once; it can be placed on lattices of several sizes, one
 /// after the other.
 struct Source {
-  std::string kind;  ///< labels, level, formula or shape
+  std::string kind;  ///< labels, level, formula, shape, surface or volume
   std::string name;
   /// `size` is the long edge in world units; 0: the source's own choice.
-  /// \throws Error.
+  /// 	hrows Error.
   std::function<PlacedSource(double size)> place;
+  std::vector<std::string> notes = {};  ///< what is doubtful about it, a sentence each
 };
 
-/// Reads the image, the formula or the shape.  \throws Error.
+/// Reads the image, surface, volume, formula or shape.  	hrows Error.
 Source open_source(const MeshOptions& options, std::uint64_t max_bytes);
 
 }  // namespace certet::command

@@ -7,9 +7,7 @@
 #include <string>
 
 #include "certet/bounds.hpp"
-#include "certet/domain.hpp"
-#include "certet/frame.hpp"
-#include "certet/stuffing.hpp"
+#include "certet/placed_domain.hpp"
 
 namespace certet {
 
@@ -30,7 +28,7 @@ bool can_read_expressions();
 ///
 /// Points are computed in batches, and blocks of the lattice that interval
 /// arithmetic proves to lie on one side are not computed at all.
-class ExpressionDomain final : public Domain {
+class ExpressionDomain final : public PlacedDomain {
  public:
   /// `size` and `margin` are those of `lattice_around`.
   /// \throws Error `bad_input` (a formula that cannot be read, with the position),
@@ -39,8 +37,9 @@ class ExpressionDomain final : public Domain {
                    std::int32_t margin);
   ~ExpressionDomain() override;
 
-  [[nodiscard]] const Frame& frame() const;
-  [[nodiscard]] const Lattice& lattice() const;
+  [[nodiscard]] const Frame& frame() const override;
+  [[nodiscard]] const Lattice& lattice() const override;
+  [[nodiscard]] double longest_side() const override;  ///< of the bounds
 
   void row(Coord3 first, std::span<Sign> out) const override;
   void at(std::span<const Coord3> positions, std::span<Sign> out) const override;

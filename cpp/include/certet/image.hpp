@@ -14,9 +14,7 @@
 #include <vector>
 
 #include "certet/buffer.hpp"
-#include "certet/domain.hpp"
-#include "certet/frame.hpp"
-#include "certet/stuffing.hpp"
+#include "certet/placed_domain.hpp"
 
 namespace certet {
 
@@ -70,22 +68,17 @@ struct ImageLattice {
 /// that each voxel holds one even and one odd point, a quarter of its diagonal
 /// before and behind its centre.  Beyond the outermost voxels all is outside,
 /// which closes the solid at the image's border.
-class ImageDomain : public Domain {
+///
+/// The frame is right-handed for every image.  The longest side is that of the
+/// box of voxels that the solid lies in; a level's solid may reach into the voxels
+/// next to those above the level.  The bytes are those of the image's voxels too.
+class ImageDomain : public PlacedDomain {
  public:
-  /// From lattice to world; right-handed for every image.
-  [[nodiscard]] virtual const Frame& frame() const = 0;
-  /// The piece of the lattice that holds the solid.
-  [[nodiscard]] virtual const Lattice& lattice() const = 0;
   /// The labels of tetrahedra of this domain's mesh, corners in steps: that of
   /// the voxel nearest to the centroid or, where that one was not chosen, of the
   /// chosen voxel at the corner nearest to it.  0 for a level's solid.
   virtual void label(std::span<const std::array<Coord3, 4>> tets,
                      std::span<std::int32_t> out) const = 0;
-  /// The longest side, in world units, of the box of voxels that the solid lies
-  /// in; a level's solid may reach into the voxels next to those above the level.
-  [[nodiscard]] virtual double longest_side() const = 0;
-  /// Bytes that the object holds, the image's own voxels among them.
-  [[nodiscard]] virtual std::uint64_t bytes() const = 0;
 };
 
 /// The union of all voxels with one of the labels; without labels, of all that

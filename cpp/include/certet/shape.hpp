@@ -8,9 +8,7 @@
 #include <string>
 
 #include "certet/bounds.hpp"
-#include "certet/domain.hpp"
-#include "certet/frame.hpp"
-#include "certet/stuffing.hpp"
+#include "certet/placed_domain.hpp"
 
 namespace certet {
 
@@ -26,7 +24,7 @@ namespace certet {
 ///
 /// All but the gyroid are signed distances to the surface; the gyroid's function
 /// is no more than the distance.
-class ShapeDomain final : public Domain {
+class ShapeDomain final : public PlacedDomain {
  public:
   /// Within `bounds`, if there are any, which cut the solid off.  `size` and
   /// `margin` are those of `lattice_around`, around the solid's bounds.
@@ -35,8 +33,9 @@ class ShapeDomain final : public Domain {
   ShapeDomain(const std::string& shape, const std::optional<Bounds>& bounds, double size,
               std::int32_t margin);
 
-  [[nodiscard]] const Frame& frame() const { return around_.frame; }
-  [[nodiscard]] const Lattice& lattice() const { return around_.lattice; }
+  [[nodiscard]] const Frame& frame() const override { return around_.frame; }
+  [[nodiscard]] const Lattice& lattice() const override { return around_.lattice; }
+  [[nodiscard]] double longest_side() const override { return certet::longest_side(bounds_); }
   /// The box around the solid, exact but where `bounds` cut it.
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
 

@@ -1,0 +1,67 @@
+#include "surface_source.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "certet/error.hpp"
+#include "silence.hpp"
+
+namespace certet::command {
+namespace {
+
+std::string counted(const SurfaceDefect& defect, const char* one, const char* many) {
+  return fmt::format("{} {}", defect.count, defect.count == 1 ? one : many);
+}
+
+std::string place(const SurfaceDefect& defect) {
+  const auto& [x, y, z] = defect.first;
+  return fmt::format("{}at ({:.6g}, {:.6g}, {:.6g})", defect.count == 1 ? "" : "the first ", x,
+                     y, z);
+}
+
+void refuse_open(const TriangleSurface& surface, const SurfaceDefects& defects) {
+  if (defects.closed()) return;
+  throw Error(ErrorCode::bad_input,
+              fmt::format("the surface '{}' is open: it ends at {}, {}", surface.name,
+                          counted(defects.open_edges, "edge", "edges"),
+                          place(defects.open_edges)));
+}
+
+std::vector<std::string> notes_on(const TriangleSurface& surface,
+                                  const SurfaceDefects& defects) {
+  std::vector<std::string> notes;
+  if (defects.misoriented_edges.count != 0)
+    notes.push_back(fmt::format(
+        "the triangles of '{}' do not agree which side is out along {}, {}; inside is what an "
+        "odd number of triangles separate from the outside",
+        surface.name, counted(defects.misoriented_edges, "edge", "edges"),
+        place(defects.misoriented_edges)));
+  if (defects.self_intersections.count != 0)
+    notes.push_back(fmt::format(
+        "the surface '{}' passes through itself in {}, {}; {}", surface.name,
+        counted(defects.self_intersections, "pair of triangles", "pairs of triangles"),
+        place(defects.self_intersections),
+        defects.misoriented_edges.count != 0 ? "what is twice inside is outside"
+                                             : "what is inside more than once is inside"));
+  if (defects.inside_out)
+    notes.push_back(fmt::format(
+        "the surface '{}' is inside out; what it encloses is meshed", surface.name));
+  return notes;
+}
+
+}  // namespace
+
+JudgedSurface open_surface(const std::filesystem::path& file) {
+  JudgedSurface result;
+  {
+    const Silence silence;
+    result.surface = read_surface(file);
+  }
+  const SurfaceDefects defects = inspect(result.surface);
+  refuse_open(result.surface, defects);
+  result.notes = notes_on(result.surface, defects);
+  return result;
+}
+
+}  // namespace certet::command

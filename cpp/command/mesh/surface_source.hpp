@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// Surfaces from files, judged before they are meshed.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "certet/surface.hpp"
+
+namespace certet::command {
+
+/// A surface, and what the user should know of it, a sentence each.
+struct JudgedSurface {
+  TriangleSurface surface;
+  std::vector<std::string> notes;
+};
+
+/// Reads a closed surface.  \throws Error `bad_input`, for an open one too.
+JudgedSurface open_surface(const std::filesystem::path& file);
+
+}  // namespace certet::command

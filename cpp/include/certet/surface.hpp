@@ -1,0 +1,100 @@
+#pragma once
+/// \file
+/// Closed surfaces made of triangles, and the solids inside of them.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "certet/placed_domain.hpp"
+
+namespace certet {
+
+/// Triangles in space.  Neighbours share the numbers of their points; corners
+/// run anticlockwise seen from outside.
+struct TriangleSurface {
+  std::string name;  ///< what sentences call it: the file
+  std::vector<Point3> points;  ///< world coordinates
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< numbers of points
+};
+
+/// Whether `read_surface` was built in.
+bool can_read_surfaces();
+
+/// Whether the extension is that of a surface: .stl .obj .ply .off.
+bool is_surface_file(const std::filesystem::path& file);
+
+/// Reads an STL, OBJ, PLY or OFF file in world coordinates, which are the
+/// file's, rounded to 24 bits.  Polygons are cut into triangles, and points that
+/// are equal become one.  Counts are judged by the length of the file before
+/// memory is taken for them.
+/// \throws Error `bad_input` where the file is missing, truncated, not such a
+/// file, or has no triangle; the sentence names it.
+TriangleSurface read_surface(const std::filesystem::path& file);
+
+/// Makes points that are exactly equal one point, and drops those that belong to
+/// no triangle.
+/// \throws Error `bad_input` as `inspect`.
+void merge_equal_points(TriangleSurface& surface);
+
+/// How often something is wrong, and where first.
+struct SurfaceDefect {
+  std::uint64_t count = 0;
+  Point3 first{0, 0, 0};  ///< world coordinates; of an edge its middle
+};
+
+/// What keeps a surface from being the boundary of a solid, or makes it doubtful.
+struct SurfaceDefects {
+  /// Edges of one triangle, or of three, or any other odd number: the surface
+  /// ends there.
+  SurfaceDefect open_edges;
+  /// Edges of more than two triangles.
+  SurfaceDefect overfull_edges;
+  /// Edges of an even number of triangles that do not run along it as often one
+  /// way as the other: they do not agree which side is out.
+  SurfaceDefect misoriented_edges;
+  /// Pairs of triangles of which one has an edge that passes through the other.
+  /// Triangles that only touch, as neighbours do, are none.
+  SurfaceDefect self_intersections;
+  /// All in all the triangles run clockwise seen from outside.
+  bool inside_out = false;
+
+  [[nodiscard]] bool closed() const { return open_edges.count == 0; }
+};
+
+/// Edges are counted exactly; intersections are decided exactly for the points
+/// rounded to 2^-30 of the longest half side.
+/// \throws Error `bad_input` (no triangles, points that are NaN or infinite,
+/// numbers of points out of range).
+SurfaceDefects inspect(const TriangleSurface& surface);
+
+/// How finely a surface is meshed.
+struct SurfaceLattice {
+  double size = 0;  ///< long edge in world units; 0: a 64th of the longest side
+  std::int32_t margin = 2;  ///< lattice cells around the surface, at least 1
+};
+
+/// The solid inside of a closed surface.  The points are rounded to whole steps
+/// (a 2^17th of the long edge), and all that follows is exact: there is no
+/// distance field, so sharp edges stay sharp, and thin walls that a lattice
+/// point falls into are seen.
+///
+/// Inside is where the surface winds around a point, either way: solids that
+/// overlap are united, a shell within another is a cavity if it faces the other
+/// way, and a surface that is inside out encloses the same solid.  Where the
+/// triangles do not agree which side is out, inside is what an odd number of
+/// them separate from the outside.  A point on the surface is on the surface,
+/// unless what is next to it on two opposite sides is inside: so it is where
+/// solids overlap, and on edges that go inwards.
+///
+/// The centre of the surface's bounding box is lattice point (0,0,0), and the
+/// axes are the world's.
+/// \throws Error `bad_input` as `inspect` and where the surface is open,
+/// `bad_option` (size, margin), `too_large` (coordinate range).
+std::unique_ptr<PlacedDomain> surface_domain(const TriangleSurface& surface,
+                                             const SurfaceLattice& lattice);
+
+}  // namespace certet

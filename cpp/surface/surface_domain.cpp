@@ -1,0 +1,243 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "certet/error.hpp"
+#include "certet/surface.hpp"
+#include "edges.hpp"
+#include "exact.hpp"
+#include "surface_blocks.hpp"
+#include "triangle_columns.hpp"
+
+namespace certet {
+namespace {
+
+using exact::Nudge;
+
+/// Around the points of the triangles.
+struct Box {
+  Point3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+
+  explicit Box(const TriangleSurface& surface) {
+    for (const auto& triangle : surface.triangles)
+      for (const std::uint32_t point : triangle)
+        for (std::size_t a = 0; a < 3; ++a) {
+          low[a] = std::min(low[a], surface.points[point][a]);
+          high[a] = std::max(high[a], surface.points[point][a]);
+        }
+  }
+  [[nodiscard]] double side(std::size_t a) const { return high[a] - low[a]; }
+  [[nodiscard]] double longest() const { return std::max({side(0), side(1), side(2)}); }
+};
+
+/// Frame and lattice.
+struct Place {
+  Frame frame;
+  Lattice lattice;
+  double longest_side = 0;
+
+  Place(const Box& box, const SurfaceLattice& choice) : longest_side(box.longest()) {
+    frame.size = choice.size == 0 ? box.longest() / 64 : choice.size;
+    if (choice.size == 0 && frame.size == 0) frame.size = 1;  // one point: nothing is inside
+    if (!std::isfinite(frame.size) || frame.size <= 0)
+      throw Error(ErrorCode::bad_option, "the size must be a positive number");
+    if (choice.margin < 1)
+      throw Error(ErrorCode::bad_option, "the margin must be at least 1");
+    for (std::size_t a = 0; a < 3; ++a) {
+      frame.origin[a] = box.low[a] + box.side(a) / 2;
+      // Even, so that lattice point (0,0,0) is in the middle.
+      lattice.cells[a] = checked_cells(
+          2 * (std::ceil(box.side(a) / (2 * frame.size)) + choice.margin));
+    }
+    lattice.origin = {-lattice.cells[0], -lattice.cells[1], -lattice.cells[2]};
+  }
+
+  /// A world point, rounded to steps.
+  [[nodiscard]] Coord3 position(const Point3& point) const {
+    const double unit = frame.size / (2.0 * steps);
+    const auto rounded = [&](std::size_t a) {
+      return static_cast<std::int32_t>(std::lround((point[a] - frame.origin[a]) / unit));
+    };
+    return {rounded(0), rounded(1), rounded(2)};
+  }
+};
+
+/// Points of triangles only: others may be anywhere.
+std::vector<Coord3> positions(const TriangleSurface& surface, const Place& place) {
+  std::vector<Coord3> result(surface.points.size(), Coord3{0, 0, 0});
+  for (const auto& triangle : surface.triangles)
+    for (const std::uint32_t point : triangle)
+      result[point] = place.position(surface.points[point]);
+  return result;
+}
+
+/// Whether the solid is what the surface winds around, or what an odd number of
+/// triangles separate from the outside.
+enum class Rule { winding, parity };
+
+/// \throws Error where neither makes sense
+Rule rule_for(const TriangleSurface& surface) {
+  Rule rule = Rule::winding;
+  for (const SurfaceEdge& edge : edges_of(surface)) {
+    if (edge.open())
+      throw Error(ErrorCode::bad_input,
+                  "'" + surface.name + "' is open: it does not enclose a solid");
+    if (edge.misoriented()) rule = Rule::parity;
+  }
+  return rule;
+}
+
+class SurfaceDomain final : public PlacedDomain {
+ public:
+  SurfaceDomain(const TriangleSurface& surface, const Place& place, Rule rule)
+      : place_(place),
+        rule_(rule),
+        columns_(positions(surface, place), surface.triangles),
+        blocks_(place.lattice) {
+    for (std::uint32_t t = 0; t < columns_.size(); ++t) blocks_.add(columns_.corners(t));
+  }
+
+  [[nodiscard]] const Frame& frame() const override { return place_.frame; }
+  [[nodiscard]] const Lattice& lattice() const override { return place_.lattice; }
+  [[nodiscard]] double longest_side() const override { return place_.longest_side; }
+  [[nodiscard]] std::uint64_t bytes() const override {
+    return columns_.bytes() + blocks_.bytes();
+  }
+
+  void row(Coord3 first, std::span<Sign> out) const override {
+    RowOfSigns(*this, first, out).find();
+  }
+
+  void at(std::span<const Coord3> positions, std::span<Sign> out) const override {
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = sign(positions[i]);
+  }
+
+  [[nodiscard]] Extent extent(const LatticeBox& box) const override {
+    if (blocks_.any(box)) return Extent::mixed;
+    return sign(steps * box.low) == Sign::plus ? Extent::inside : Extent::outside;
+  }
+
+ private:
+  [[nodiscard]] bool inside(int winding) const {
+    return rule_ == Rule::parity ? winding % 2 != 0 : winding != 0;
+  }
+
+  [[nodiscard]] Sign sign(Coord3 p) const {
+    int winding = 0;
+    bool touched = false;
+    columns_.for_each_ahead(p, [&](const exact::Corners& t) {
+      const exact::Normal n = exact::normal(t);
+      touched = touched || exact::touches(t, n, p);
+      const int direction = exact::passing(t, p, Nudge::forward);
+      if (direction != 0 && exact::ahead(t, n, direction, p, Nudge::forward))
+        winding += direction;
+    });
+    if (touched) return sign_on_surface(p, inside(winding));
+    return inside(winding) ? Sign::plus : Sign::minus;
+  }
+
+  /// Of a point on a triangle, if its neighbour forward is inside or not.
+  [[nodiscard]] Sign sign_on_surface(Coord3 p, bool inside_forward) const {
+    if (!inside_forward) return Sign::on_surface;
+    int winding = 0;
+    columns_.for_each_ahead(p, [&](const exact::Corners& t) {
+      const int direction = exact::passing(t, p, Nudge::backward);
+      if (direction != 0 && exact::ahead(t, exact::normal(t), direction, p, Nudge::backward))
+        winding += direction;
+    });
+    return inside(winding) ? Sign::plus : Sign::on_surface;
+  }
+
+  /// Lattice points first, first + (2,0,0), … with each triangle looked at once.
+  class RowOfSigns {
+   public:
+    RowOfSigns(const SurfaceDomain& domain, Coord3 first, std::span<Sign> out)
+        : domain_(domain), first_(steps * first), out_(out), changes_(out.size() + 1, 0),
+          touched_(out.size(), false) {}
+
+    void find() {
+      domain_.columns_.for_each_ahead(first_, [&](const exact::Corners& t) { add(t); });
+      int winding = 0;
+      for (std::size_t i = out_.size(); i-- > 0;) {
+        winding += changes_[i + 1];
+        const bool inside = domain_.inside(winding);
+        out_[i] = touched_[i] ? domain_.sign_on_surface(point(i), inside)
+                  : inside    ? Sign::plus
+                              : Sign::minus;
+      }
+    }
+
+   private:
+    static constexpr std::int64_t stride = 2 * std::int64_t{steps};
+
+    [[nodiscard]] Coord3 point(std::size_t i) const {
+      return {static_cast<std::int32_t>(first_.x + stride * static_cast<std::int64_t>(i)),
+              first_.y, first_.z};
+    }
+    /// The number of points less than a distance from the first.
+    [[nodiscard]] std::size_t points_before(std::int64_t distance) const {
+      const std::int64_t count = distance <= 0 ? 0 : (distance - 1) / stride + 1;
+      return std::min(static_cast<std::size_t>(count), out_.size());
+    }
+
+    void add(const exact::Corners& t) {
+      const exact::Normal n = exact::normal(t);
+      const exact::Wide height = exact::height(t, n, first_);
+      if (n.x == 0) {
+        if (height == 0) touch_along(t, n);
+        return;
+      }
+      // The row meets the plane this far from its first point, which is a whole
+      // number of steps, or that and less than one more.
+      exact::Wide distance = -height / n.x;
+      const bool whole = distance * n.x == -height;
+      if (!whole && (height > 0) == (n.x > 0)) --distance;
+      const auto bounded = static_cast<std::int64_t>(
+          std::clamp<exact::Wide>(distance, -1, stride * static_cast<std::int64_t>(out_.size())));
+      add_passing(t, n, points_before(whole ? bounded : bounded + 1));
+    }
+
+    /// The triangle's plane is ahead of the first `before` points, and it may be
+    /// at the next.
+    void add_passing(const exact::Corners& t, const exact::Normal& n, std::size_t before) {
+      if (before < out_.size() && exact::touches(t, n, point(before))) touched_[before] = true;
+      const int direction = exact::passing(t, first_, Nudge::forward);
+      if (direction == 0) return;
+      if (before < out_.size() && exact::ahead(t, n, direction, point(before), Nudge::forward))
+        ++before;
+      changes_[before] += direction;
+    }
+
+    /// The row runs in the triangle's plane.
+    void touch_along(const exact::Corners& t, const exact::Normal& n) {
+      const auto [low, high] = std::minmax({t[0].x, t[1].x, t[2].x});
+      const std::size_t end = points_before(exact::gap(first_.x, high) + 1);
+      for (std::size_t i = points_before(exact::gap(first_.x, low)); i < end; ++i)
+        if (exact::touches(t, n, point(i))) touched_[i] = true;
+    }
+
+    const SurfaceDomain& domain_;
+    Coord3 first_;
+    std::span<Sign> out_;
+    std::vector<int> changes_;  ///< [i]: of the triangles ahead of i points
+    std::vector<bool> touched_;
+  };
+
+  Place place_;
+  Rule rule_;
+  TriangleColumns columns_;
+  SurfaceBlocks blocks_;
+};
+
+}  // namespace
+
+std::unique_ptr<PlacedDomain> surface_domain(const TriangleSurface& surface,
+                                             const SurfaceLattice& lattice) {
+  refuse_malformed(surface);
+  const Rule rule = rule_for(surface);
+  return std::make_unique<SurfaceDomain>(surface, Place(Box(surface), lattice), rule);
+}
+
+}  // namespace certet

@@ -1,0 +1,183 @@
+"""What `certet mesh` makes of surfaces and volumes."""
+
+import math
+import os
+import subprocess
+import unittest
+
+import surfaces
+from program import ProgramTest
+
+USAGE, BAD_INPUT, EMPTY = 2, 3, 4
+WRITE_VOLUMES = os.environ.get("CERTET_WRITE_VOLUMES", "")
+
+
+class SurfaceTest(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "probe.stl").write_bytes(surfaces.stl(surfaces.cube()))
+        probe = self.run_certet("mesh", "probe.stl", "--dry-run")
+        if "not built in" in probe.stderr:
+            self.skipTest("without assimp")
+        (self.folder / "probe.stl").unlink()
+
+    def write(self, name, data):
+        (self.folder / name).write_bytes(data)
+        return name
+
+    def obj(self, surface, name="a.obj"):
+        return self.write(name, surfaces.obj(surface))
+
+
+class Formats(SurfaceTest):
+    def test_cube_is_exact(self):
+        for name, writer in surfaces.WRITERS.items():
+            with self.subTest(name):
+                self.write(name, writer(surfaces.cube((1, 2, 3), (2, 3, 4))))
+                report = self.mesh(name, "-o", "a.vtu", "--size", "0.125")
+                self.assertEqual(report["input"], {"kind": "surface", "name": name, "notes": []})
+                self.assertAlmostEqual(report["mesh"]["volume"], 1, delta=1e-12)
+                self.assertTrue(report["guarantee"]["holds"])
+                self.check("a.vtu")
+
+    def test_all_formats_give_the_same_torus(self):
+        exact = surfaces.volume(surfaces.torus())
+        for name, writer in surfaces.WRITERS.items():
+            with self.subTest(name):
+                self.write(name, writer(surfaces.torus()))
+                volume = self.mesh(name, "--size", "0.05", "-o", "a.vtu")["mesh"]["volume"]
+                self.assertAlmostEqual(volume, exact, delta=0.005 * exact)
+
+    def test_error_falls_with_the_square_of_the_size(self):
+        sphere = surfaces.sphere()
+        self.write("s.stl", surfaces.stl(sphere))
+        for size in (0.2, 0.1, 0.05):
+            volume = self.mesh("s.stl", "--size", size, "-o", "a.vtu")["mesh"]["volume"]
+            self.assertLess(abs(volume - surfaces.volume(sphere)), 1.2 * size * size)
+
+    def test_same_bytes_for_every_thread_count(self):
+        self.write("t.stl", surfaces.stl(surfaces.torus()))
+        for threads in (1, 2, 8):
+            self.mesh("t.stl", "--threads", threads, "-o", f"{threads}.vtu")
+        first = (self.folder / "1.vtu").read_bytes()
+        for threads in (2, 8):
+            self.assertEqual(first, (self.folder / f"{threads}.vtu").read_bytes())
+
+
+class Defects(SurfaceTest):
+    def notes(self, surface, *words):
+        report = self.mesh(self.obj(surface), "--size", "0.1", "-o", "a.vtu")
+        self.assertEqual(len(report["input"]["notes"]), len(words))
+        for note, word in zip(report["input"]["notes"], words):
+            self.assertIn(word, note)
+        return report["mesh"]["volume"]
+
+    def test_open(self):
+        points, faces = surfaces.cube()
+        self.obj((points, faces[1:]))
+        self.assert_fails(BAD_INPUT, ["open", "4 edges", "(0, 0, 0.5)"], "mesh", "a.obj", "-o",
+                          "a.vtu")
+
+    def test_inside_out(self):
+        volume = self.notes(surfaces.inside_out(surfaces.cube()), "inside out")
+        self.assertAlmostEqual(volume, 1, delta=0.01)
+
+    def test_overlapping(self):
+        both = surfaces.join(surfaces.cube(), surfaces.cube((0.5, 0.5, 0.5), (1.5, 1.5, 1.5)))
+        self.assertAlmostEqual(self.notes(both, "passes through itself"), 1.875, delta=0.02)
+
+    def test_cavity(self):
+        hollow = surfaces.join(surfaces.cube(), surfaces.inside_out(
+            surfaces.cube((0.25, 0.25, 0.25), (0.75, 0.75, 0.75))))
+        self.assertAlmostEqual(self.notes(hollow), 0.875, delta=0.02)
+
+    def test_disagreeing_triangles(self):
+        points, faces = surfaces.cube()
+        self.assertAlmostEqual(self.notes((points, [faces[0][::-1]] + faces[1:]), "4 edges"), 1,
+                               delta=0.01)
+
+
+class Hostile(SurfaceTest):
+    def assert_refused(self, name, data, *words):
+        with self.subTest(name=name, words=words):
+            self.write(name, data)
+            self.assert_fails(BAD_INPUT, [name, *words], "mesh", name, "-o", "a.vtu")
+
+    def test_announced_counts(self):
+        self.assert_refused("a.stl", b"\0" * 80 + b"\xff\xff\xff\xff", "too short", "4294967295")
+        self.assert_refused("b.stl", surfaces.stl(surfaces.cube())[:-1], "too short")
+        self.assert_refused("c.stl", b"\0" * 10, "too short")
+        huge = surfaces.ply_header("binary_little_endian", 2000000000, 1).encode()
+        self.assert_refused("a.ply", huge, "too short", "2000000000")
+        self.assert_refused("b.ply", surfaces.ply_header("ascii", 4, 10 ** 30).encode(), "short")
+        self.assert_refused("b.off", b"OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "too short")
+        self.assert_refused("a.off", b"OFF\n1000000000 1 0\n0 0 0\n", "too short")
+
+    def test_no_surface(self):
+        for name in ("a.stl", "a.obj", "a.ply", "a.off"):
+            self.assert_refused(name, b"", "empty")
+            self.assert_refused(name, b"solid nothing\nendsolid nothing\n")
+            self.assert_refused(name, bytes(range(256)) * 4)
+        self.assert_fails(BAD_INPUT, ["none.stl"], "mesh", "none.stl", "-o", "a.vtu")
+
+    def test_wrong_numbers(self):
+        self.assert_refused("a.off", b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n")
+        self.assert_refused("a.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n")
+        self.assert_refused("b.obj", b"v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n")
+
+    def test_flat(self):
+        self.obj(([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2), (2, 1, 0)]))
+        self.assert_fails(EMPTY, ["a.obj"], "mesh", "a.obj", "-o", "a.vtu")
+
+    def test_options(self):
+        self.obj(surfaces.cube())
+        for option in (("--iso", "1"), ("--labels", "1"), ("--grid", "a")):
+            self.assert_fails(USAGE, [option[0]], "mesh", "a.obj", "-o", "a.vtu", *option)
+
+
+@unittest.skipUnless(WRITE_VOLUMES, "without OpenVDB")
+class Volumes(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        subprocess.run([WRITE_VOLUMES, self.folder], check=True)
+
+    def test_level_set(self):
+        report = self.mesh("ball.vdb", "-o", "a.vtu")
+        self.assertEqual(report["input"]["kind"], "volume")
+        self.assertAlmostEqual(report["mesh"]["volume"], 4 / 3 * math.pi * 8, delta=0.1)
+        self.check("a.vtu")
+        larger = self.mesh("ball.vdb", "--iso", "0.1", "-o", "b.vtu")
+        self.assertAlmostEqual(larger["mesh"]["volume"], 4 / 3 * math.pi * 2.1 ** 3, delta=0.2)
+        self.mesh("ball.vdb", "-o", "c.vtu", "--threads", 8)
+        self.assertEqual((self.folder / "a.vtu").read_bytes(),
+                         (self.folder / "c.vtu").read_bytes())
+
+    def test_fog(self):
+        report = self.mesh("fog.vdb", "--iso", "0.5", "-o", "a.vtu")
+        # Half of the fog is half of the narrow band inside.
+        self.assertAlmostEqual(report["mesh"]["volume"], 4 / 3 * math.pi * 1.85 ** 3, delta=0.3)
+        named = self.mesh("several.vdb", "--iso", "0.5", "--grid", "thick", "-o", "b.vtu")
+        self.assertEqual(named["mesh"], report["mesh"])
+
+    def test_refusals(self):
+        for status, words, arguments in (
+                (USAGE, ["--iso"], ["fog.vdb"]),
+                (USAGE, ["narrow band"], ["ball.vdb", "--iso", "5"]),
+                (BAD_INPUT, ["thick, thin"], ["several.vdb", "--iso", "1"]),
+                (BAD_INPUT, ["named 'x'"], ["ball.vdb", "--grid", "x"]),
+                (BAD_INPUT, ["no grid"], ["vectors.vdb"]),
+                (EMPTY, ["inside"], ["fog.vdb", "--iso", "2"]),
+                (BAD_INPUT, ["none.vdb"], ["none.vdb"])):
+            with self.subTest(arguments):
+                self.assert_fails(status, words, "mesh", *arguments, "-o", "a.vtu")
+
+    def test_damaged(self):
+        whole = (self.folder / "ball.vdb").read_bytes()
+        for length in (0, 10, 100, len(whole) // 2, len(whole) - 20):
+            (self.folder / "cut.vdb").write_bytes(whole[:length])
+            with self.subTest(length):
+                self.assert_fails(BAD_INPUT, ["cut.vdb"], "mesh", "cut.vdb", "-o", "a.vtu")
+
+
+if __name__ == "__main__":
+    unittest.main()
