@@ -28,7 +28,8 @@ back, z to the head), as ITK has them, for NIfTI too.
 
 Keys of the JSON: certet, command, dry_run, input {kind, name}, output {file,
 format, bytes}, lattice {cells, size, cuts, and with --target-tets: target_tets,
-tries}, mesh {points, tets, volume, checksum}, dihedral {min, max, lattice_min, lattice_max, histogram}, guarantee {asked, used,
+tries}, mesh {points, tets, volume, checksum}, dihedral {min, max, lattice_min,
+lattice_max, histogram}, guarantee {asked, used,
 theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
 cut, warp, count, emit, measure, write, total}, memory {limit, needed, least,
 peak}.  Lengths are in world units, angles in degrees, memory in bytes; the
