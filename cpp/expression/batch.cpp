@@ -127,7 +127,7 @@ BatchFormula::BatchFormula(const Tape& tape, NodeId root, Batch kind) {
 
 void BatchFormula::take(const Step& step, const std::array<Operand, 3>& of, double* out,
                         std::size_t count) {
-  const auto& [a, b, c] = of;
+  const Operand &a = of[0], &b = of[1], &c = of[2];
   with_function(step.operation, [&]<class Function>(const Function& function) {
     if constexpr (std::is_invocable_v<Function, double>)
       map(function, a.values, out, count);

@@ -47,7 +47,8 @@ inline Formula formula(Random& random, int operations) {
   };
   for (int i = 0; i < operations; ++i) {
     const auto operation = static_cast<Operation>(
-        between(random, int{static_cast<int>(Operation::negate)}, static_cast<int>(Operation::select)));
+        between(random, static_cast<int>(Operation::negate),
+                static_cast<int>(Operation::select)));
     const NodeId a = any(), b = any(), c = any();
     const int count = certet::operands_of(operation);
     nodes.push_back(result.tape.add(operation, a, count > 1 ? b : 0, count > 2 ? c : 0));
