@@ -204,11 +204,8 @@ Quality world(std::span<const Point3> points, std::uint64_t first_point,
   return quality;
 }
 
-/// Edges along which all coordinates are smaller than 2^19 in magnitude have a
-/// determinant smaller than 2^60.
-constexpr std::int64_t edge_limit = std::int64_t{1} << 19;
-
 void refuse_wide(const LatticeShape& shape) {
+  using quality::edge_limit;
   const auto wide = [](std::int64_t v) { return v < -edge_limit || v >= edge_limit; };
   for (const LatticeEdge& edge : {shape.a, shape.b, shape.c})
     if (wide(edge.x) || wide(edge.y) || wide(edge.z))

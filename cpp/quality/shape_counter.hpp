@@ -27,6 +27,11 @@ struct LatticeEdge {
   }
 };
 
+/// Edges of which no coordinate is greater have a determinant that fits 64 bits,
+/// with all its intermediate values (`VolumesFit` of the certificate); those of
+/// the output are half as long (`TetsNarrow`).
+inline constexpr std::int64_t edge_limit = std::int64_t{1} << 19;
+
 /// A tetrahedron but for its place: the edges from its first vertex.
 struct LatticeShape {
   LatticeEdge a, b, c;
