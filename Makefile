@@ -7,12 +7,13 @@
 #   make proofs           replay all proofs from clean
 #   make audit            statements, assumptions, leftovers, coqchk, and the C++ tables
 #   make check-extracted  re-extract the OCaml reference and compare
+#   make conformance      write the conformance kit anew, from the certified functions
 #   make build            the library and the command, build/bin/certet
 #   make bench            the figures of the README, into build/bench
 
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: demo test deps proofs audit check-extracted build bench certified-tables clean
+.PHONY: demo test deps proofs audit check-extracted conformance build bench certified-tables clean
 .NOTPARALLEL:
 
 JOBS ?= $(shell nproc)
@@ -59,6 +60,9 @@ certified-tables: coq/Certificate.vo build
 
 check-extracted: coq/Certificate.vo
 	$(MAKE) -C coq check-extracted
+
+conformance: deps
+	$(MAKE) -C extracted conformance
 
 test: proofs build audit check-extracted
 	ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)

@@ -23,6 +23,7 @@ From Certet Require Export Stencil.StencilSet Stencil.OtherStencils.
 From Certet Require Export Stencil.TriangleSpec Stuffing.MeshSpec.
 From Certet Require Export Warp.WarpSpec.
 From Certet Require Export Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
+From Certet Require Export Range.RangeSpec.
 
 (** Why it holds. *)
 From Certet Require Lattice.StructuredTetProof Lattice.NeighborProof.
@@ -35,6 +36,7 @@ From Certet Require Stuffing.MeshProof.
 From Certet Require Warp.WarpProof.
 From Certet Require Angles.AngleTheorems Angles.LatticeProof.
 From Certet Require Angles.DegreesProof Angles.SharpnessProof.
+From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
 
@@ -344,3 +346,94 @@ Theorem ConfigurationsCounted :
   AngleTheorems.CountConfigurations = 14717 /\
   AngleTheorems.CountAngles = 89430.
 Proof. exact AngleTheorems.ConfigurationsCounted. Qed.
+
+(** ** Beyond the paper: no overflow
+
+    Read [Range/RangeSpec.v]: the formulas of the production library, and what
+    it means that every intermediate value of a formula fits its type. *)
+
+(** A lattice is checked once, at the door: if it begins and ends within
+    [AnchorLimit], all its points, computed in 32 bits, are within
+    [LatticeLimit]; and the check itself, in 64 bits, cannot overflow, *)
+Theorem DoorSuffices :
+  forall low cells, InType 32 low -> InType 32 cells ->
+    Fits 64 (DoorFormula low cells) /\
+    (- AnchorLimit <= low -> Value (DoorFormula low cells) <= AnchorLimit ->
+     forall i shift grid,
+       0 <= i < cells -> - 1 <= shift <= 1 -> 0 <= grid <= 1 ->
+       Fits 32 (LatticePointFormula low i shift grid) /\
+       - LatticeLimit <= Value (LatticePointFormula low i shift grid)
+         <= LatticeLimit).
+Proof. exact RangeProof.DoorSuffices. Qed.
+
+(** and so are the corners of every structured tetrahedron with an anchor within
+    [AnchorLimit]. *)
+Theorem CornersInRange :
+  forall anchor case v,
+    Bounded AnchorLimit anchor -> In v (Corners (STId anchor case)) ->
+    Bounded LatticeLimit v.
+Proof. exact RangeProof.CornersInRange. Qed.
+
+(** From such points, the position of a warped vertex is computed in 32 bits, *)
+Theorem WarpedFits :
+  forall v d t k, Bounded LatticeLimit v -> 0 <= t <= Steps ->
+    Computes 32 (WarpedFormula (Along k v) t (Along k (Offset d)))
+      (Along k (WarpedPosition v (Moves d t))).
+Proof. exact RangeProof.WarpedFits. Qed.
+
+(** that of a cut, *)
+Theorem CutFits :
+  forall v d t k, Bounded LatticeLimit v -> 0 <= t <= Steps ->
+    let u := Translate v (Offset d) in
+    Computes 32 (CutFormula (Along k v) (Along k u) t)
+      (Along k (PointOnEdge v u t)).
+Proof. exact RangeProof.CutFits. Qed.
+
+(** and those that bisection looks at. *)
+Theorem MiddleFits :
+  forall v d low half k,
+    Bounded LatticeLimit v -> 0 <= low -> 0 <= half -> low + half <= Steps ->
+    let u := Translate v (Offset d) in
+    Computes 32 (MiddleFormula (Along k v) (Along k u) low half)
+      (Along k (PointOnEdge v u (low + half))).
+Proof. exact RangeProof.MiddleFits. Qed.
+
+(** Warping compares steps in 32 bits, and squares of distances in 64. *)
+Theorem DecisionsFit :
+  forall th k t,
+    th = AngleThresholds \/ th = EmbeddingThresholds \/ th = NoWarpThresholds ->
+    0 <= t <= Steps ->
+    let 'TH long short := th in
+    Computes 32
+      (ThresholdFormula (match k with Long => long | Short => short end))
+      (ThresholdSteps th k) /\
+    Computes 32 (OtherEndFormula t) (Steps - t) /\
+    Computes 64 (DistanceFormula (LengthSquared k) t)
+      (LengthSquared k * (t * t)).
+Proof. exact RangeProof.DecisionsFit. Qed.
+
+(** Volumes are computed in 64 bits, whatever the tetrahedron, if its edges from
+    the first vertex are no longer than [WidthLimit] along any axis; *)
+Theorem VolumesFit :
+  forall a b c d,
+    (forall p, In p (a :: b :: c :: d :: nil)%list ->
+       forall k, InType 32 (Along k p)) ->
+    Bounded WidthLimit (Difference a b) ->
+    Bounded WidthLimit (Difference a c) ->
+    Bounded WidthLimit (Difference a d) ->
+    Computes 64 (SixVolumeFormula a b c d) (SixVolume a b c d) /\
+    Computes 64 (DeterminantFormula a b c d) (SixVolume a b c d).
+Proof. exact RangeProof.VolumesFit. Qed.
+
+(** and those of the output, and of the warped lattice, are half as long. *)
+Theorem TetsNarrow :
+  forall th sign cut, AtMostHalf th -> CutsOnEdges sign cut ->
+    forall tid t,
+      t = WarpedTet th sign cut tid \/ In t (StuffedTets th sign cut tid) ->
+      match t with
+        UT _ a b c d =>
+          Bounded (4 * Steps) (Difference a b) /\
+          Bounded (4 * Steps) (Difference a c) /\
+          Bounded (4 * Steps) (Difference a d)
+      end.
+Proof. exact RangeProof.TetsNarrow. Qed.

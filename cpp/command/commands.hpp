@@ -20,6 +20,9 @@ Run declare_mesh(CLI::App& app);
 /// Reads a mesh file and verifies it anew.
 Run declare_check(CLI::App& app);
 
+/// Writes the cases by which another implementation can check itself.
+Run declare_conformance(CLI::App& app);
+
 struct Subcommand {
   const char* name;
   const char* description;
@@ -30,6 +33,7 @@ struct Subcommand {
 inline constexpr std::array subcommands{
     Subcommand{"mesh", "Mesh an image or a formula", declare_mesh},
     Subcommand{"check", "Verify a mesh anew, from its file alone", declare_check},
+    Subcommand{"conformance", "Write test cases for other implementations", declare_conformance},
 };
 
 }  // namespace certet::command

@@ -88,7 +88,7 @@ CutLayer find_layer(const SignPlanes& planes, const Domain& domain, const Lattic
   layer.row_begin.reserve(static_cast<std::size_t>(rows));
   Bisection bisection(domain);
   RowRanks row;
-  std::uint32_t count = 0;
+  std::uint64_t count = 0;
   for (int j = 0; j < rows; ++j) {
     layer.row_begin.push_back(count);
     row.compute(planes, j, k);

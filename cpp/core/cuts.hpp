@@ -16,7 +16,9 @@ namespace certet::core {
 /// order of RowRanks.
 struct CutLayer {
   std::vector<std::uint16_t> steps;
-  std::vector<std::uint32_t> row_begin;  ///< where each row starts in `steps`
+  /// Where each row starts in `steps`.  A layer of the largest lattice has a
+  /// billion indices with 14 edges each: more than 32 bits can count.
+  std::vector<std::uint64_t> row_begin;
 
   /// The cut with the given rank in row j.
   [[nodiscard]] std::int32_t at(int j, const RowRanks& row, std::uint32_t rank) const {

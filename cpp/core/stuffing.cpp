@@ -22,7 +22,7 @@ using namespace core;
 constexpr int rows_per_task = 32;
 
 /// The lattice is checked once, here; every coordinate that the engine computes
-/// afterwards is in range.
+/// afterwards is in range: `DoorSuffices` of the certificate.
 void check_range(const Lattice& lattice) {
   const Coord3& o = lattice.origin;
   if ((o.x | o.y | o.z) & 1) throw Error(ErrorCode::bad_option, "the lattice origin is not even");
@@ -198,7 +198,7 @@ std::uint64_t Stuffing::bytes() const {
   std::uint64_t bytes = s.warped.planes.bytes() +
                         8 * (s.numbers.first_point.size() + s.numbers.first_tet.size());
   for (const CutLayer& layer : s.warped.cuts)
-    bytes += 2 * layer.steps.size() + 4 * layer.row_begin.size();
+    bytes += 2 * layer.steps.size() + 8 * layer.row_begin.size();
   for (const ZeroLayer& layer : s.warped.zeros)
     bytes += sizeof(Displacement) * layer.displacements.size() + 4 * layer.row_begin.size();
   return bytes;

@@ -147,7 +147,7 @@ CutLayer remaining_cuts(const SignPlanes& before, const CutLayer& cuts, const Si
   for (int j = 0; j < after.cells()[1]; ++j) {
     old_row.compute(before, j, k);
     new_row.compute(after, j, k);
-    left.row_begin.push_back(static_cast<std::uint32_t>(left.steps.size()));
+    left.row_begin.push_back(left.steps.size());
     for (int kind = corner_kinds; kind < kind_count; ++kind)
       for (int w = 0; w < new_row.words(); ++w)
         for_each_bit(new_row.mask(kind, w), [&](int b) {

@@ -24,6 +24,8 @@ struct ZeroLayer {
   std::vector<Displacement> displacements;
   std::vector<std::uint32_t> row_begin;
 };
+static_assert(std::int64_t{2} * anchor_limit * anchor_limit <= std::uint32_t(-1),
+              "32 bits count the vertices of a layer");
 
 /// What stuffing needs of the domain.  Zero vertices without a plus neighbour,
 /// which no tetrahedron of the output uses, are turned to minus, so that every

@@ -13,6 +13,11 @@
 
 namespace certet::quality {
 
+/// Edges of which no coordinate is greater have a determinant that fits 64 bits,
+/// with all its intermediate values (`VolumesFit` of the certificate); those of
+/// the output are half as long (`TetsNarrow`).
+inline constexpr std::int64_t edge_limit = std::int64_t{1} << 19;
+
 /// The vector between two positions in range, in steps, as two words that are
 /// quickly subtracted and compared: x + 2^32 y, and z modulo 2^32.  Coordinates
 /// in range are less than 2^32 - 2^19 apart, so that the words of an edge that
@@ -32,11 +37,9 @@ struct LatticeEdge {
     return {x, static_cast<std::int32_t>(y), static_cast<std::int32_t>(z)};
   }
 
-  /// 2^19 steps or more along an axis.
   [[nodiscard]] bool is_wide() const {
-    constexpr std::int64_t limit = std::int64_t{1} << 19;
-    return std::ranges::any_of(coordinates(),
-                               [](std::int64_t c) { return c < -limit || c >= limit; });
+    return std::ranges::any_of(
+        coordinates(), [](std::int64_t c) { return c < -edge_limit || c >= edge_limit; });
   }
 
   [[nodiscard]] Point3 exact() const {

@@ -89,6 +89,14 @@ Theorem CppStepsCertified :
   CppStepBits = Z.of_nat StepBits /\ CppSteps = Steps.
 Proof. vm_compute. split; reflexivity. Qed.
 
+(** ** The range
+
+    With these limits nothing overflows: [DoorSuffices], [WarpedFits], [CutFits],
+    [MiddleFits], [DecisionsFit], [VolumesFit], [TetsNarrow]. *)
+
+Theorem CppLimitsCertified : CppLimits = [LatticeLimit; AnchorLimit; WidthLimit].
+Proof. vm_compute. reflexivity. Qed.
+
 (** ** The bounds that every mesh is held to
 
     In hundredths of degrees: what the C++ side calls proven is proven. *)

@@ -17,6 +17,7 @@
 #include "certet/structured_tet.hpp"
 #include "certet/warp.hpp"
 #include "lattice_edges.hpp"
+#include "quality/shape_counter.hpp"
 
 namespace {
 
@@ -32,6 +33,7 @@ struct Tables {
   std::array<AngleBounds, 3> bounds{proven_bounds(Cuts::bisect, Guarantee::angles),
                                     proven_bounds(Cuts::bisect, Guarantee::embedding),
                                     proven_bounds(Cuts::midpoint, Guarantee::angles)};
+  std::array<std::int64_t, 3> limits{coordinate_limit, anchor_limit, quality::edge_limit};
 };
 
 void plant(Tables& t, int defect) {
@@ -44,6 +46,8 @@ void plant(Tables& t, int defect) {
     case 6: t.cell.edge[5][0][3].owner.y ^= 1; break;
     case 7: std::swap(t.cell.corner[11][0], t.cell.corner[11][1]); break;
     case 8: t.bounds[0].min_dihedral += 0.01; break;
+    case 9: ++t.limits[1]; break;
+    case 10: t.limits[2] *= 2; break;
     default: break;
   }
 }
@@ -135,6 +139,13 @@ void bounds(const Tables& t) {
   });
 }
 
+/// The ranges within which nothing overflows.
+void limits(const Tables& t) {
+  definition("CppLimits", "list Z", [&] {
+    list(t.limits, [](std::int64_t limit) { std::cout << limit; });
+  });
+}
+
 /// The lattice point that the engine means by a vertex, and by the ends of an
 /// edge.
 Coord3 lattice_point(core::VertexRef v) {
@@ -188,4 +199,5 @@ int main(int argc, char** argv) {
   warp(tables);
   cell(tables);
   bounds(tables);
+  limits(tables);
 }

@@ -30,7 +30,8 @@ inline constexpr int step_bits = 16;
 inline constexpr std::int32_t steps = std::int32_t{1} << step_bits;
 
 /// A lattice point in use has all coordinates in [-coordinate_limit,
-/// coordinate_limit], so that its position in steps fits 32 bits.
+/// coordinate_limit], so that its position in steps fits 32 bits (`WarpedFits`,
+/// `CutFits`, `MiddleFits` of the certificate).
 inline constexpr std::int32_t coordinate_limit = 32'000;
 
 }  // namespace certet

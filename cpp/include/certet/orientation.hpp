@@ -8,9 +8,10 @@
 
 namespace certet {
 
-/// det(b-a, c-a, d-a): six times the signed volume, in steps cubed.  Exact for
-/// tetrahedra of the output: their edges are shorter than 2^19 steps along each
-/// axis, so that every product stays below 2^60.
+/// det(b-a, c-a, d-a): six times the signed volume, in steps cubed.  Exact if no
+/// edge from `a` is longer than 2^19 steps along an axis (`VolumesFit` of the
+/// certificate); those of the output and of the warped lattice are at most half
+/// as long (`TetsNarrow`).
 constexpr std::int64_t six_volume(Coord3 a, Coord3 b, Coord3 c, Coord3 d) {
   const auto x = [&](Coord3 p) { return std::int64_t{p.x} - a.x; };
   const auto y = [&](Coord3 p) { return std::int64_t{p.y} - a.y; };

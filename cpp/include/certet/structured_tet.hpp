@@ -116,7 +116,8 @@ inline constexpr std::array<StructuredTetShape, case_count> structured_tet_table
   }};
 }();
 
-/// The bounds of `structured_tet`: all its coordinates stay in range.
+/// The bounds of `structured_tet`, and of what the engine takes for a lattice: all
+/// coordinates stay in range (`CornersInRange`, `DoorSuffices` of the certificate).
 inline constexpr std::int32_t anchor_limit = coordinate_limit - 8;
 
 /// The tetrahedron of an identifier: `GetStructuredTet` of the certificate.

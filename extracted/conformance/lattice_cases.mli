@@ -1,0 +1,4 @@
+(** The structured tetrahedra, with what the certified functions say of
+    them. *)
+
+val all : unit -> Json.t list
