@@ -18,7 +18,7 @@ struct CutEdges {
   CutEdges(const SignPlanes& planes, Grid grid, int j, int k, int w) : any(0) {
     const SignWord own = signs_at(planes, {grid, {}}, j, k, w);
     plus = own.plus;
-    for (int d = 0; d < direction_count; ++d) {
+    for (std::size_t d = 0; d < direction_count; ++d) {
       const SignWord other = signs_at(planes, neighbor(grid, d), j, k, w);
       towards[d] = (own.plus & other.minus()) | (own.minus() & other.plus);
       any |= towards[d];
@@ -28,7 +28,7 @@ struct CutEdges {
   /// The directions of the cuts around vertex b, as bits.
   [[nodiscard]] std::uint32_t around(int b) const {
     std::uint32_t directions = 0;
-    for (int d = 0; d < direction_count; ++d)
+    for (std::size_t d = 0; d < direction_count; ++d)
       directions |= static_cast<std::uint32_t>(towards[d] >> b & 1) << d;
     return directions;
   }
@@ -72,7 +72,7 @@ class LayerWarper {
     const std::uint32_t cut_edges = edges.around(b);
     std::array<std::int32_t, direction_count> cut;
     for (std::uint32_t left = cut_edges; left != 0; left &= left - 1) {
-      const int d = std::countr_zero(left);
+      const auto d = static_cast<std::size_t>(std::countr_zero(left));
       const std::int32_t from_plus = cut_on(edges_of[grid][d], w, b);
       cut[d] = plus ? from_plus : steps - from_plus;
     }
@@ -81,7 +81,8 @@ class LayerWarper {
 
   std::int32_t cut_on(const EdgeRef& edge, int w, int b) const {
     const WordBit at = WordBit{w, b}.moved(edge.owner.x);
-    const RowRanks& row = window_.row(1 + edge.owner.y, 1 + edge.owner.z);
+    const RowRanks& row = window_.row(static_cast<std::size_t>(1 + edge.owner.y),
+                                      static_cast<std::size_t>(1 + edge.owner.z));
     const CutLayer& layer = cuts_[static_cast<std::size_t>(k_ + edge.owner.z)];
     return layer.at(j_ + edge.owner.y, row, row.rank(edge.kind, at.w, at.b));
   }
@@ -104,7 +105,7 @@ CutLayer remaining_cuts(const SignPlanes& before, const CutLayer& cuts, const Si
     old_row.compute(before, j, k);
     new_row.compute(after, j, k);
     left.row_begin.push_back(static_cast<std::uint32_t>(left.steps.size()));
-    for (int kind = corner_kinds; kind < kind_count; ++kind)
+    for (std::size_t kind = corner_kinds; kind < kind_count; ++kind)
       for (int w = 0; w < new_row.words(); ++w)
         for_each_bit(new_row.mask(kind, w), [&](int b) {
           left.steps.push_back(
@@ -121,7 +122,7 @@ ZeroLayer remaining_zeros(const SignPlanes& violated, const ZeroLayer& moves,
   std::size_t next_move = 0;
   for (int j = 0; j < after.cells()[1]; ++j) {
     left.row_begin.push_back(static_cast<std::uint32_t>(left.displacements.size()));
-    for (int grid = 0; grid < grid_count; ++grid)
+    for (const Grid grid : {even, odd})
       for (int w = 0; w < after.words(); ++w) {
         const std::uint64_t moved = violated.plus(grid, j, k)[w];
         const std::uint64_t zero = after.zero(grid, j, k)[w];
@@ -170,7 +171,7 @@ WarpedLattice Violations::apply(Context& context) const {
       zero |= violated_.plus(grid, j, k)[w];
       if (zero == 0) return;
       std::uint64_t any_plus = 0;
-      for (int d = 0; d < direction_count; ++d) {
+      for (std::size_t d = 0; d < direction_count; ++d) {
         const VertexRef ref = neighbor(grid, d);
         any_plus |= shifted(after.plus(ref.grid, j + ref.shift.y, k + ref.shift.z), w, ref.shift.x);
       }
