@@ -57,7 +57,7 @@ class OneSignWrong final : public certet::Domain {
     domain_.row(first, out);
     if (first.y == 0 && first.z == 0)
       for (std::size_t i = 0; i < out.size(); ++i)
-        if (first.x + 2 * static_cast<std::int32_t>(i) == 0) out[i] = certet::Sign::on_surface;
+        if (first.x + 2 * static_cast<std::int32_t>(i) == 0) out[i] = certet::Sign::minus;
   }
   void at(std::span<const certet::Coord3> positions,
           std::span<certet::Sign> out) const override {

@@ -25,7 +25,8 @@ std::string synopsis(const CommandText& command) {
   if (command.name.empty()) return fmt::format("{} {} [{}]...", line, italic("COMMAND"), italic("OPTION"));
   line += fmt::format(" {}", bold(command.name));
   for (const OptionText& argument : command.arguments)
-    line += fmt::format(argument.required ? " {}" : " [{}]", italic(argument.value));
+    line += argument.required ? fmt::format(" {}", italic(argument.value))
+                              : fmt::format(" [{}]", italic(argument.value));
   return fmt::format("{} [{}]...", line, italic("OPTION"));
 }
 
