@@ -10,10 +10,20 @@
 #   make conformance      write the conformance kit anew, from the certified functions
 #   make build            the library and the command, build/bin/certet
 #   make bench            the figures of the README, into build/bench
+#   make install          cmake --install, to PREFIX (/usr/local)
+#   make package          the Debian packages certet and libcertet-dev, into build/package
+#
+#   make repeatability    the same meshes from gcc and clang, -O0 and -O3, with and without oneTBB
+#   make checksums        write the table of checksums anew, after a change of what they are
+#   make tidy             clang-tidy over all sources (.clang-tidy says what it looks for)
+#   make sanitize         the tests under the address and undefined-behaviour sanitizers
+#   make tsan             the engine's tests under the thread sanitizer
+#   make valgrind         the bridge to OCaml under valgrind
 
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: demo test deps proofs audit check-extracted conformance build bench certified-tables clean
+.PHONY: demo test deps proofs audit check-extracted conformance build bench certified-tables clean \
+  install package repeatability checksums tidy sanitize tsan valgrind
 .NOTPARALLEL:
 
 JOBS ?= $(shell nproc)
@@ -27,6 +37,7 @@ PACKAGES := \
   zlib1g-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev \
   python3 python3-numpy python3-meshio python3-matplotlib \
   libboost-dev libassimp-dev libopenvdb-dev libblosc-dev libimath-dev \
+  clang clang-tidy libclang-rt-14-dev valgrind dpkg-dev mandoc groff pkg-config \
   mricron-data
 
 deps:
@@ -40,7 +51,7 @@ deps:
 	fi
 
 build: deps
-	cmake -S . -B $(BUILD) -G Ninja
+	cmake -S . -B $(BUILD) -G Ninja -DCERTET_WERROR=ON
 	cmake --build $(BUILD) -j $(JOBS)
 
 proofs: deps
@@ -81,6 +92,35 @@ bench: build
 	mkdir -p $(BUILD)/bench
 	$(MAKE) -s -C extracted BUILD=$(abspath $(BUILD))/bench/reference
 	$(PYTHON) -B cpp/bench/report.py $(BUILD) $(if $(LARGE),--large)
+
+PREFIX ?= /usr/local
+install: build
+	cmake --install $(BUILD) --prefix $(PREFIX)
+
+package: build
+	cd $(BUILD) && cpack -G DEB -B package
+
+repeatability: deps
+	tests/repeatability/variants --build $(BUILD)/repeatability
+
+checksums: build
+	$(BUILD)/bin/certet_checksums > $(BUILD)/checksums.txt
+	cp $(BUILD)/checksums.txt tests/repeatability/checksums.txt
+
+# Our own sources alone, as they are compiled in the build.
+tidy: build
+	run-clang-tidy -quiet -p $(BUILD) -j $(JOBS) '$(CURDIR)/(cpp|bridge|tests)/'
+
+sanitize tsan: deps
+	cmake --preset $@
+	cmake --build --preset $@ -j $(JOBS)
+	ctest --preset $@ -j $(JOBS)
+
+# OCaml scans its stack and heap as it pleases; leaks are its own to keep.
+valgrind: build
+	OCAMLRUNPARAM=b valgrind --error-exitcode=1 --leak-check=no --undef-value-errors=yes \
+	  --suppressions=tests/differential/valgrind.supp \
+	  $(BUILD)/bin/certet_differential_test --gtest_filter='Bridge*'
 
 clean:
 	$(MAKE) -C coq clean

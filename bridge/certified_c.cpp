@@ -89,7 +89,7 @@ int certified_get_structured(const int64_t anchor[3], int orientation,
       throw Failure(std::to_string(orientation) + " is no case");
     const certet::StructuredTet tet = structured_tet(
         {coord3(anchor), static_cast<certet::StructuredTetCase>(orientation)});
-    for (int n = 0; n < 4; ++n) {
+    for (std::size_t n = 0; n < 4; ++n) {
       write(tet.vertices[n], result->vertices[n]);
       certified_neighbor& neighbor = result->neighbors[n];
       write(tet.neighbors[n].id.anchor, neighbor.anchor);
@@ -158,7 +158,7 @@ int certified_stuff_lattice(int64_t alpha_long, int64_t alpha_short, const int64
         coord3(origin), {narrow(cells[0]), narrow(cells[1]), narrow(cells[2])}};
     for (const PlacedTet& tet : stuff({alpha_long, alpha_short}, lattice, domain_of(*closures))) {
       int64_t positions[4][3];
-      for (int n = 0; n < 4; ++n) write(tet[n], positions[n]);
+      for (std::size_t n = 0; n < 4; ++n) write(tet[n], positions[n]);
       demand(closures->tet(closures->self, positions));
     }
   });

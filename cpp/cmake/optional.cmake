@@ -23,7 +23,9 @@ endmacro()
 # that need not set errno vectorises.
 add_library(certet_flags INTERFACE)
 target_compile_options(certet_flags INTERFACE
-  -Wall -Wextra -Wconversion -ffp-contract=off -fno-math-errno)
+  -Wall -Wextra -Wconversion
+  $<$<BOOL:${CERTET_WERROR}>:-Werror>
+  -ffp-contract=off -fno-math-errno)
 
 # Ranks in bit sets are counted by the popcount instruction, which every x86-64
 # machine since 2009 has.

@@ -35,12 +35,12 @@ constexpr StencilCounts stencil_counts(const std::array<SignWord, 4>& corner) {
 static_assert([] {
   for (int index = 0; index < pattern_count; ++index) {
     std::array<SignWord, 4> corner{};
-    for (int i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < 4; ++i) {
       const Sign s = pattern_signs(index)[i];
       corner[i] = {s == Sign::plus ? 1u : 0u, s == Sign::on_surface ? 1u : 0u};
     }
     const StencilCounts counts = stencil_counts(corner);
-    if ((counts.one & 1) + (counts.two & 1) + (counts.three & 1) != stencil_table[index].count)
+    if ((counts.one & 1) + (counts.two & 1) + (counts.three & 1) != unstructured_tets(pattern_signs(index)).count)
       return false;
   }
   return true;
@@ -52,7 +52,7 @@ std::uint64_t count_tets(const SignPlanes& planes, int j, int k) {
   for (int w = 0; w < planes.words(); ++w) {
     std::array<SignWord, cell_vertex_count> vertex;
     std::uint64_t any_plus = 0;
-    for (int v = 0; v < cell_vertex_count; ++v) {
+    for (std::size_t v = 0; v < cell_vertex_count; ++v) {
       vertex[v] = signs.at(cell.vertices[v], w);
       any_plus |= vertex[v].plus;
     }

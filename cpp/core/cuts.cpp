@@ -67,7 +67,7 @@ class Bisection {
 template <class Visit>
 void for_each_cut_edge(const SignPlanes& planes, const RowRanks& row, const Lattice& lattice,
                        int j, int k, const Visit& visit) {
-  for (int f = 0; f < family_count; ++f) {
+  for (std::size_t f = 0; f < family_count; ++f) {
     const Family& family = families[f];
     for (int w = 0; w < row.words(); ++w) {
       const std::uint64_t first_plus = planes.plus(family.first.grid, j, k)[w];

@@ -25,7 +25,7 @@ Coord3* emit_corners(const WarpedLattice& warped, const Lattice& lattice, Grid g
 
 /// Cuts of one family.
 Coord3* emit_cuts(const WarpedLattice& warped, const Lattice& lattice, const RowRanks& row,
-                  int f, int j, int k, const std::uint16_t*& cut, Coord3* out) {
+                  std::size_t f, int j, int k, const std::uint16_t*& cut, Coord3* out) {
   const Family& family = families[f];
   const std::uint64_t* const first_plus = warped.planes.plus(family.first.grid, j, k);
   for (int w = 0; w < row.words(); ++w)
@@ -51,7 +51,7 @@ void emit_row_points(const WarpedLattice& warped, const Lattice& lattice, const 
   const std::uint16_t* cut = cuts.steps.data() + cuts.row_begin[static_cast<std::size_t>(j)];
   for (const Grid grid : {even, odd})
     out = emit_corners(warped, lattice, grid, j, k, displacement, out);
-  for (int f = 0; f < family_count; ++f)
+  for (std::size_t f = 0; f < family_count; ++f)
     out = emit_cuts(warped, lattice, row, f, j, k, cut, out);
 }
 

@@ -6,7 +6,7 @@ namespace certet::core {
 namespace {
 
 /// The order in which a case's vertices are written, for a positive volume.
-constexpr std::array<std::uint8_t, 4> output_order(int c) {
+constexpr std::array<std::uint8_t, 4> output_order(std::size_t c) {
   return structured_tet_table[c].right_handed ? std::array<std::uint8_t, 4>{0, 1, 2, 3}
                                               : std::array<std::uint8_t, 4>{0, 1, 3, 2};
 }
@@ -16,8 +16,8 @@ constexpr std::array<std::uint8_t, 4> output_order(int c) {
 constexpr int interior_size = 4 * case_count;
 constexpr std::array<std::uint8_t, interior_size> interior_vertices = [] {
   std::array<std::uint8_t, interior_size> list{};
-  for (int c = 0; c < case_count; ++c)
-    for (int n = 0; n < 4; ++n) list[4 * c + n] = cell.corner[c][output_order(c)[n]];
+  for (std::size_t c = 0; c < case_count; ++c)
+    for (std::size_t n = 0; n < 4; ++n) list[4 * c + n] = cell.corner[c][output_order(c)[n]];
   return list;
 }();
 
@@ -29,8 +29,8 @@ class TetEmitter {
       : planes_(planes), numbers_(numbers), j_(j), k_(k), window_(planes, j, k), out_(out) {}
 
   void emit_row() {
-    for (int y = 0; y < 2; ++y)
-      for (int z = 0; z < 2; ++z) first_point_[y][z] = row_number(j_ + y, k_ + z);
+    first_point_ = {{{row_number(j_, k_), row_number(j_, k_ + 1)},
+                     {row_number(j_ + 1, k_), row_number(j_ + 1, k_ + 1)}}};
     const SignRows signs(planes_, j_, k_);
     for (int w = 0; w < planes_.words(); ++w) emit_word(signs, w);
     ++j_;
@@ -49,7 +49,7 @@ class TetEmitter {
   void emit_word(const SignRows& signs, int w) {
     std::uint64_t any_plus = 0;
     std::uint64_t all_plus = ~std::uint64_t{0};
-    for (int v = 0; v < cell_vertex_count; ++v) {
+    for (std::size_t v = 0; v < cell_vertex_count; ++v) {
       vertex_[v] = signs.at(cell.vertices[v], w);
       any_plus |= vertex_[v].plus;
       all_plus &= vertex_[v].plus;
@@ -68,42 +68,44 @@ class TetEmitter {
   }
 
   /// The number of a point `kind` whose owner is `owner` away from bit b.
-  [[nodiscard]] Index point(int kind, Shift owner, int w, int b) const {
+  [[nodiscard]] Index point(std::size_t kind, Shift owner, int w, int b) const {
+    const auto y = static_cast<std::size_t>(owner.y);
+    const auto z = static_cast<std::size_t>(owner.z);
     const WordBit at = WordBit{w, b}.moved(owner.x);
-    return static_cast<Index>(first_point_[owner.y][owner.z] +
-                              window_.row(owner.y, owner.z).rank(kind, at.w, at.b));
+    return static_cast<Index>(first_point_[y][z] +
+                              window_.row(y, z).rank(kind, at.w, at.b));
   }
 
   /// Cells whose vertices are all inside: along the row every number grows by one.
   void emit_interior(int w, int b, int length) {
     std::array<Index, cell_vertex_count> number;
-    for (int v = 0; v < cell_vertex_count; ++v)
+    for (std::size_t v = 0; v < cell_vertex_count; ++v)
       number[v] = point(cell.vertices[v].grid, cell.vertices[v].shift, w, b);
     std::array<Index, interior_size> current;
-    for (int n = 0; n < interior_size; ++n) current[n] = number[interior_vertices[n]];
+    for (std::size_t n = 0; n < interior_size; ++n) current[n] = number[interior_vertices[n]];
     Index* to = out_->data();
     for (int i = 0; i < length; ++i, to += interior_size)
-      for (int n = 0; n < interior_size; ++n) to[n] = current[n]++;
+      for (std::size_t n = 0; n < interior_size; ++n) to[n] = current[n]++;
     out_ += length * case_count;
   }
 
   /// A cell with the surface in or near it: case by case, by the stencils.
   void emit_cell(int w, int b) {
-    std::array<int, cell_vertex_count> sign;
-    for (int v = 0; v < cell_vertex_count; ++v)
-      sign[v] = static_cast<int>(2 * (vertex_[v].plus >> b & 1) + (vertex_[v].zero >> b & 1));
-    for (int c = 0; c < case_count; ++c) {
+    std::array<std::size_t, cell_vertex_count> sign;
+    for (std::size_t v = 0; v < cell_vertex_count; ++v)
+      sign[v] = 2 * (vertex_[v].plus >> b & 1) + (vertex_[v].zero >> b & 1);
+    for (std::size_t c = 0; c < case_count; ++c) {
       const auto& corner = cell.corner[c];
-      const int pattern = sign[corner[0]] + 3 * sign[corner[1]] + 9 * sign[corner[2]] +
+      const std::size_t pattern = sign[corner[0]] + 3 * sign[corner[1]] + 9 * sign[corner[2]] +
                           27 * sign[corner[3]];
       for (const UnstructuredTet& tet : stencil_table[pattern]) {
-        for (int n = 0; n < 4; ++n) (*out_)[n] = vertex_number(c, tet[output_order(c)[n]], w, b);
+        for (std::size_t n = 0; n < 4; ++n) (*out_)[n] = vertex_number(c, tet[output_order(c)[n]], w, b);
         ++out_;
       }
     }
   }
 
-  [[nodiscard]] Index vertex_number(int c, StencilVertex v, int w, int b) const {
+  [[nodiscard]] Index vertex_number(std::size_t c, StencilVertex v, int w, int b) const {
     if (v.is_cut()) {
       const EdgeRef& edge = cell.edge[c][v.a][v.b];
       return point(edge.kind, edge.owner, w, b);

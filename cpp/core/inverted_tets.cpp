@@ -65,14 +65,14 @@ std::uint64_t Violations::inverted_tets(const Lattice& lattice, Context& context
     for (int j = 0; j + 1 < planes_.cells()[1]; ++j)
       for (int w = 0; w < planes_.words(); ++w) {
         std::array<std::uint64_t, cell_vertex_count> zero;
-        for (int v = 0; v < cell_vertex_count; ++v)
+        for (std::size_t v = 0; v < cell_vertex_count; ++v)
           zero[v] = vertices.zero(cell.vertices[v], j, k, w);
-        for (int c = 0; c < case_count; ++c) {
+        for (std::size_t c = 0; c < case_count; ++c) {
           const auto& corner = cell.corner[c];
           for_each_bit(zero[corner[0]] & zero[corner[1]] & zero[corner[2]] & zero[corner[3]],
                        [&](int b) {
             std::array<Coord3, 4> p;
-            for (int n = 0; n < 4; ++n)
+            for (std::size_t n = 0; n < 4; ++n)
               p[n] = vertices.position(cell.vertices[corner[n]], 64 * w + b, j, k);
             const std::int64_t six_volume = certet::six_volume(p[0], p[1], p[2], p[3]);
             if (structured_tet_table[c].right_handed ? six_volume <= 0 : six_volume >= 0) ++inverted;

@@ -8,6 +8,7 @@
 /// ones from an odd vertex to the even corners of its cell.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "certet/direction.hpp"
@@ -44,11 +45,11 @@ struct Family {
 inline constexpr std::array<Family, family_count> families = [] {
   std::array<Family, family_count> table{};
   constexpr std::array<Shift, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  for (int axis = 0; axis < 3; ++axis) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     table[axis] = {{even, {}}, {even, axes[axis]}};
     table[3 + axis] = {{odd, {}}, {odd, axes[axis]}};
   }
-  for (int corner = 0; corner < 8; ++corner)
+  for (std::size_t corner = 0; corner < 8; ++corner)
     table[6 + corner] = {{odd, {}},
                          {even, {static_cast<std::int8_t>(corner & 1),
                                  static_cast<std::int8_t>(corner >> 1 & 1),
@@ -72,17 +73,17 @@ constexpr VertexRef vertex_at(Coord3 offset) {
 }
 
 /// The neighbour of a vertex of `grid` in a direction, relative to its index.
-constexpr VertexRef neighbor(Grid grid, int direction) {
+constexpr VertexRef neighbor(Grid grid, std::size_t direction) {
   const std::int32_t g = grid == odd ? 1 : 0;
   return vertex_at(Coord3{g, g, g} + direction_offset[direction]);
 }
 
-constexpr EdgeRef edge_towards(Grid grid, int direction) {
+constexpr EdgeRef edge_towards(Grid grid, std::size_t direction) {
   const VertexRef to = neighbor(grid, direction);
-  for (std::uint8_t f = 0; f < family_count; ++f) {
+  for (std::size_t f = 0; f < family_count; ++f) {
     const Family& family = families[f];
     const Shift s = family.second.shift;
-    const std::uint8_t kind = static_cast<std::uint8_t>(corner_kinds + f);
+    const auto kind = static_cast<std::uint8_t>(corner_kinds + f);
     if (family.first.grid == grid && family.second.grid == to.grid &&
         s.x == to.shift.x && s.y == to.shift.y && s.z == to.shift.z)
       return {kind, {}, true};
@@ -96,7 +97,7 @@ constexpr EdgeRef edge_towards(Grid grid, int direction) {
 /// edges_of[grid][direction]
 inline constexpr std::array<std::array<EdgeRef, direction_count>, grid_count> edges_of = [] {
   std::array<std::array<EdgeRef, direction_count>, grid_count> table{};
-  for (int d = 0; d < direction_count; ++d) {
+  for (std::size_t d = 0; d < direction_count; ++d) {
     table[even][d] = edge_towards(even, d);
     table[odd][d] = edge_towards(odd, d);
   }
@@ -118,9 +119,9 @@ inline constexpr CellTables cell = [] {
   CellTables t{};
   std::array<Coord3, cell_vertex_count> seen{};
   std::uint8_t count = 0;
-  for (int c = 0; c < case_count; ++c) {
+  for (std::size_t c = 0; c < case_count; ++c) {
     const auto& v = structured_tet_table[c].vertices;
-    for (int a = 0; a < 4; ++a) {
+    for (std::size_t a = 0; a < 4; ++a) {
       std::uint8_t n = 0;
       while (n < count && !(seen[n] == v[a])) ++n;
       if (n == count) {
@@ -128,8 +129,8 @@ inline constexpr CellTables cell = [] {
         t.vertices[count++] = vertex_at(v[a]);
       }
       t.corner[c][a] = n;
-      for (int b = 0; b < 4; ++b)
-        for (int d = 0; d < direction_count; ++d)
+      for (std::size_t b = 0; b < 4; ++b)
+        for (std::size_t d = 0; d < direction_count; ++d)
           if (v[a] + direction_offset[d] == v[b]) {
             const VertexRef from = vertex_at(v[a]);
             EdgeRef e = edges_of[from.grid][d];

@@ -10,8 +10,8 @@ constexpr std::array<VertexRef, 12> edge_ends{{
     {even, {1, 1, 0}}, {even, {1, 0, 1}}, {even, {0, 1, 1}}, {even, {1, 1, 1}},
     {odd, {}}, {odd, {1, 0, 0}}, {odd, {0, 1, 0}}, {odd, {0, 0, 1}}}};
 
-constexpr int edge_end(const VertexRef& v) {
-  for (int n = 0; n < static_cast<int>(edge_ends.size()); ++n)
+constexpr std::size_t edge_end(const VertexRef& v) {
+  for (std::size_t n = 0; n < edge_ends.size(); ++n)
     if (edge_ends[n].grid == v.grid && edge_ends[n].shift.x == v.shift.x &&
         edge_ends[n].shift.y == v.shift.y && edge_ends[n].shift.z == v.shift.z)
       return n;
@@ -19,9 +19,9 @@ constexpr int edge_end(const VertexRef& v) {
 }
 
 /// The two ends of each family, as numbers of `edge_ends`.
-constexpr std::array<std::array<int, 2>, family_count> family_ends = [] {
-  std::array<std::array<int, 2>, family_count> table{};
-  for (int f = 0; f < family_count; ++f)
+constexpr std::array<std::array<std::size_t, 2>, family_count> family_ends = [] {
+  std::array<std::array<std::size_t, 2>, family_count> table{};
+  for (std::size_t f = 0; f < family_count; ++f)
     table[f] = {edge_end(families[f].first), edge_end(families[f].second)};
   return table;
 }();
@@ -39,7 +39,7 @@ std::array<std::uint64_t, family_count> cut_masks(const SignRows& rows, int w) {
   }
   std::array<std::uint64_t, family_count> masks{};
   if (any_plus == 0 || any_minus == 0) return masks;
-  for (int f = 0; f < family_count; ++f) {
+  for (std::size_t f = 0; f < family_count; ++f) {
     const auto [a, b] = family_ends[f];
     masks[f] = (plus[a] & minus[b]) | (minus[a] & plus[b]);
   }
@@ -61,17 +61,17 @@ void RowRanks::compute(const SignPlanes& planes, int j, int k) {
       entry[grid].mask = own.plus | own.zero;
     }
     const auto masks = cut_masks(rows, w);
-    for (int f = 0; f < family_count; ++f) entry[corner_kinds + f].mask = masks[f];
+    for (std::size_t f = 0; f < family_count; ++f) entry[corner_kinds + f].mask = masks[f];
   }
   number_entries();
 }
 
 void RowRanks::number_entries() {
   count_ = 0;
-  for (int kind = 0; kind < kind_count; ++kind) {
+  for (std::size_t kind = 0; kind < kind_count; ++kind) {
     if (kind == corner_kinds) corners_ = count_;
     for (int w = 0; w < words_; ++w) {
-      Entry& entry = entries_[static_cast<std::size_t>(w * kind_count + kind)];
+      Entry& entry = entries_[static_cast<std::size_t>(w) * kind_count + kind];
       entry.before = count_;
       count_ += static_cast<std::uint32_t>(std::popcount(entry.mask));
     }

@@ -20,9 +20,9 @@ class RowRanks {
   void compute(const SignPlanes& planes, int j, int k);
 
   [[nodiscard]] int words() const { return words_; }
-  [[nodiscard]] std::uint64_t mask(int kind, int w) const { return at(kind, w).mask; }
+  [[nodiscard]] std::uint64_t mask(std::size_t kind, int w) const { return at(kind, w).mask; }
   /// Rank of the point of this kind owned by bit b of word w.
-  [[nodiscard]] std::uint32_t rank(int kind, int w, int b) const {
+  [[nodiscard]] std::uint32_t rank(std::size_t kind, int w, int b) const {
     const Entry& e = at(kind, w);
     return e.before + static_cast<std::uint32_t>(std::popcount(e.mask & below(b)));
   }
@@ -35,8 +35,8 @@ class RowRanks {
     std::uint64_t mask;
     std::uint32_t before;
   };
-  [[nodiscard]] const Entry& at(int kind, int w) const {
-    return entries_[static_cast<std::size_t>(w * kind_count + kind)];
+  [[nodiscard]] const Entry& at(std::size_t kind, int w) const {
+    return entries_[static_cast<std::size_t>(w) * kind_count + kind];
   }
 
   void number_entries();

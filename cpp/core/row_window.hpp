@@ -13,20 +13,24 @@ namespace certet::core {
 class RowWindow {
  public:
   RowWindow(const SignPlanes& planes, int j, int k) : planes_(planes), j_(j), k_(k) {
-    for (int y = 0; y < 2; ++y)
-      for (int z = 0; z < 2; ++z) rows_[y][z].compute(planes_, j_ + y, k_ + z);
+    for (std::size_t y = 0; y < 2; ++y) compute(y);
   }
 
   /// The row at (j + y, k + z); y and z are 0 or 1.
-  [[nodiscard]] const RowRanks& row(int y, int z) const { return rows_[y][z]; }
+  [[nodiscard]] const RowRanks& row(std::size_t y, std::size_t z) const { return rows_[y][z]; }
 
   void next() {
     ++j_;
     std::swap(rows_[0], rows_[1]);
-    for (int z = 0; z < 2; ++z) rows_[1][z].compute(planes_, j_ + 1, k_ + z);
+    compute(1);
   }
 
  private:
+  void compute(std::size_t y) {
+    for (std::size_t z = 0; z < 2; ++z)
+      rows_[y][z].compute(planes_, j_ + static_cast<int>(y), k_ + static_cast<int>(z));
+  }
+
   const SignPlanes& planes_;
   int j_, k_;
   std::array<std::array<RowRanks, 2>, 2> rows_;

@@ -60,7 +60,7 @@ class BlockRowSampler {
     if (!find_extents(block_j, block_k)) return;
     for (int k = k_begin; k < k_end; ++k)
       for (int j = j_begin; j < j_end; ++j)
-        for (int grid = 0; grid < grid_count; ++grid) sample_row(grid, j, k);
+        for (const Grid grid : {even, odd}) sample_row(grid, j, k);
   }
 
  private:
@@ -76,7 +76,7 @@ class BlockRowSampler {
     return any;
   }
 
-  void sample_row(int grid, int j, int k) {
+  void sample_row(Grid grid, int j, int k) {
     fill_signs(grid, j, k);
     std::uint64_t* const plus = planes_.plus(grid, j, k);
     std::uint64_t* const zero = planes_.zero(grid, j, k);
@@ -87,7 +87,7 @@ class BlockRowSampler {
     }
   }
 
-  void fill_signs(int grid, int j, int k) {
+  void fill_signs(Grid grid, int j, int k) {
     const int n = lattice_.cells[0];
     const int blocks = static_cast<int>(extents_.size());
     for (int b = 0; b < blocks;) {

@@ -25,10 +25,12 @@ class SignPlanes {
       : cells_(cells),
         words_((cells[0] + 63) / 64),
         row_stride_(words_ + 2),
-        layer_stride_(static_cast<std::size_t>(row_stride_) * (cells[1] + 2)) {
-    for (int g = 0; g < grid_count; ++g) {
-      plus_[g].resize(layer_stride_ * (cells[2] + 2));
-      zero_[g].resize(layer_stride_ * (cells[2] + 2));
+        layer_stride_(static_cast<std::size_t>(row_stride_) *
+                      static_cast<std::size_t>(cells[1] + 2)) {
+    const std::size_t words = layer_stride_ * static_cast<std::size_t>(cells[2] + 2);
+    for (std::size_t g = 0; g < grid_count; ++g) {
+      plus_[g].resize(words);
+      zero_[g].resize(words);
     }
   }
 
@@ -37,12 +39,12 @@ class SignPlanes {
 
   /// Word 0 of a row; words -1 to words() may be read, and rows and layers from
   /// -1 to their number.
-  [[nodiscard]] std::uint64_t* plus(int grid, int j, int k) { return &plus_[grid][at(j, k)]; }
-  [[nodiscard]] std::uint64_t* zero(int grid, int j, int k) { return &zero_[grid][at(j, k)]; }
-  [[nodiscard]] const std::uint64_t* plus(int grid, int j, int k) const {
+  [[nodiscard]] std::uint64_t* plus(std::size_t grid, int j, int k) { return &plus_[grid][at(j, k)]; }
+  [[nodiscard]] std::uint64_t* zero(std::size_t grid, int j, int k) { return &zero_[grid][at(j, k)]; }
+  [[nodiscard]] const std::uint64_t* plus(std::size_t grid, int j, int k) const {
     return &plus_[grid][at(j, k)];
   }
-  [[nodiscard]] const std::uint64_t* zero(int grid, int j, int k) const {
+  [[nodiscard]] const std::uint64_t* zero(std::size_t grid, int j, int k) const {
     return &zero_[grid][at(j, k)];
   }
 

@@ -27,7 +27,7 @@ void check_range(const Lattice& lattice) {
   const Coord3& o = lattice.origin;
   if ((o.x | o.y | o.z) & 1) throw Error(ErrorCode::bad_option, "the lattice origin is not even");
   const std::array<std::int32_t, 3> low{o.x, o.y, o.z};
-  for (int axis = 0; axis < 3; ++axis) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::int64_t n = lattice.cells[axis];
     if (n < 2) throw Error(ErrorCode::bad_option, "the lattice has fewer than two cells along an axis");
     const std::int64_t high = low[axis] + 2 * n + 1;

@@ -165,7 +165,7 @@ ZeroLayer remaining_zeros(const SignPlanes& violated, const ZeroLayer& moves,
   std::size_t next_move = 0;
   for (int j = 0; j < after.cells()[1]; ++j) {
     left.row_begin.push_back(static_cast<std::uint32_t>(left.displacements.size()));
-    for (int grid = 0; grid < grid_count; ++grid)
+    for (const Grid grid : {even, odd})
       for (int w = 0; w < after.words(); ++w) {
         const std::uint64_t moved = violated.plus(grid, j, k)[w];
         const std::uint64_t zero = after.zero(grid, j, k)[w];
@@ -214,7 +214,7 @@ WarpedLattice Violations::apply(Context& context) const {
       zero |= violated_.plus(grid, j, k)[w];
       if (zero == 0) return;
       std::uint64_t any_plus = 0;
-      for (int d = 0; d < direction_count; ++d) {
+      for (std::size_t d = 0; d < direction_count; ++d) {
         const VertexRef ref = neighbor(grid, d);
         any_plus |= shifted(after.plus(ref.grid, j + ref.shift.y, k + ref.shift.z), w, ref.shift.x);
       }

@@ -19,10 +19,10 @@ bool ordinary(const TetBlock& block) {
   std::int64_t count = 0;
   for (std::size_t i = 0; i < lanes; ++i) {
     const double volume = block.six_volume[i];
-    const bool is = (volume > 0) & (volume <= std::numeric_limits<double>::max()) &
-                    (block.least_face[i] > 1e-140) & (block.greatest_face[i] < 1e140) &
-                    (block.greatest[i] <= nearly_flat) & (block.least[i] >= -nearly_flat);
-    count += is ? 1 : 0;
+    // No branches, so that the loop vectorises.
+    count += int{volume > 0} & int{volume <= std::numeric_limits<double>::max()} &
+             int{block.least_face[i] > 1e-140} & int{block.greatest_face[i] < 1e140} &
+             int{block.greatest[i] <= nearly_flat} & int{block.least[i] >= -nearly_flat};
   }
   return count == lanes;
 }

@@ -160,13 +160,13 @@ Coord3 moved(core::VertexRef v, core::Shift s) {
 void cell(const Tables& t) {
   definition("CppCorners", "list (list Coord3)", [&] {
     list(t.cell.corner, [&](const auto& corners) {
-      list(corners, [&](int n) { point(lattice_point(t.cell.vertices[n])); });
+      list(corners, [&](std::size_t n) { point(lattice_point(t.cell.vertices[n])); });
     });
   });
   definition("CppEdges", "list (list (Coord3 * Coord3))", [&] {
     list(t.cell.edge, [](const auto& edges) {
       std::cout << "\n  ";
-      constexpr std::array<std::array<int, 2>, 6> pairs{
+      constexpr std::array<std::array<std::size_t, 2>, 6> pairs{
           {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
       list(pairs, [&](const auto& ab) {
         const core::EdgeRef& e = edges[ab[0]][ab[1]];

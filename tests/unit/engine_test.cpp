@@ -140,20 +140,23 @@ TEST(Engine, TheWordsOfTheBitPlanesDoNotShow) {
         << shift;
 }
 
+/// A direction for each corner of a structured tetrahedron.
+using Moves = std::array<std::size_t, 4>;
+
 /// The four moves, by just less than the thresholds of `angles`, that invert a
 /// structured tetrahedron the most; no corner moves towards another one.
-std::array<int, 4> most_inverting_moves(const StructuredTet& tet) {
-  std::array<int, 4> best{};
+Moves most_inverting_moves(const StructuredTet& tet) {
+  Moves best{};
   std::int64_t least = 0;
-  const auto corner = [&](int n, int d) {
-    return steps * tet.vertices[n] + (angle_thresholds.in_steps(d) - 1) * direction_offset[d];
+  const auto corner = [&](std::size_t n, std::size_t d) {
+    return steps * tet.vertices[n] + (angle_thresholds.in_steps(static_cast<int>(d)) - 1) * direction_offset[d];
   };
-  const auto leaves = [&](int n, int d) {
+  const auto leaves = [&](std::size_t n, std::size_t d) {
     return std::ranges::find(tet.vertices, tet.vertices[n] + direction_offset[d]) ==
            tet.vertices.end();
   };
-  for (int code = 0; code < 14 * 14 * 14 * 14; ++code) {
-    const std::array<int, 4> d{code % 14, code / 14 % 14, code / 196 % 14, code / 2744};
+  for (std::size_t code = 0; code < 14 * 14 * 14 * 14; ++code) {
+    const Moves d{code % 14, code / 14 % 14, code / 196 % 14, code / 2744};
     if (!leaves(0, d[0]) || !leaves(1, d[1]) || !leaves(2, d[2]) || !leaves(3, d[3])) continue;
     const std::int64_t v = six_volume(corner(0, d[0]), corner(1, d[1]), corner(2, d[2]), corner(3, d[3]));
     if (v >= least) continue;
@@ -166,15 +169,15 @@ std::array<int, 4> most_inverting_moves(const StructuredTet& tet) {
 
 /// Inside everywhere but around the neighbours that the moves lead to; there,
 /// the surface is just near enough to violate the corner.
-Sign sign_around(const StructuredTet& tet, const std::array<int, 4>& moves, Coord3 p) {
-  for (int n = 0; n < 4; ++n) {
+Sign sign_around(const StructuredTet& tet, const Moves& moves, Coord3 p) {
+  for (std::size_t n = 0; n < 4; ++n) {
     const Coord3 e = direction_offset[moves[n]];
     const Coord3 from = p - steps * tet.vertices[n];
     const std::int32_t t = e.x != 0 ? from.x / e.x : e.y != 0 ? from.y / e.y : from.z / e.z;
     if (t >= 0 && t <= steps && from == t * e)
-      return t < angle_thresholds.in_steps(moves[n]) - 2 ? Sign::plus : Sign::minus;
+      return t < angle_thresholds.in_steps(static_cast<int>(moves[n])) - 2 ? Sign::plus : Sign::minus;
   }
-  for (int n = 0; n < 4; ++n) {
+  for (std::size_t n = 0; n < 4; ++n) {
     const Coord3 from = p - steps * (tet.vertices[n] + direction_offset[moves[n]]);
     const double distance = std::hypot(from.x, from.y, from.z) / steps;
     if (distance < 0.8) return Sign::minus;
@@ -185,7 +188,7 @@ Sign sign_around(const StructuredTet& tet, const std::array<int, 4>& moves, Coor
 TEST(Engine, AnInvertedZeroTetrahedronMakesItFallBack) {
   const StructuredTet tet = structured_tet({{0, 0, 0}, StructuredTetCase::I1});
   static_assert(right_handed(StructuredTetCase::I1));
-  const std::array<int, 4> moves = most_inverting_moves(tet);
+  const Moves moves = most_inverting_moves(tet);
   const domains::Positional domain([&](Coord3 p) { return sign_around(tet, moves, p); });
   const Lattice lattice = around_origin(8);
   Context context;

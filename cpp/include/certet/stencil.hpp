@@ -4,6 +4,7 @@
 /// the output (section 3.2 of the paper).
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -88,10 +89,13 @@ constexpr Sign sign_of_char(char c) {
   return c == '+' ? Sign::plus : c == '-' ? Sign::minus : Sign::on_surface;
 }
 
+/// The corner that a digit names.
+constexpr std::size_t corner_of(char digit) { return static_cast<std::size_t>(digit - '1'); }
+
 /// Whether symmetry `g` carries the signs of the representative to `signs`.
 constexpr bool carries(const Representative& r, const std::array<std::uint8_t, 4>& g,
                        const CornerSigns& signs) {
-  for (int i = 0; i < 4; ++i)
+  for (std::size_t i = 0; i < 4; ++i)
     if (signs[g[i]] != sign_of_char(r.signs[i])) return false;
   return true;
 }
@@ -100,13 +104,13 @@ constexpr bool carries(const Representative& r, const std::array<std::uint8_t, 4
 constexpr Stencil image(const Representative& r, const std::array<std::uint8_t, 4>& g,
                         const CornerSigns& signs) {
   Stencil stencil;
-  int slot = 0;
+  std::size_t slot = 0;
   for (const char* c = r.tets; *c != '\0'; ++c) {
     if (*c == ' ' || *c == '|') continue;
-    std::uint8_t a = g[*c - '1'];
+    std::uint8_t a = g[corner_of(*c)];
     std::uint8_t b = a;
     if (c[1] >= '1' && c[1] <= '4') {
-      b = g[*++c - '1'];
+      b = g[corner_of(*++c)];
       if (signs[a] == Sign::minus) {
         const std::uint8_t plus = b;
         b = a;
@@ -141,7 +145,7 @@ constexpr Stencil make_stencil(const CornerSigns& signs) {
 inline constexpr std::array<Stencil, pattern_count> stencil_table = [] {
   std::array<Stencil, pattern_count> table{};
   for (int i = 0; i < pattern_count; ++i)
-    table[i] = stencil_detail::make_stencil(pattern_signs(i));
+    table[static_cast<std::size_t>(i)] = stencil_detail::make_stencil(pattern_signs(i));
   return table;
 }();
 

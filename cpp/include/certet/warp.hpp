@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 #include "certet/direction.hpp"
@@ -44,10 +45,12 @@ constexpr Warping warp(Thresholds thresholds, std::uint32_t cut_edges,
   std::int64_t best_distance = 0;
   for (; cut_edges != 0; cut_edges &= cut_edges - 1) {
     const int d = std::countr_zero(cut_edges);
-    if (cut[d] >= thresholds.in_steps(d)) continue;
-    const std::int64_t distance = std::int64_t{length_squared(d)} * cut[d] * cut[d];
+    const std::int32_t steps_to_cut = cut[static_cast<std::size_t>(d)];
+    if (steps_to_cut >= thresholds.in_steps(d)) continue;
+    const std::int64_t distance =
+        std::int64_t{length_squared(d)} * steps_to_cut * steps_to_cut;
     if (best.moves() && distance >= best_distance) continue;
-    best = {static_cast<std::int8_t>(d), cut[d]};
+    best = {static_cast<std::int8_t>(d), steps_to_cut};
     best_distance = distance;
   }
   return best;
@@ -59,7 +62,7 @@ constexpr Warping warp(Thresholds thresholds, Sign sign,
                        const std::array<Sign, direction_count>& neighbor_sign,
                        const std::array<std::int32_t, direction_count>& cut) {
   std::uint32_t cut_edges = 0;
-  for (int d = 0; d < direction_count; ++d)
+  for (std::size_t d = 0; d < direction_count; ++d)
     cut_edges |= std::uint32_t{opposite(sign, neighbor_sign[d])} << d;
   return warp(thresholds, cut_edges, cut);
 }

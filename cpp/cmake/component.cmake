@@ -1,0 +1,21 @@
+# What is installed of the library: its core and its components, each with an
+# export set of its own, so that who asks for one need not have what another
+# one is made of.
+include(GNUInstallDirs)
+
+# certet_component(<target> <name> [NEEDS "<arguments of find_dependency>"...])
+# Makes the target certet::<name>, in this build as in an installation.  NEEDS
+# are looked for where a program links the static library.
+function(certet_component target name)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "NEEDS")
+  if(NOT TARGET certet::${name})
+    add_library(certet::${name} ALIAS ${target})
+  endif()
+  set_target_properties(${target} PROPERTIES
+    EXPORT_NAME ${name}
+    VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  set_property(GLOBAL APPEND PROPERTY CERTET_COMPONENTS ${name})
+  set_property(GLOBAL PROPERTY CERTET_TARGET_OF_${name} ${target})
+  set_property(GLOBAL PROPERTY CERTET_NEEDS_OF_${name} "${arg_NEEDS}")
+endfunction()

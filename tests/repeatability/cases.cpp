@@ -1,0 +1,56 @@
+#include "cases.hpp"
+
+#include <cstdio>
+#include <span>
+#include <variant>
+
+#include "certet/checksum.hpp"
+#include "certet/write_mesh.hpp"
+
+namespace repeatability {
+namespace {
+
+/// Takes a mesh and keeps nothing.
+class Nowhere final : public certet::MeshWriter {
+ public:
+  void points(std::span<const certet::Point3>) override {}
+  void tets(std::span<const certet::Tet<std::uint32_t>>, std::span<const std::int32_t>) override {}
+  void tets(std::span<const certet::Tet<std::uint64_t>>, std::span<const std::int32_t>) override {}
+  void finish() override {}
+};
+
+}  // namespace
+
+std::uint64_t in_memory(const Shape& shape, const Manner& manner, int threads) {
+  certet::Context context;
+  context.threads = threads;
+  const certet::Mesh mesh =
+      certet::stuff(*shape.domain, shape.lattice, shape.frame, manner.options, context);
+  certet::Checksum sum;
+  sum.points(0, mesh.points);
+  std::visit(
+      [&sum]<class Index>(const certet::Buffer<certet::Tet<Index>>& tets) {
+        sum.tets(0, std::span<const certet::Tet<Index>>(tets));
+      },
+      mesh.tets);
+  return sum.value();
+}
+
+std::uint64_t streamed(const Shape& shape, const Manner& manner, int threads,
+                       std::uint64_t max_bytes) {
+  certet::Context context;
+  context.threads = threads;
+  const certet::Stuffing stuffing(*shape.domain, shape.lattice, manner.options, context);
+  Nowhere nowhere;
+  return certet::write_mesh(stuffing, shape.frame, certet::cut_slabs(stuffing, max_bytes), {},
+                            nowhere, context)
+      .checksum;
+}
+
+std::string line(const Shape& shape, const Manner& manner, std::uint64_t checksum) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(checksum));
+  return shape.name + " " + manner.name + " " + digits;
+}
+
+}  // namespace repeatability
