@@ -20,6 +20,9 @@ Run declare_mesh(CLI::App& app);
 /// Reads a mesh file and verifies it anew.
 Run declare_check(CLI::App& app);
 
+/// A web page about a mesh file.
+Run declare_report(CLI::App& app);
+
 /// Draws a mesh file into a PNG.
 Run declare_picture(CLI::App& app);
 
@@ -33,6 +36,7 @@ struct Subcommand {
 inline constexpr std::array subcommands{
     Subcommand{"mesh", "Mesh an image or a formula", declare_mesh},
     Subcommand{"check", "Verify a mesh anew, from its file alone", declare_check},
+    Subcommand{"report", "A page about a mesh, with a view to turn around", declare_report},
     Subcommand{"picture", "Draw a mesh into a PNG", declare_picture},
 };
 
