@@ -113,16 +113,6 @@ TetShape shape_of(const Corners& corners) {
           aspect_of(corners, n, greatest), std::sqrt(least), std::sqrt(greatest)};
 }
 
-bool has_corners(std::span<const Point3> points, const Tet<std::uint64_t>& tet) {
-  for (const std::uint64_t corner : tet) {
-    if (corner >= points.size()) return false;
-    const auto& [x, y, z] = points[corner];
-    // A sum of finite numbers may be infinite, but none of them that large is a place.
-    if (!std::isfinite(x + y + z)) return false;
-  }
-  return true;
-}
-
 ShapeSurvey survey_shapes(std::span<const Point3> points,
                           std::span<const Tet<std::uint64_t>> tets) {
   ShapeSurvey survey;

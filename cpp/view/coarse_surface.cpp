@@ -27,6 +27,7 @@ CoarseSurface clustered(const CoarseSurface& fine, const Point3& low, double cel
   std::unordered_map<std::uint64_t, std::uint32_t> cells;
   std::vector<std::uint32_t> number(fine.points.size());
   std::vector<double> members;
+  cells.reserve(fine.points.size() / 4);
   for (std::size_t i = 0; i < fine.points.size(); ++i) {
     std::uint64_t key = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -58,9 +59,13 @@ CoarseSurface coarse_surface(const FileMesh& mesh, std::span<const SeparatingFac
   const Box box = box_of(mesh, border);
   // A surface of n triangles has about sqrt(n) along a side.
   double cell = box.width() / std::sqrt(static_cast<double>(limit));
-  for (;; cell *= 1.15) {
+  for (;;) {
     CoarseSurface coarse = clustered(fine, box.low, cell);
-    if (coarse.triangles.size() <= limit) return coarse;
+    const double excess =
+        static_cast<double>(coarse.triangles.size()) / static_cast<double>(limit);
+    if (excess <= 1) return coarse;
+    // Cells twice as wide leave about a quarter of the triangles.
+    cell *= 1.05 * std::sqrt(excess);
   }
 }
 

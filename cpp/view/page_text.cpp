@@ -220,16 +220,18 @@ std::string data_text(const Scene& scene, const Regions& regions) {
   for (int axis = 0; axis < 3; ++axis) {
     text += axis > 0 ? ",[" : "[";
     for (int plane = 0; plane < scene.planes.count(axis); ++plane)
-      text += (plane > 0 ? "," : "") + shortened(scene.planes.place(axis, plane), 9);
+      text.append(plane > 0 ? "," : "").append(shortened(scene.planes.place(axis, plane), 9));
     text += "]";
   }
   const std::size_t count = regions.all().size();
   text += "],\"regions\":[";
   for (std::size_t i = 0; i < count; ++i)
-    text += (i > 0 ? ",\"" : "\"") + hexadecimal(region_color(i, count)) + "\"";
+    text.append(i > 0 ? ",\"" : "\"").append(hexadecimal(region_color(i, count))).append("\"");
   text += "],\"angles\":[";
   for (int i = 0; i < 256; ++i)
-    text += (i > 0 ? ",\"" : "\"") + hexadecimal(angle_color(best_angle * i / 255)) + "\"";
+    text.append(i > 0 ? ",\"" : "\"")
+        .append(hexadecimal(angle_color(best_angle * i / 255)))
+        .append("\"");
   return text + "]}</script>\n<script type=\"text/plain\" id=\"scene\">" + scene.data +
          "</script>";
 }

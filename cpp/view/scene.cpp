@@ -48,7 +48,7 @@ Planes choose_planes(const FileMesh& mesh, const Box& box, const SceneLimits& li
   const double wish = static_cast<double>(limits.cut_triangles) / std::max(faces, 1.0);
   const int count = static_cast<int>(std::clamp<double>(wish, 1, limits.planes));
   // An odd number has a plane in the middle.
-  const int odd = count > 1 && count % 2 == 0 ? count - 1 : count;
+  const int odd = count % 2 == 0 ? count - 1 : count;
   return {box.low, box.high, {odd, odd, odd}};
 }
 

@@ -15,8 +15,8 @@ namespace certet::view {
 
 /// How much a scene may hold.
 struct SceneLimits {
-  std::uint64_t surface_triangles = 300'000;
-  std::uint64_t cut_triangles = 700'000;  ///< of all planes together; a wish: they are
+  std::uint64_t surface_triangles = 200'000;
+  std::uint64_t cut_triangles = 1'000'000;  ///< of all planes together; a wish: they are
                                           ///< estimated before they are found
   int planes = 40;                        ///< of an axis
 };

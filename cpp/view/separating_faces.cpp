@@ -1,7 +1,6 @@
 #include "separating_faces.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <compare>
 
 #include "certet/shape.hpp"
@@ -143,24 +142,6 @@ Planes Planes::single(int axis, double place) {
 double Planes::place(int axis, int plane) const {
   const auto a = static_cast<std::size_t>(axis);
   return first_[a] + plane * gap_[a];
-}
-
-Planes::Sides Planes::sides(const Point3& centroid) const {
-  Sides sides{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double behind = centroid[axis] - first_[axis];
-    if (count_[axis] == 0 || behind < 0) continue;
-    const double planes = std::floor(behind * per_length_[axis]) + 1;
-    sides[axis] = static_cast<std::uint8_t>(std::min<double>(planes, count_[axis]));
-  }
-  return sides;
-}
-
-Planes::Sides sides_of(const FileMesh& mesh, std::uint64_t tet, const Planes& planes) {
-  Point3 centroid{};
-  for (const std::uint64_t corner : mesh.tets[tet])
-    for (std::size_t axis = 0; axis < 3; ++axis) centroid[axis] += mesh.points[corner][axis] / 4;
-  return planes.sides(centroid);
 }
 
 std::vector<SeparatingFace> separating_faces(const FileMesh& mesh, const Planes& planes) {

@@ -3,7 +3,9 @@
 /// The triangles to be seen when a mesh is cut open: those between tetrahedra
 /// on different sides of a plane, and those with nothing behind.
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -47,8 +49,24 @@ class Planes {
   Point3 first_{}, per_length_{}, gap_{};
 };
 
+inline Planes::Sides Planes::sides(const Point3& centroid) const {
+  Sides sides{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double behind = centroid[axis] - first_[axis];
+    if (count_[axis] == 0 || behind < 0) continue;
+    const double planes = std::floor(behind * per_length_[axis]) + 1;
+    sides[axis] = static_cast<std::uint8_t>(std::min<double>(planes, count_[axis]));
+  }
+  return sides;
+}
+
 /// The sides of a tetrahedron's centroid.
-Planes::Sides sides_of(const FileMesh& mesh, std::uint64_t tet, const Planes& planes);
+inline Planes::Sides sides_of(const FileMesh& mesh, std::uint64_t tet, const Planes& planes) {
+  Point3 centroid{};
+  for (const std::uint64_t corner : mesh.tets[tet])
+    for (std::size_t axis = 0; axis < 3; ++axis) centroid[axis] += mesh.points[corner][axis] / 4;
+  return planes.sides(centroid);
+}
 
 /// All faces at the border, and those between tetrahedra that a plane separates;
 /// ordered by their points.  Tetrahedra without four corners are left out.

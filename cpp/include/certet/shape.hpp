@@ -4,6 +4,7 @@
 /// lengths of edges.  Angles and volumes in bulk are in quality.hpp.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -49,6 +50,14 @@ ShapeSurvey survey_shapes(std::span<const Point3> points,
                           std::span<const Tet<std::uint64_t>> tets);
 
 /// Whether all four indices are those of points, and the points finite.
-bool has_corners(std::span<const Point3> points, const Tet<std::uint64_t>& tet);
+inline bool has_corners(std::span<const Point3> points, const Tet<std::uint64_t>& tet) {
+  for (const std::uint64_t corner : tet) {
+    if (corner >= points.size()) return false;
+    const auto& [x, y, z] = points[corner];
+    // A sum of finite numbers may be infinite, but none of them that large is a place.
+    if (!std::isfinite(x + y + z)) return false;
+  }
+  return true;
+}
 
 }  // namespace certet

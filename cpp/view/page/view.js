@@ -258,7 +258,7 @@ function reset() {
   const half = Math.PI / 180 * camera.fov / 2;
   const distance = radius / Math.sin(Math.min(half, Math.atan(Math.tan(half) * camera.aspect)));
   controls.target.set(0, 0, 0);
-  camera.position.set(0.84, -0.44, 0.32).setLength(0.96 * distance);
+  camera.position.set(0.84, -0.44, 0.32).setLength(1.02 * distance);
   controls.update();
   draw();
 }
