@@ -61,7 +61,7 @@ TEST(Canvas, EdgesAreDark) {
   triangle.edges = 0.8F;
   edged.draw(triangle);
   const std::size_t on_edge = 3 * (10 * side + 2), inside = 3 * (10 * side + 10);
-  EXPECT_LT(edged.develop().rgb[on_edge] + 50, plain.develop().rgb[on_edge]);
+  EXPECT_LT(edged.develop().rgb[on_edge] + 30, plain.develop().rgb[on_edge]);
   EXPECT_EQ(edged.develop().rgb[inside], plain.develop().rgb[inside]);
 }
 

@@ -30,9 +30,9 @@ class Page(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = pathlib.Path(folder.name)
-        cls.run = json.loads(certet(cls.folder, "mesh", *TORUS, "--size", "0.15", "-o", "t<i>.vtu",
+        cls.made_by = json.loads(certet(cls.folder, "mesh", *TORUS, "--size", "0.15", "-o", "t<i>.vtu",
                                     "--json", "-").stdout)
-        (cls.folder / "run.json").write_text(json.dumps(cls.run))
+        (cls.folder / "run.json").write_text(json.dumps(cls.made_by))
         cls.check = json.loads(certet(cls.folder, "check", "t<i>.vtu", "--json", "-").stdout)
         made = certet(cls.folder, "report", "t<i>.vtu", "--run", "run.json", "-o", "t.html")
         assert (made.returncode, made.stdout, made.stderr) == (0, "", ""), made
@@ -97,7 +97,7 @@ class Page(unittest.TestCase):
 
     def test_run_is_told(self):
         text = self.js("return document.body.innerText")
-        for words in (self.run["mesh"]["checksum"], self.run["guarantee"]["theorem"], "t<i>.vtu",
+        for words in (self.made_by["mesh"]["checksum"], self.made_by["guarantee"]["theorem"], "t<i>.vtu",
                       "Valid, positive, conforming and closed"):
             self.assertIn(words, text)
         marks = self.js("return [...document.querySelectorAll('text.bound')]"
