@@ -66,8 +66,8 @@ class Search {
   void for_candidates(Work work) {
     for (std::uint64_t i = 0; i < mesh_.tets.size(); ++i) {
       const auto& tet = mesh_.tets[i];
-      if (!has_corners(mesh_.points, tet)) continue;
-      if (std::ranges::none_of(tet, [this](std::uint64_t p) { return marks_[p] != 0; })) continue;
+      const auto marked = [this](std::uint64_t p) { return p < marks_.size() && marks_[p] != 0; };
+      if (std::ranges::none_of(tet, marked) || !has_corners(mesh_.points, tet)) continue;
       for_faces(tet, [&](std::uint64_t low, std::uint64_t middle, std::uint64_t high) {
         if (marks_[low] != 0) work(low, FaceKey{middle, high, i});
       });
