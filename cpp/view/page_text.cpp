@@ -216,7 +216,8 @@ std::string data_text(const Scene& scene, const Regions& regions) {
     return items;
   };
   text += list(scene.box.low, [](double v) { return shortened(v, 17); }) + "],\"high\":[" +
-          list(scene.box.high, [](double v) { return shortened(v, 17); }) + "],\"places\":[";
+          list(scene.box.high, [](double v) { return shortened(v, 17); }) + "],\"coarse\":" +
+          (scene.coarse > 0 ? "true" : "false") + ",\"places\":[";
   for (int axis = 0; axis < 3; ++axis) {
     text += axis > 0 ? ",[" : "[";
     for (int plane = 0; plane < scene.planes.count(axis); ++plane)

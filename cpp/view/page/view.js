@@ -135,26 +135,34 @@ const most = scene.surface.size +
   scene.cuts.reduce((size, cuts) => Math.max(size, ...cuts.map((cut) => cut.size)), 0);
 const drawn = {
   position: new Float32Array(9 * most), normal: new Float32Array(9 * most),
-  tint: new Uint8Array(9 * most), size: 0
+  tint: new Uint8Array(9 * most), corner: new Float32Array(3 * most), size: 0
 };
 
+// Edges of a surface that was made coarser are not those of the mesh.
+const noEdge = 3;
+
 function put(a, b, c, color, smooth) {
-  const p = scene.points, to = drawn.position, n = drawn.normal, at = 9 * drawn.size++;
+  const p = scene.points, to = drawn.position, n = drawn.normal, at = 9 * drawn.size;
   let i = at;
   for (const corner of [a, b, c])
     for (let axis = 0; axis < 3; ++axis, ++i) {
       to[i] = p[3 * corner + axis];
-      if (smooth) n[i] = normals[3 * corner + axis];
       drawn.tint[i] = color[axis];
     }
-  if (smooth) return;
   const ux = to[at + 3] - to[at], uy = to[at + 4] - to[at + 1], uz = to[at + 5] - to[at + 2];
   const vx = to[at + 6] - to[at], vy = to[at + 7] - to[at + 1], vz = to[at + 8] - to[at + 2];
-  for (i = at; i < at + 9; i += 3) {
-    n[i] = uy * vz - uz * vy;
-    n[i + 1] = uz * vx - ux * vz;
-    n[i + 2] = ux * vy - uy * vx;
-  }
+  const flat = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+  const area = Math.hypot(...flat) || 1;
+  [a, b, c].forEach((corner, k) => {
+    const m = 3 * corner;
+    // A little of the face's own normal shows what the surface is made of.
+    const length = smooth ? Math.hypot(normals[m], normals[m + 1], normals[m + 2]) || 1 : 1;
+    for (let axis = 0; axis < 3; ++axis)
+      n[at + 3 * k + axis] =
+        smooth ? normals[m + axis] / length + 0.35 * flat[axis] / area : flat[axis] / area;
+    drawn.corner[3 * drawn.size + k] = smooth && about.coarse ? noEdge : k;
+  });
+  ++drawn.size;
 }
 
 // wish: {axis: -1 to 2, plane, below, color}
@@ -186,9 +194,7 @@ for (const [name, array, normalized] of [["position", drawn.position, false],
                                          ["normal", drawn.normal, false],
                                          ["tint", drawn.tint, true]])
   geometry.setAttribute(name, new THREE.BufferAttribute(array, 3, normalized));
-const corner = new Float32Array(3 * most);
-for (let i = 0; i < corner.length; ++i) corner[i] = i % 3;
-geometry.setAttribute("corner", new THREE.BufferAttribute(corner, 1));
+geometry.setAttribute("corner", new THREE.BufferAttribute(drawn.corner, 1));
 
 const material = new THREE.ShaderMaterial({
   side: THREE.DoubleSide,
@@ -201,7 +207,7 @@ const material = new THREE.ShaderMaterial({
     void main() {
       color = pow(tint, vec3(2.2));
       facing = normalize(normalMatrix * normal);
-      share = vec3(equal(vec3(corner), vec3(0.0, 1.0, 2.0)));
+      share = corner > 2.5 ? vec3(1.0) : vec3(equal(vec3(corner), vec3(0.0, 1.0, 2.0)));
       gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
     }`,
   fragmentShader: `
@@ -216,7 +222,7 @@ const material = new THREE.ShaderMaterial({
       vec3 shown = light * color + 0.10 * pow(1.0 - n.z, 3.0);
       // Edges of small triangles would be all that is seen.
       vec3 width = fwidth(share);
-      vec3 near = smoothstep(vec3(0.0), 1.3 * width, share);
+      vec3 near = smoothstep(vec3(0.0), 1.3 * width + 1e-6, share);
       float room = 1.0 - smoothstep(0.10, 0.45, max(width.x, max(width.y, width.z)));
       shown *= 1.0 - 0.72 * edges * room * (1.0 - min(near.x, min(near.y, near.z)));
       gl_FragColor = vec4(pow(shown, vec3(1.0 / 2.2)), 1.0);
@@ -279,7 +285,7 @@ function apply() {
   const wished = wish();
   build(wished);
   geometry.setDrawRange(0, 3 * drawn.size);
-  for (const name of ["position", "normal", "tint"]) geometry.attributes[name].needsUpdate = true;
+  for (const name in geometry.attributes) geometry.attributes[name].needsUpdate = true;
   material.uniforms.edges.value = $("edges").checked ? 1 : 0;
   $("plane").disabled = $("flip").disabled = wished.axis < 0;
   $("place").textContent =
