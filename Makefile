@@ -1,6 +1,7 @@
 # certet: everything a user or a contributor runs.
 #
-#   make demo             set up, build, and mesh a brain atlas into build/demo
+#   make demo             set up, build, and mesh a brain atlas into build/demo, with a page
+#                         and a picture of it
 #   make test             set up and check everything: proofs, audit, extraction, build, tests
 #
 #   make deps             install the Debian packages (asks nothing; needs root or sudo)
@@ -38,7 +39,8 @@ PACKAGES := \
   python3 python3-numpy python3-meshio python3-matplotlib \
   libboost-dev libassimp-dev libopenvdb-dev libblosc-dev libimath-dev \
   clang clang-tidy libclang-rt-14-dev valgrind dpkg-dev mandoc groff pkg-config \
-  mricron-data
+  libpng-dev libjs-three chromium chromium-driver python3-selenium \
+  pybind11-dev python3-dev mricron-data
 
 deps:
 	@missing=$$(for p in $(PACKAGES); do \
@@ -81,8 +83,12 @@ test: proofs build audit check-extracted
 ATLAS := /usr/share/mricron/templates/aal.nii.gz
 demo: build
 	mkdir -p $(BUILD)/demo
-	$(BUILD)/bin/certet mesh $(ATLAS) --cuts midpoint -o $(BUILD)/demo/brain.vtu
+	$(BUILD)/bin/certet mesh $(ATLAS) --cuts midpoint -o $(BUILD)/demo/brain.vtu \
+	  --json $(BUILD)/demo/brain.json
 	$(BUILD)/bin/certet check $(BUILD)/demo/brain.vtu
+	$(BUILD)/bin/certet report $(BUILD)/demo/brain.vtu --run $(BUILD)/demo/brain.json \
+	  -o $(BUILD)/demo/brain.html
+	$(BUILD)/bin/certet picture $(BUILD)/demo/brain.vtu -o $(BUILD)/demo/brain.png
 
 # Debian's Python has Debian's matplotlib; another one may come first in PATH.
 PYTHON := $(firstword $(wildcard /usr/bin/python3) python3)

@@ -14,7 +14,7 @@ namespace certet::command {
 /// Carries out a subcommand.  \throws Error.
 using Run = std::function<Status()>;
 
-/// From an image or a formula to a mesh file.
+/// From an image, a surface, a volume, a formula or a shape to a mesh file.
 Run declare_mesh(CLI::App& app);
 
 /// Reads a mesh file and verifies it anew.
@@ -22,6 +22,12 @@ Run declare_check(CLI::App& app);
 
 /// Writes the cases by which another implementation can check itself.
 Run declare_conformance(CLI::App& app);
+
+/// A web page about a mesh file.
+Run declare_report(CLI::App& app);
+
+/// Draws a mesh file into a PNG.
+Run declare_picture(CLI::App& app);
 
 struct Subcommand {
   const char* name;
@@ -31,8 +37,10 @@ struct Subcommand {
 
 /// In the order of the help.
 inline constexpr std::array subcommands{
-    Subcommand{"mesh", "Mesh an image or a formula", declare_mesh},
+    Subcommand{"mesh", "Mesh an image, a surface, a volume, a formula or a shape", declare_mesh},
     Subcommand{"check", "Verify a mesh anew, from its file alone", declare_check},
+    Subcommand{"report", "A page about a mesh, with a view to turn around", declare_report},
+    Subcommand{"picture", "Draw a mesh into a PNG", declare_picture},
     Subcommand{"conformance", "Write test cases for other implementations", declare_conformance},
 };
 

@@ -1,0 +1,85 @@
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <memory>
+
+#include "certet/error.hpp"
+#include "certet/formats.hpp"
+#include "certet/picture.hpp"
+#include "commands.hpp"
+#include "option_values.hpp"
+#include "outputs.hpp"
+
+namespace certet::command {
+namespace {
+
+/// What the user asks of `certet picture`.
+struct Options {
+  std::filesystem::path mesh, output;
+  std::string size = "1600x800", clip = "x";
+  PictureOptions picture;
+};
+
+[[noreturn]] void refuse(const std::string& sentence) {
+  throw Error(ErrorCode::bad_option, sentence);
+}
+
+/// "1600x800"
+void parse_size(const std::string& text, PictureOptions& picture) {
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, picture.width);
+  if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
+    const auto height = std::from_chars(width.ptr + 1, end, picture.height);
+    if (height.ec == std::errc() && height.ptr == end) return;
+  }
+  refuse("--size is a width and a height such as 1600x800, not '" + text + "'");
+}
+
+/// "x", "y:0.3"
+void parse_clip(const std::string& text, PictureOptions& picture) {
+  const auto axis = text.empty() ? std::string::npos : std::string("xyz").find(text[0]);
+  if (axis == std::string::npos || (text.size() > 1 && text[1] != ':'))
+    refuse("--clip is an axis, or an axis and a fraction such as x:0.5, not '" + text + "'");
+  picture.axis = static_cast<int>(axis);
+  if (text.size() > 1) picture.fraction = parse_number("--clip", text.substr(2));
+}
+
+Status picture(Options options) {
+  parse_size(options.size, options.picture);
+  parse_clip(options.clip, options.picture);
+  if (same_file(options.mesh, options.output))
+    refuse("the mesh and the picture are the same file '" + options.mesh.string() + "'");
+  if (options.output.extension() != ".png")
+    refuse("a picture is a .png file, which '" + options.output.string() + "' is not");
+  if (!can_write_png()) refuse("writing PNG was not built in");
+  judge_output(options.output);
+  write_png(draw(read_mesh(options.mesh), options.picture), options.output);
+  return Status::ok;
+}
+
+}  // namespace
+
+Run declare_picture(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("mesh", options->mesh, "Mesh: .vtu or .mesh")->required()->option_text("MESH");
+  app.add_option("-o,--output", options->output, "Picture: .png")
+      ->required()->option_text("FILE");
+  app.add_option("--size", options->size, "Pixels (1600x800)")->option_text("WxH");
+  app.add_option("--view", options->picture.view,
+                 "both: the surface beside the cut mesh (default), surface or cut")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, PictureView>{
+                      {"both", PictureView::both},
+                      {"surface", PictureView::surface},
+                      {"cut", PictureView::cut}}))
+      ->option_text("both|surface|cut");
+  app.add_option("--clip", options->clip,
+                 "Where the mesh is cut open: an axis and, from 0 to 1, a place on it (x:0.5)")
+      ->option_text("x|y|z[:F]");
+  app.add_option("--color", options->picture.color,
+                 "region: the label (default), or angle: the worst dihedral angle")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, PictureColor>{
+                      {"region", PictureColor::region}, {"angle", PictureColor::angle}}))
+      ->option_text("region|angle");
+  return [options] { return picture(*options); };
+}
+
+}  // namespace certet::command

@@ -1,0 +1,103 @@
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "certet/error.hpp"
+#include "certet/formats.hpp"
+#include "certet/page.hpp"
+#include "commands.hpp"
+#include "outputs.hpp"
+#include "run_file.hpp"
+#include "table.hpp"
+
+namespace certet::command {
+namespace {
+
+constexpr const char* footer = R"(
+The page holds all it needs and never asks the network.  A mesh with a defect has a
+page too, and the status is 1, as that of `certet check`.)";
+
+/// What the user asks of `certet report`.
+struct Options {
+  std::filesystem::path mesh, output, run;
+  std::optional<Guarantee> guarantee;
+  std::optional<Cuts> cuts;
+};
+
+[[noreturn]] void refuse(ErrorCode code, const std::string& sentence) {
+  throw Error(code, sentence);
+}
+
+void judge(const Options& options) {
+  if (same_file(options.mesh, options.output))
+    refuse(ErrorCode::bad_option,
+           "the mesh and the page are the same file '" + options.mesh.string() + "'");
+  if (!options.run.empty() && same_file(options.run, options.output))
+    refuse(ErrorCode::bad_option,
+           "the page and --run are the same file '" + options.run.string() + "'");
+  if (!options.run.empty() && (options.guarantee || options.cuts))
+    refuse(ErrorCode::bad_option, "--run tells --guarantee and --cuts already");
+  judge_output(options.output);
+}
+
+/// All bounds that may hold, as far as the options tell.
+std::vector<AngleBounds> possible_bounds(const Options& options) {
+  if (options.cuts == Cuts::midpoint) return {proven_bounds(Cuts::midpoint, Guarantee::angles)};
+  if (options.guarantee) return {proven_bounds(Cuts::bisect, *options.guarantee)};
+  std::vector<AngleBounds> bounds{proven_bounds(Cuts::bisect, Guarantee::angles),
+                                  proven_bounds(Cuts::bisect, Guarantee::embedding)};
+  if (!options.cuts) bounds.push_back(proven_bounds(Cuts::midpoint, Guarantee::angles));
+  return bounds;
+}
+
+PageRow size_row(const std::filesystem::path& mesh) {
+  std::error_code failure;
+  const auto size = std::filesystem::file_size(mesh, failure);
+  return {"file", mesh.string() + (failure ? "" : " (" + bytes(size) + ")")};
+}
+
+Status report(const Options& options) {
+  judge(options);
+  PageFacts facts{options.mesh.filename().string(), {}, possible_bounds(options)};
+  facts.rows.push_back(size_row(options.mesh));
+  RunFile run;
+  if (!options.run.empty()) {
+    run = read_run(options.run);
+    run.bounds.theorem = run.theorem;
+    facts.bounds = {run.bounds};
+    facts.rows.insert(facts.rows.end(), run.rows.begin(), run.rows.end());
+  }
+  const FileMesh mesh = read_mesh(options.mesh);
+  if (!options.run.empty() &&
+      (run.points != mesh.points.size() || run.tets != mesh.tets.size()))
+    refuse(ErrorCode::bad_input, "'" + options.run.string() + "' tells of another mesh than '" +
+                                     options.mesh.string() + "'");
+  const Page page = make_page(mesh, facts);
+  write_text(options.output.string(), page.html);
+  return page.report.failures.empty() ? Status::ok : Status::check_failed;
+}
+
+}  // namespace
+
+Run declare_report(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("mesh", options->mesh, "Mesh: .vtu or .mesh")->required()->option_text("MESH");
+  app.add_option("-o,--output", options->output, "Page: .html")
+      ->required()->option_text("FILE");
+  app.add_option("--run", options->run, "What `certet mesh --json` told of this mesh")
+      ->option_text("FILE");
+  app.add_option("--guarantee", options->guarantee,
+                 "Of the run, where there is no --run: angles or embedding")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Guarantee>{
+          {"angles", Guarantee::angles}, {"embedding", Guarantee::embedding}}))
+      ->option_text("WHICH");
+  app.add_option("--cuts", options->cuts, "Of the run, where there is no --run: bisect or midpoint")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Cuts>{
+          {"bisect", Cuts::bisect}, {"midpoint", Cuts::midpoint}}))
+      ->option_text("WHERE");
+  app.footer(footer);
+  return [options] { return report(*options); };
+}
+
+}  // namespace certet::command

@@ -1,0 +1,43 @@
+#pragma once
+/// \file
+/// A web page about a mesh: what it is, how good it is, and a view of it to turn
+/// around and to cut open.
+
+#include <string>
+#include <vector>
+
+#include "certet/check.hpp"
+#include "certet/formats.hpp"
+#include "certet/quality.hpp"
+
+namespace certet {
+
+/// A line of a table.
+struct PageRow {
+  std::string title, text;
+};
+
+/// What a mesh file does not tell about itself.
+struct PageFacts {
+  std::string name;           ///< of the mesh, the title of the page
+  std::vector<PageRow> rows;  ///< where it comes from
+  std::vector<AngleBounds> bounds;  ///< that the theorem on it gives; where there are
+                                    ///< several, it is not known which
+};
+
+/// A page and what it says of the mesh.
+struct Page {
+  std::string html;  ///< UTF-8; needs no other file and no network
+  CheckReport report;
+};
+
+/// Checks and measures a mesh and packs what the view needs of it: the surface,
+/// if need be in coarser triangles, and the tetrahedra along planes, as many
+/// planes as make a page of some 15 MB at most.
+/// \throws std::bad_alloc
+Page make_page(const FileMesh& mesh, const PageFacts& facts);
+
+/// Whether the view was built in; without it a page has tables and histograms.
+bool can_view_pages();
+
+}  // namespace certet

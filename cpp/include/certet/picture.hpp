@@ -1,0 +1,52 @@
+#pragma once
+/// \file
+/// A picture of a mesh, drawn without a display.
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "certet/formats.hpp"
+
+namespace certet {
+
+/// What a picture shows.
+enum class PictureView {
+  both,     ///< the surface on the left, the cut mesh on the right
+  surface,  ///< the mesh from outside
+  cut,      ///< without the tetrahedra on the near side of a plane
+};
+
+/// What the colour of a tetrahedron says.
+enum class PictureColor {
+  region,  ///< its label
+  angle,   ///< TetShape::worst_angle
+};
+
+struct PictureOptions {
+  int width = 1600, height = 800;  ///< pixels, 16 to 8192
+  PictureView view = PictureView::both;
+  PictureColor color = PictureColor::region;
+  int axis = 0;           ///< that the plane is orthogonal to: 0, 1 or 2
+  double fraction = 0.5;  ///< where the plane is, from the low end of the mesh to the high
+};
+
+/// Rows from the top, three bytes (red, green, blue in sRGB) for each pixel.
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;
+};
+
+/// Draws a mesh; tetrahedra that lack a corner are left out.  The same bytes for
+/// the same mesh.
+/// \throws Error `bad_option` for a size, axis or fraction out of range,
+/// `empty_domain` where nothing is to be seen.
+Picture draw(const FileMesh& mesh, const PictureOptions& options);
+
+/// Whether PNG was built in.
+bool can_write_png();
+
+/// \throws Error `write_failed`; then there is no new file.
+void write_png(const Picture& picture, const std::filesystem::path& file);
+
+}  // namespace certet

@@ -1,0 +1,81 @@
+#include "certet/page.hpp"
+
+#include <future>
+#include <optional>
+
+#include "certet/tet_shape.hpp"
+#include "page_parts.hpp"
+#include "page_text.hpp"
+#include "regions.hpp"
+#include "scene.hpp"
+
+namespace certet {
+namespace {
+
+using namespace view;
+
+/// What has to be worked out, apart from the check.
+struct Look {
+  Regions regions;
+  ShapeSurvey shapes;
+  std::optional<Scene> scene;
+};
+
+Look look_at(const FileMesh& mesh) {
+  Look look{Regions(mesh), survey_shapes(mesh.points, mesh.tets), std::nullopt};
+  // No tetrahedron with corners, nothing to be seen.
+  if (can_view_pages() && look.shapes.tets > 0 && look.shapes.longest_edge > 0)
+    look.scene = make_scene(mesh, look.regions, {});
+  return look;
+}
+
+/// Replaces {{name}} once; nothing in `text` is looked at again.
+class Skeleton {
+ public:
+  Skeleton() : rest_(page_skeleton()) {}
+
+  /// In the order in which they are in the skeleton.
+  void fill(std::string_view name, std::string_view text) {
+    const std::string mark = "{{" + std::string(name) + "}}";
+    const std::size_t at = rest_.find(mark);
+    done_ += rest_.substr(0, at);
+    done_ += text;
+    rest_ = rest_.substr(at + mark.size());
+  }
+  std::string finish() { return done_ += rest_; }
+
+ private:
+  std::string_view rest_;
+  std::string done_;
+};
+
+}  // namespace
+
+bool can_view_pages() { return !three_library().empty(); }
+
+Page make_page(const FileMesh& mesh, const PageFacts& facts) {
+  // The two take about the same time, and neither changes the mesh.
+  auto looking = std::async(std::launch::async, [&mesh] { return look_at(mesh); });
+  Page page{{}, check(mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets))};
+  const Look look = looking.get();
+  const Scene* scene = look.scene ? &*look.scene : nullptr;
+  Skeleton html;
+  html.fill("title", title_text(facts));
+  html.fill("style", page_style());
+  html.fill("name", title_text(facts));
+  html.fill("verdict", verdict_text(page.report));
+  html.fill("view", scene ? view_text(look.regions) : no_view_text());
+  html.fill("view_note", scene ? view_note(*scene, page.report) : "");
+  html.fill("counts", counts_text(page.report, look.shapes));
+  html.fill("facts", facts_text(facts));
+  html.fill("histograms", histograms_text(page.report, look.shapes, facts));
+  html.fill("regions", regions_text(look.regions, !mesh.labels.empty()));
+  html.fill("data", scene ? data_text(*scene, look.regions) : "");
+  html.fill("three", scene ? three_library() : "");
+  html.fill("controls", scene ? three_controls() : "");
+  html.fill("script", scene ? page_script() : "");
+  page.html = html.finish();
+  return page;
+}
+
+}  // namespace certet

@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// The parts of a page, as HTML.
+
+#include <string>
+
+#include "certet/page.hpp"
+#include "certet/tet_shape.hpp"
+#include "regions.hpp"
+#include "scene.hpp"
+
+namespace certet::view {
+
+std::string title_text(const PageFacts& facts);
+/// Well or broken, and what is broken.
+std::string verdict_text(const CheckReport& report);
+/// The canvas, its controls and its legend.
+std::string view_text(const Regions& regions);
+std::string no_view_text();
+/// What of the mesh the view shows.
+std::string view_note(const Scene& scene, const CheckReport& report);
+std::string facts_text(const PageFacts& facts);
+std::string counts_text(const CheckReport& report, const ShapeSurvey& shapes);
+std::string histograms_text(const CheckReport& report, const ShapeSurvey& shapes,
+                            const PageFacts& facts);
+std::string regions_text(const Regions& regions, bool labelled);
+/// What the script reads.
+std::string data_text(const Scene& scene, const Regions& regions);
+
+}  // namespace certet::view

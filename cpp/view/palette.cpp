@@ -1,0 +1,56 @@
+#include "palette.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace certet::view {
+namespace {
+
+// Chosen to differ in lightness as well as in hue.
+constexpr std::array<Rgb, 8> regions_apart{{{0x6f, 0xa8, 0xdc},
+                                            {0xf0, 0x90, 0x6a},
+                                            {0xf1, 0xdd, 0x85},
+                                            {0x4f, 0xb9, 0x9b},
+                                            {0xf4, 0xa9, 0xbd},
+                                            {0xb5, 0xc4, 0x4a},
+                                            {0xa5, 0x8f, 0xd0},
+                                            {0x9f, 0xda, 0xf2}}};
+
+// Diverging, without a pair of red and green.
+constexpr std::array<Rgb, 7> from_bad_to_good{{{0xa5, 0x00, 0x26},
+                                               {0xdd, 0x3d, 0x2d},
+                                               {0xf6, 0x7e, 0x4b},
+                                               {0xfe, 0xda, 0x8b},
+                                               {0xea, 0xec, 0xcc},
+                                               {0x98, 0xca, 0xe1},
+                                               {0x4a, 0x7b, 0xb7}}};
+
+std::uint8_t blend(std::uint8_t a, std::uint8_t b, double share) {
+  return static_cast<std::uint8_t>(std::lround(a + (b - a) * share));
+}
+
+Rgb blend(const Rgb& a, const Rgb& b, double share) {
+  return {blend(a[0], b[0], share), blend(a[1], b[1], share), blend(a[2], b[2], share)};
+}
+
+}  // namespace
+
+Rgb region_color(std::size_t place, std::size_t regions) {
+  const Rgb& color = regions_apart[place % regions_apart.size()];
+  if (regions <= regions_apart.size()) return color;
+  // Each further round is shaded otherwise.
+  constexpr std::array<double, 3> dark{0, 0.22, 0.11};
+  const std::size_t round = place / regions_apart.size();
+  return blend(color, Rgb{0x30, 0x34, 0x50}, dark[round % dark.size()]);
+}
+
+Rgb angle_color(double worst_angle) {
+  const double scaled = worst_angle / best_angle * (from_bad_to_good.size() - 1);
+  // A flat tetrahedron's angle is not a number.
+  const double at = scaled > 0 ? std::min<double>(scaled, from_bad_to_good.size() - 1) : 0;
+  const auto below = std::min(static_cast<std::size_t>(at), from_bad_to_good.size() - 2);
+  return blend(from_bad_to_good[below], from_bad_to_good[below + 1],
+               at - static_cast<double>(below));
+}
+
+}  // namespace certet::view

@@ -1,0 +1,53 @@
+#include "regions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "certet/tet_shape.hpp"
+
+namespace certet::view {
+namespace {
+
+double volume_of(const FileMesh& mesh, std::uint64_t number) {
+  const auto& tet = mesh.tets[number];
+  if (!has_corners(mesh.points, tet)) return 0;
+  std::array<Point3, 3> e;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      e[i][axis] = mesh.points[tet[i + 1]][axis] - mesh.points[tet[0]][axis];
+  const auto& [a, b, c] = e;
+  return (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+          a[2] * (b[0] * c[1] - b[1] * c[0])) / 6;
+}
+
+std::int32_t label_of(const FileMesh& mesh, std::uint64_t tet) {
+  return mesh.labels.empty() ? 0 : mesh.labels[tet];
+}
+
+}  // namespace
+
+Regions::Regions(const FileMesh& mesh) {
+  // Neighbours mostly have the same label.
+  std::size_t last = 0;
+  for (std::uint64_t i = 0; i < mesh.tets.size(); ++i) {
+    const std::int32_t label = label_of(mesh, i);
+    if (last >= regions_.size() || regions_[last].label != label) {
+      last = find(label);
+      if (last == regions_.size() || regions_[last].label != label)
+        regions_.insert(regions_.begin() + static_cast<std::ptrdiff_t>(last), {label, 0, 0});
+    }
+    ++regions_[last].tets;
+    regions_[last].volume += volume_of(mesh, i);
+  }
+}
+
+std::size_t Regions::place(const FileMesh& mesh, std::uint64_t tet) const {
+  return find(label_of(mesh, tet));
+}
+
+std::size_t Regions::find(std::int32_t label) const {
+  const auto at = std::ranges::lower_bound(regions_, label, {}, &Region::label);
+  return static_cast<std::size_t>(at - regions_.begin());
+}
+
+}  // namespace certet::view

@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// The regions of a mesh: its labels.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "certet/formats.hpp"
+
+namespace certet::view {
+
+struct Region {
+  std::int32_t label;
+  std::uint64_t tets;
+  double volume;  ///< signed sum, in world units cubed
+};
+
+/// By growing label; a mesh without labels is one region with the label 0.
+class Regions {
+ public:
+  explicit Regions(const FileMesh& mesh);
+
+  [[nodiscard]] const std::vector<Region>& all() const { return regions_; }
+  /// The place of a tetrahedron's region among all.
+  [[nodiscard]] std::size_t place(const FileMesh& mesh, std::uint64_t tet) const;
+
+ private:
+  [[nodiscard]] std::size_t find(std::int32_t label) const;
+
+  std::vector<Region> regions_;
+};
+
+}  // namespace certet::view

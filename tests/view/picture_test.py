@@ -1,0 +1,66 @@
+"""`certet picture` draws what is there, the same every time, and refuses well."""
+
+import unittest
+
+import png
+from program import TORUS, ProgramTest
+
+USAGE, BAD_INPUT, WRITE_FAILED = 2, 3, 6
+
+
+class Picture(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.mesh(*TORUS, "--size", "0.25", "-o", "t.vtu")
+
+    def draw(self, *arguments):
+        run = self.run_certet("picture", "t.vtu", "-o", "t.png", *arguments)
+        self.assertEqual((run.returncode, run.stdout, run.stderr), (0, "", ""))
+        return (self.folder / "t.png").read_bytes()
+
+    def test_shows_something_on_a_light_ground(self):
+        data = self.draw("--size", "300x200")
+        self.assertEqual(png.read(data)[:2], (300, 200))
+        pixels = png.pixels(data)
+        self.assertGreater(len(set(pixels)), 200)
+        self.assertGreater(min(pixels[0]), 240)
+        # The torus is blue and fills a good part.
+        blue = sum(b > r + 30 for r, g, b in pixels)
+        self.assertGreater(blue, len(pixels) / 10)
+
+    def test_cut_shows_edges(self):
+        def dark(*arguments):
+            return sum(max(p) < 90 for p in png.pixels(
+                self.draw("--view", "cut", "--clip", "y:0.5", "--size", "300x200", *arguments)))
+        self.assertGreater(dark(), 300)
+
+    def test_bytes_are_the_same(self):
+        self.assertEqual(self.draw("--size", "200x100"), self.draw("--size", "200x100"))
+
+    def test_cut_of_nothing_is_the_surface(self):
+        surface = self.draw("--size", "200x150", "--view", "surface")
+        self.assertEqual(surface, self.draw("--size", "200x150", "--view", "cut", "--clip", "x:1"))
+        self.assertNotEqual(surface,
+                            self.draw("--size", "200x150", "--view", "cut", "--clip", "x:0.5"))
+
+    def test_colors(self):
+        region = set(png.pixels(self.draw("--size", "200x100")))
+        angle = set(png.pixels(self.draw("--size", "200x100", "--color", "angle")))
+        self.assertFalse(any(r > b + 60 for r, g, b in region))
+        self.assertTrue(any(r > b + 60 for r, g, b in angle))
+
+    def test_refusals(self):
+        def fails(status, words, *arguments):
+            self.assert_fails(status, words, "picture", *arguments)
+        fails(USAGE, ["--size"], "t.vtu", "-o", "p.png", "--size", "100")
+        fails(USAGE, ["16 to 8192"], "t.vtu", "-o", "p.png", "--size", "9000x10")
+        fails(USAGE, ["--clip"], "t.vtu", "-o", "p.png", "--clip", "w")
+        fails(USAGE, ["fraction"], "t.vtu", "-o", "p.png", "--clip", "x:1.5")
+        fails(USAGE, [".png"], "t.vtu", "-o", "p.jpg")
+        fails(USAGE, ["same file"], "t.vtu", "-o", "t.vtu")
+        fails(BAD_INPUT, ["none.vtu"], "none.vtu", "-o", "p.png")
+        fails(WRITE_FAILED, ["nowhere"], "t.vtu", "-o", "nowhere/p.png")
+
+
+if __name__ == "__main__":
+    unittest.main()
