@@ -2,6 +2,7 @@
 #include <string>
 
 #include "certet/error.hpp"
+#include "certet/label_names.hpp"
 #include "commands.hpp"
 #include "memory.hpp"
 #include "mesh_options.hpp"
@@ -36,10 +37,13 @@ void judge_outputs(const MeshOptions& options) {
       throw Error(ErrorCode::bad_option, "input and --json are the same file '" +
                                              options.input.string() + "'");
   }
-  if (json_file && !options.output.empty() && same_file(options.output, options.json))
-    throw Error(ErrorCode::bad_option,
-                "output and --json are the same file '" + options.output.string() + "'");
-  if (!options.dry_run) judge_output(options.output);
+  if (!options.output.empty())
+    for (const std::filesystem::path& file : files_of(options.output, options.format)) {
+      if (json_file && same_file(file, options.json))
+        throw Error(ErrorCode::bad_option,
+                    "output and --json are the same file '" + file.string() + "'");
+      if (!options.dry_run) judge_output(file);
+    }
   if (json_file) judge_output(options.json);
 }
 
@@ -75,6 +79,19 @@ Slabs plan(const Stuffing& stuffing, const Source& source, MeshReport& report) {
   return slabs;
 }
 
+/// What the format says of the mesh before its numbers.
+MeshSize announce(const MeshOptions& options, const LabelNames& names, const Stuffing& stuffing,
+                  const Source& source, Context& context) {
+  MeshSize size{stuffing.point_count(), stuffing.tet_count(),
+                static_cast<bool>(source.labeller)};
+  if (!needs_survey(options.format) && names.empty()) return size;
+  auto found = std::make_shared<Survey>(
+      survey(stuffing, source.labeller, source.border, context));
+  name_regions(*found, names);
+  size.survey = std::move(found);
+  return size;
+}
+
 void write(const MeshOptions& options, const Stuffing& stuffing, const Source& source,
            const Slabs& slabs, const MeshSize& size, Context& context, Progress& progress,
            MeshReport& report) {
@@ -99,7 +116,7 @@ void describe(const MeshOptions& options, const Source& source, MeshReport& repo
   report.input_kind = source.kind;
   report.input_name = source.name;
   report.output = options.output.string();
-  report.format = options.format == Format::vtu ? "vtu" : "medit";
+  report.format = name(options.format);
   report.cells = source.lattice.cells;
   report.size = source.frame.size;
   report.cuts = options.stuffing.cuts;
@@ -125,6 +142,8 @@ MeshReport run(const MeshOptions& options, Context& context) {
   report.memory_limit = memory_limit(options);
   limit_memory(report.memory_limit + base_bytes);
   judge_outputs(options);
+  LabelNames names;
+  if (!options.label_names.empty()) names = read_label_names(options.label_names);
   const Source source = open_source(options, report.memory_limit);
   report.read_seconds = clock.seconds();
   describe(options, source, report);
@@ -137,7 +156,7 @@ MeshReport run(const MeshOptions& options, Context& context) {
     throw Error(ErrorCode::empty_domain,
                 "nothing of '" + source.name + "' is inside at size " +
                     std::to_string(source.frame.size) + ", so there is no mesh");
-  const MeshSize size{report.points, report.tets, static_cast<bool>(source.labeller)};
+  const MeshSize size = announce(options, names, stuffing, source, context);
   report.output_bytes = file_bytes(options.format, size);
   const Slabs slabs = plan(stuffing, source, report);
   if (!options.dry_run)

@@ -16,6 +16,7 @@ struct Source {
   Lattice lattice;
   Frame frame;
   Labeller labeller;  ///< empty where there are no labels
+  BorderTest border;  ///< empty where nothing is cut off
   std::string kind;   ///< labels, level or formula
   std::string name;
   std::uint64_t bytes = 0;

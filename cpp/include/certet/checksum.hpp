@@ -2,6 +2,7 @@
 /// \file
 /// One number that tells whether two meshes are the same.
 
+#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -21,6 +22,15 @@ class Checksum {
       std::uint64_t hash = mix(point_seed ^ first++);
       for (const std::int32_t c : {p.x, p.y, p.z})
         hash = mix(hash ^ static_cast<std::uint64_t>(std::int64_t{c}));
+      sum_ += hash;
+    }
+  }
+
+  /// Points as files have them.
+  void points(std::uint64_t first, std::span<const Point3> points) {
+    for (const Point3& p : points) {
+      std::uint64_t hash = mix(point_seed ^ first++);
+      for (const double c : p) hash = mix(hash ^ std::bit_cast<std::uint64_t>(c));
       sum_ += hash;
     }
   }
