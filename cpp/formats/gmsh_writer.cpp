@@ -39,21 +39,62 @@ constexpr Int surface_dimension = 2, volume_dimension = 3;
 constexpr Int triangle = 2, tetrahedron = 4;
 constexpr Size tet_bytes = 5 * sizeof(Size), face_bytes = 4 * sizeof(Size);
 
+/// The box around all points.
+struct Box {
+  Point3 low{}, high{};
+};
+
+/// A surface for each patch and a volume for each region, none with boundaries of
+/// its own.
+void add_entities(Bytes& bytes, const GmshGroups& groups, const Box& box) {
+  const auto add = [&](Int tag) { bytes.add(tag, box.low, box.high, Size{1}, tag, Size{0}); };
+  bytes.text("$Entities\n");
+  bytes.add(Size{0}, Size{0}, Size{groups.patches.size()}, Size{groups.regions.size()});
+  for (const Patch patch : groups.patches) add(GmshGroups::tag_of(patch));
+  for (const GmshGroups::Group& region : groups.regions) add(region.tag);
+  bytes.text("\n$EndEntities\n");
+}
+
+/// Everything before the nodes.  Its length does not depend on the box.
+Bytes header_of(const GmshGroups& groups, const Box& box) {
+  Bytes bytes;
+  bytes.text("$MeshFormat\n4.1 1 8\n").add(Int{1}).text("\n$EndMeshFormat\n");
+  bytes.text(groups.names_section());
+  add_entities(bytes, groups, box);
+  return bytes;
+}
+
+/// All nodes are said to be in the first region.
+Bytes nodes_heading(const GmshGroups& groups, Size points) {
+  Bytes bytes;
+  bytes.text("$Nodes\n");
+  const bool any = points > 0 && !groups.regions.empty();
+  bytes.add(Size{any ? 1u : 0u}, points, Size{points > 0 ? 1u : 0u}, points);
+  if (any) bytes.add(volume_dimension, groups.regions.front().tag, Int{0}, points);
+  return bytes;
+}
+
+Bytes elements_heading(const GmshGroups& groups, Size elements) {
+  Bytes bytes;
+  bytes.text("\n$EndNodes\n$Elements\n");
+  bytes.add(Size{groups.regions.size() + groups.patches.size()}, elements,
+            Size{elements > 0 ? 1u : 0u}, elements);
+  return bytes;
+}
+
+Bytes block_heading(Int dimension, Int tag, Int type, Size elements) {
+  Bytes bytes;
+  bytes.add(dimension, tag, type, elements);
+  return bytes;
+}
+
+constexpr std::string_view footer = "\n$EndElements\n";
+
 class GmshWriter final : public StreamedWriter {
  public:
   GmshWriter(const std::filesystem::path& file, const MeshSize& size);
 
  private:
-  /// The box around all points.
-  struct Box {
-    Point3 low{}, high{};
-  };
-
-  [[nodiscard]] Bytes header() const;
-  void add_entities(Bytes& bytes) const;
-  [[nodiscard]] Bytes nodes_heading() const;
-  [[nodiscard]] Bytes elements_heading() const;
-
   void put_points(std::uint64_t first, std::span<const Point3> points) override;
   void open_tets() override;
   void put_tets(std::uint64_t first, std::span<const Tet<std::uint64_t>> tets,
@@ -70,54 +111,13 @@ class GmshWriter final : public StreamedWriter {
 GmshWriter::GmshWriter(const std::filesystem::path& file, const MeshSize& size)
     : StreamedWriter(file, size), groups_(survey()), tets_(file_) {
   file_.reserve(gmsh_bytes(size));
-  const Bytes heading = nodes_heading();
-  const std::uint64_t begin = header().all().size();
+  const Bytes heading = nodes_heading(groups_, size.points);
+  const std::uint64_t begin = header_of(groups_, box_).all().size();
   file_.write_at(begin, heading.all());
   const std::uint64_t tags_at = begin + heading.all().size();
   tags_.emplace(file_, tags_at);
   coordinates_.emplace(file_, tags_at + size.points * sizeof(Size));
   end_ = tags_at + size.points * (sizeof(Size) + sizeof(Point3));
-}
-
-/// Everything before the nodes.  Its length does not depend on the box.
-Bytes GmshWriter::header() const {
-  Bytes bytes;
-  bytes.text("$MeshFormat\n4.1 1 8\n").add(Int{1}).text("\n$EndMeshFormat\n");
-  bytes.text(groups_.names_section());
-  add_entities(bytes);
-  return bytes;
-}
-
-/// A surface for each patch and a volume for each region, none with boundaries of
-/// its own.
-void GmshWriter::add_entities(Bytes& bytes) const {
-  const auto add = [&](Int tag) {
-    bytes.add(tag, box_.low, box_.high, Size{1}, tag, Size{0});
-  };
-  bytes.text("$Entities\n");
-  bytes.add(Size{0}, Size{0}, Size{groups_.patches.size()}, Size{groups_.regions.size()});
-  for (const Patch patch : groups_.patches) add(GmshGroups::tag_of(patch));
-  for (const GmshGroups::Group& region : groups_.regions) add(region.tag);
-  bytes.text("\n$EndEntities\n");
-}
-
-/// All nodes are said to be in the first region.
-Bytes GmshWriter::nodes_heading() const {
-  Bytes bytes;
-  bytes.text("$Nodes\n");
-  const Size n = size_.points;
-  const bool any = n > 0 && !groups_.regions.empty();
-  bytes.add(Size{any ? 1u : 0u}, n, Size{n > 0 ? 1u : 0u}, n);
-  if (any) bytes.add(volume_dimension, groups_.regions.front().tag, Int{0}, n);
-  return bytes;
-}
-
-Bytes GmshWriter::elements_heading() const {
-  Bytes bytes;
-  bytes.text("\n$EndNodes\n$Elements\n");
-  const Size n = size_.tets + survey().boundary.size();
-  bytes.add(Size{groups_.regions.size() + groups_.patches.size()}, n, Size{n > 0 ? 1u : 0u}, n);
-  return bytes;
 }
 
 void GmshWriter::put_points(std::uint64_t first, std::span<const Point3> points) {
@@ -136,13 +136,13 @@ void GmshWriter::put_points(std::uint64_t first, std::span<const Point3> points)
 void GmshWriter::open_tets() {
   tags_->flush();
   coordinates_->flush();
-  const Bytes elements = elements_heading();
+  const Bytes elements = elements_heading(groups_, size_.tets + survey().boundary.size());
   file_.write_at(end_, elements.all());
   end_ += elements.all().size();
   for (std::size_t i = 0; i < groups_.regions.size(); ++i) {
     const Region& region = survey().regions[i];
-    Bytes heading;
-    heading.add(volume_dimension, groups_.regions[i].tag, tetrahedron, Size{region.tets});
+    const Bytes heading =
+        block_heading(volume_dimension, groups_.regions[i].tag, tetrahedron, region.tets);
     end_ = tets_.open(region, end_, heading.all(), tet_bytes);
   }
 }
@@ -162,9 +162,8 @@ void GmshWriter::close() {
   Size number = size_.tets;
   for (const Patch patch : groups_.patches) {
     const Size faces = groups_.patch_faces[static_cast<std::size_t>(patch)];
-    Bytes heading;
-    heading.add(surface_dimension, GmshGroups::tag_of(patch), triangle, faces);
-    out.append(heading.all());
+    out.append(
+        block_heading(surface_dimension, GmshGroups::tag_of(patch), triangle, faces).all());
     for (const BoundaryFace& face : survey().boundary) {
       if (face.patch != patch) continue;
       const auto& [a, b, c] = face.points;
@@ -172,9 +171,9 @@ void GmshWriter::close() {
       out.append_all(std::span<const Size>(record));
     }
   }
-  out.append_text("\n$EndElements\n");
+  out.append_text(footer);
   out.flush();
-  file_.write_at(0, header().all());  // now that the box is known
+  file_.write_at(0, header_of(groups_, box_).all());  // now that the box is known
 }
 
 }  // namespace
@@ -184,12 +183,17 @@ std::unique_ptr<MeshWriter> open_gmsh(const std::filesystem::path& file, const M
 }
 
 std::uint64_t gmsh_bytes(const MeshSize& size) {
-  // The texts of all sections, a few names, and a box for each group.
-  constexpr std::uint64_t texts = 400, group = 140;
-  const std::uint64_t faces = size.survey == nullptr ? 0 : size.survey->boundary.size();
-  const std::uint64_t groups = size.survey == nullptr ? 1 : size.survey->regions.size() + 1;
-  return texts + groups * group + size.points * (sizeof(Size) + sizeof(Point3)) +
-         size.tets * tet_bytes + faces * face_bytes;
+  static const Survey nothing;
+  const Survey& survey = size.survey == nullptr ? nothing : *size.survey;
+  const GmshGroups groups(survey);
+  const std::uint64_t faces = survey.boundary.size();
+  const std::uint64_t blocks = groups.regions.size() + groups.patches.size();
+  return header_of(groups, {}).all().size() +
+         nodes_heading(groups, size.points).all().size() +
+         size.points * (sizeof(Size) + sizeof(Point3)) +
+         elements_heading(groups, size.tets + faces).all().size() +
+         blocks * block_heading(0, 0, 0, 0).all().size() + size.tets * tet_bytes +
+         faces * face_bytes + footer.size();
 }
 
 }  // namespace certet::formats

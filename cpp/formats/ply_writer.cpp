@@ -1,5 +1,5 @@
-// Binary PLY: the points of the boundary in double precision, and triangles, each
-// with the number of its patch.
+// Binary PLY: the points of the boundary in double precision, and triangles.  They
+// have no patches, for some programs stumble over properties that they do not know.
 
 #include <bit>
 #include <limits>
@@ -28,10 +28,8 @@ class PlyWriter final : public SurfaceWriter {
       for (std::size_t v = 0; v < 3; ++v)
         points[v] = static_cast<std::int32_t>(rank(face.points[v]));
       const std::uint8_t corners = 3;
-      const std::int32_t patch = static_cast<std::int32_t>(face.patch) + 1;
       out.append_all(std::span(&corners, 1));
       out.append_all(std::span<const std::int32_t>(points));
-      out.append_all(std::span(&patch, 1));
     }
     out.flush();
   }
@@ -39,11 +37,10 @@ class PlyWriter final : public SurfaceWriter {
   [[nodiscard]] std::string heading() const {
     const bool little = std::endian::native == std::endian::little;
     return std::string("ply\nformat binary_") + (little ? "little" : "big") +
-           "_endian 1.0\ncomment certet; patch 1 is the surface, patch 2 the border\n"
-           "element vertex " + std::to_string(kept().size()) +
+           "_endian 1.0\ncomment certet\nelement vertex " + std::to_string(kept().size()) +
            "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
            std::to_string(survey().boundary.size()) +
-           "\nproperty list uchar int vertex_indices\nproperty int patch\nend_header\n";
+           "\nproperty list uchar int vertex_indices\nend_header\n";
   }
 };
 
@@ -56,7 +53,7 @@ std::unique_ptr<MeshWriter> open_ply(const std::filesystem::path& file, const Me
 std::uint64_t ply_bytes(const MeshSize& size) {
   // A closed surface has about half as many points as triangles.
   const std::uint64_t faces = size.survey == nullptr ? 0 : size.survey->boundary.size();
-  return 300 + 17 * faces + faces / 2 * sizeof(Point3);
+  return 200 + 13 * faces + faces / 2 * sizeof(Point3);
 }
 
 }  // namespace certet::formats

@@ -141,7 +141,7 @@ class Readback(ProgramTest):
     def setUp(self):
         super().setUp()
         write_nrrd(self.folder / "a.nrrd", SIZE, voxels(SIZE, self.label), kind="B")
-        (self.folder / "names.txt").write_text("3 Left <lobe> & more 2001\n7 Left-lobe\n"
+        (self.folder / "names.txt").write_text("3 Left <lobe> & more\n7 Left-lobe 2001\n"
                                                "# nothing\n12 \"left\tlobe\"\n")
         self.truth = self.make("truth.vtu")
 
@@ -249,14 +249,13 @@ class Meshio(Readback):
 
     def test_ply(self):
         mesh = meshio.read(self.make("a.ply"))
-        self.assert_surface(mesh.points, mesh.cells_dict["triangle"],
-                            mesh.cell_data["patch"][0])
+        self.assert_surface(mesh.points, mesh.cells_dict["triangle"])
 
     def test_stl(self):
         mesh = meshio.read(self.make("a.stl"))
-        self.assert_surface(mesh.points, mesh.cells_dict["triangle"], None)
+        self.assert_surface(mesh.points, mesh.cells_dict["triangle"])
 
-    def assert_surface(self, points, triangles, patches):
+    def assert_surface(self, points, triangles):
         """The points of the boundary alone, found again by where they are."""
         self.assertEqual(open_edges(triangles), 0)
         truth = boundary_of(self.truth.tets)
@@ -264,9 +263,6 @@ class Meshio(Readback):
         a = rotated_places(points, triangles)
         b = rotated_places(self.truth.points, truth)
         self.assertTrue(np.allclose(a, b, atol=1e-5))
-        if patches is not None:
-            read = Mesh(points, [], [], triangles, patches)
-            self.assertEqual(patch_differences(read), [])
 
 
 def rotated_places(points, triangles):
