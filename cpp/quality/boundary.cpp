@@ -16,25 +16,27 @@ auto key(const BoundaryFace& face) {
 /// The faces in one tetrahedron, by their points alone.
 template <class Valid>
 std::vector<Face> single_faces(std::uint64_t points, std::span<const Tet<std::uint64_t>> tets,
-                               Valid valid) {
-  return points <= NarrowFace::point_limit ? find_faces<NarrowFace>(points, tets, valid).boundary
-                                           : find_faces<WideFace>(points, tets, valid).boundary;
+                               Valid valid, Context& context) {
+  return points <= NarrowFace::point_limit
+             ? find_faces<NarrowFace>(points, tets, valid, context).boundary
+             : find_faces<WideFace>(points, tets, valid, context).boundary;
 }
 
 std::vector<BoundaryFace> boundary(std::uint64_t points,
-                                   std::span<const Tet<std::uint64_t>> tets) {
+                                   std::span<const Tet<std::uint64_t>> tets, Context& context) {
   const auto valid = [&](std::size_t i) {
     std::array<std::uint64_t, 4> p = tets[i];
     std::ranges::sort(p);
     return p[3] < points && std::ranges::adjacent_find(p) == p.end();
   };
-  const std::vector<Face> single = single_faces(points, tets, valid);
+  const std::vector<Face> single = single_faces(points, tets, valid, context);
   std::vector<bool> used(points);
   for (const Face& face : single)
     for (const std::uint64_t point : face.points) used[point] = true;
   std::vector<BoundaryFace> faces;
   faces.reserve(single.size());
   for (std::size_t i = 0; i < tets.size(); ++i) {
+    stop_now_and_then(i, context);
     if (!valid(i)) continue;
     for (std::uint8_t opposite = 0; opposite < 4; ++opposite) {
       const BoundaryFace face = face_of(tets[i], i, opposite);
@@ -89,11 +91,11 @@ std::vector<Region> RegionCounts::regions() const {
 }  // namespace quality
 
 Survey survey(std::uint64_t points, std::span<const Tet<std::uint64_t>> tets,
-              std::span<const std::int32_t> labels) {
+              std::span<const std::int32_t> labels, Context& context) {
   quality::RegionCounts counts;
   counts.add(labels);
   if (labels.empty() && !tets.empty()) counts.add(only_label, tets.size());
-  return {counts.regions(), quality::boundary(points, tets)};
+  return {counts.regions(), quality::boundary(points, tets, context)};
 }
 
 void name_regions(Survey& survey, const LabelNames& names) {

@@ -113,14 +113,14 @@ void write(const ConvertOptions& options, Format format, const FileMesh& mesh,
   writer->finish();
 }
 
-ConvertReport run(const ConvertOptions& options, const Context& context) {
+ConvertReport run(const ConvertOptions& options, Context& context) {
   const Stopwatch clock;
   const Format format = choose_format(options.output, options.format, options.compress);
   judge_files(options, format);
   FileMesh mesh = read_mesh(options.input, context);
   judge_indices(options, mesh);
   if (!options.label_names.empty()) mesh.names = read_label_names(options.label_names);
-  auto found = std::make_shared<Survey>(survey(mesh.points.size(), mesh.tets, mesh.labels));
+  auto found = std::make_shared<Survey>(survey(mesh.points.size(), mesh.tets, mesh.labels, context));
   name_regions(*found, mesh.names);
   stop_if_cancelled(context);
   const MeshSize size{mesh.points.size(), mesh.tets.size(), !mesh.labels.empty(), found};

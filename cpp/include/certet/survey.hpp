@@ -79,8 +79,9 @@ Survey survey(const Stuffing& stuffing, const Labeller& labeller, const BorderTe
 /// Surveys a mesh in memory; `labels` is empty or as long as `tets`.  Tetrahedra
 /// that name a point which is not there, or one twice, have no faces.  All faces
 /// belong to the patch `surface`.
+/// \throws Error `cancelled`.
 Survey survey(std::uint64_t points, std::span<const Tet<std::uint64_t>> tets,
-              std::span<const std::int32_t> labels);
+              std::span<const std::int32_t> labels, Context& context);
 
 /// Gives regions their names.
 void name_regions(Survey& survey, const LabelNames& names);
