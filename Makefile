@@ -25,6 +25,7 @@ PACKAGES := \
   libcli11-dev nlohmann-json3-dev libfmt-dev \
   zlib1g-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev \
   python3 python3-numpy python3-meshio python3-matplotlib \
+  python3-gmsh python3-vtk9 \
   mricron-data
 
 deps:

@@ -43,8 +43,13 @@ CheckReport check(std::span<const Point3> points, std::span<const Tet<std::uint3
 CheckReport check(std::span<const Point3> points, std::span<const Tet<std::uint64_t>> tets,
                   Context& context);
 
-template <class Index>
-CheckReport check(std::span<const Point3> points, std::span<const Tet<Index>> tets) {
+inline CheckReport check(std::span<const Point3> points,
+                         std::span<const Tet<std::uint32_t>> tets) {
+  Context context;
+  return check(points, tets, context);
+}
+inline CheckReport check(std::span<const Point3> points,
+                         std::span<const Tet<std::uint64_t>> tets) {
   Context context;
   return check(points, tets, context);
 }
