@@ -355,6 +355,68 @@ class Febio(Readback):
         self.assert_same(self.truth, Mesh(points, rows[:, 2:], rows[:, 1], triangles, patches))
 
 
+class Patches(Readback):
+    """Where faces lie, whatever the cuts; and the same bytes for all threads."""
+
+    def test_midpoint(self):
+        self.make("m.node", "--cuts", "midpoint")
+        points = np.loadtxt(self.folder / "m.node", skiprows=1)[:, 1:4]
+        rows = np.loadtxt(self.folder / "m.face", skiprows=1, dtype=np.int64)
+        low, high = np.full(3, -0.5), np.asarray(SIZE) - 0.5
+        near = (np.abs(points - low) < 0.26) | (np.abs(points - high) < 0.26)
+        at_border = near.any(axis=1)[rows[:, 1:4] - 1].all(axis=1)
+        border = rows[:, 4] == 2
+        self.assertTrue(border.any() and not border.all())
+        self.assertFalse((border & ~at_border).any())
+        # A cut in the middle of an edge towards label 0 can be as near.
+        corners = points[rows[at_border & ~border, 1:4] - 1]
+        inner = (corners[:, :, 0] < 0.8) | (corners[:, :, 2] > 4.2)
+        self.assertTrue(inner.any(axis=1).all())
+
+    def test_formula_is_cut_off_at_its_bounds(self):
+        self.mesh("--expr", "x^2+y^2+z^2-1", "--bounds", "-2,-2,0,2,2,2", "--size", "0.1",
+                  "-o", "h.node")
+        points = np.loadtxt(self.folder / "h.node", skiprows=1)[:, 1:4]
+        rows = np.loadtxt(self.folder / "h.face", skiprows=1, dtype=np.int64)
+        flat = (np.abs(points[:, 2]) < 1e-4)[rows[:, 1:4] - 1].all(axis=1)
+        self.assertTrue(flat.any())
+        self.assertTrue(np.array_equal(rows[:, 4] == 2, flat))
+        labels = np.loadtxt(self.folder / "h.ele", skiprows=1, dtype=np.int64)[:, 5]
+        self.assertEqual(set(labels), {1})
+
+    def test_threads_and_memory(self):
+        for name in ("a.msh", "a.feb", "a.mesh"):
+            least = self.mesh("a.nrrd", "--threads", 1, "-o", name)["memory"]["least"]
+            first = (self.folder / name).read_bytes()
+            self.mesh("a.nrrd", "--threads", 3, "--max-memory", least, "-o", name)
+            self.assertEqual((self.folder / name).read_bytes(), first)
+
+    def test_files_of_others(self):
+        """What meshio and VTK write is read."""
+        labels = self.truth.labels.astype(np.int32)
+        for name, settings in (("v.vtu", {}), ("w.vtu", {"compression": None}),
+                               ("x.vtu", {"binary": False}), ("y.mesh", {}), ("z.meshb", {}),
+                               ("g.msh", {"file_format": "gmsh"}),
+                               ("h.msh", {"file_format": "gmsh22"}),
+                               ("i.msh", {"file_format": "gmsh22", "binary": False}),
+                               ("j.msh", {"file_format": "gmsh", "binary": False})):
+            with self.subTest(name):
+                data = {"vtu": {"label": [labels]}, "msh": {
+                    "gmsh:physical": [labels], "gmsh:geometrical": [labels]}}.get(
+                        name[-3:], {"medit:ref": [labels]})
+                mesh = meshio.Mesh(self.truth.points, [("tetra", self.truth.tets)],
+                                   cell_data=data)
+                meshio.write(self.folder / name, mesh, **settings)
+                run = self.run_certet("convert", name, "back.vtu")
+                self.assertEqual(run.returncode, 0, run.stderr)
+                file = self.folder / "back.vtu"
+                back = Mesh(vtu.points(file), vtu.tets(file), vtu.numbers(file, "label"))
+                found = differences(self.truth, back, exact=name not in ("x.vtu",))
+                if name in ("g.msh", "j.msh"):  # by region, or without labels
+                    found = [f for f in found if f == "other points"]
+                self.assertEqual(found, [])
+
+
 def numbers(element):
     return [int(n) - 1 for n in element.text.split(",")]
 

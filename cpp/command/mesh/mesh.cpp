@@ -69,8 +69,11 @@ void judge_lattice(const Source& source, std::uint64_t limit) {
 }
 
 /// Chooses the slabs by the memory that is left.
-Slabs plan(const Stuffing& stuffing, const Source& source, MeshReport& report) {
-  const std::uint64_t held = source.bytes + stuffing.bytes();
+Slabs plan(const Stuffing& stuffing, const Source& source, const MeshSize& size,
+           MeshReport& report) {
+  const std::uint64_t faces = size.survey == nullptr ? 0 : size.survey->boundary.size();
+  const std::uint64_t held =
+      source.bytes + stuffing.bytes() + faces * sizeof(BoundaryFace);
   report.memory_least = held + cut_slabs(stuffing, 0).bytes;
   if (report.memory_least > report.memory_limit)
     refuse_memory("the mesh", report.memory_least, report.memory_limit);
@@ -158,7 +161,7 @@ MeshReport run(const MeshOptions& options, Context& context) {
                     std::to_string(source.frame.size) + ", so there is no mesh");
   const MeshSize size = announce(options, names, stuffing, source, context);
   report.output_bytes = file_bytes(options.format, size);
-  const Slabs slabs = plan(stuffing, source, report);
+  const Slabs slabs = plan(stuffing, source, size, report);
   if (!options.dry_run)
     write(options, stuffing, source, slabs, size, context, progress, report);
   report.total_seconds = clock.seconds();
