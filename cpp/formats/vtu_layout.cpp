@@ -19,26 +19,6 @@ std::string data_array(std::string_view name, const VtuArray& array,
   return line + " format=\"appended\" offset=\"" + std::to_string(array.offset) + "\"/>\n";
 }
 
-/// The names of labels, as VTK has strings: characters as numbers, each ended by 0.
-std::string names_section(const MeshSize& size) {
-  std::string labels, names;
-  std::size_t count = 0;
-  if (size.survey != nullptr)
-    for (const Region& region : size.survey->regions) {
-      if (region.name.empty()) continue;
-      ++count;
-      labels += std::to_string(region.label) + " ";
-      for (const char c : region.name)
-        names += std::to_string(static_cast<unsigned char>(c)) + " ";
-      names += "0 ";
-    }
-  if (count == 0) return {};
-  const std::string tuples = "\" NumberOfTuples=\"" + std::to_string(count) + "\" format=\"ascii\">\n";
-  return "    <FieldData>\n      <DataArray type=\"Int32\" Name=\"region_label" + tuples + labels +
-         "\n      </DataArray>\n      <Array type=\"String\" Name=\"region_name" + tuples + names +
-         "\n      </Array>\n    </FieldData>\n";
-}
-
 }  // namespace
 
 std::string vtu_header_of(const VtuLayout& layout, const MeshSize& size, bool compressed) {
@@ -47,7 +27,7 @@ std::string vtu_header_of(const VtuLayout& layout, const MeshSize& size, bool co
       .append(vtu_byte_order)
       .append("\" header_type=\"UInt64\"")
       .append(compressed ? " compressor=\"vtkZLibDataCompressor\">\n" : ">\n");
-  header += "  <UnstructuredGrid>\n" + names_section(size);
+  header += "  <UnstructuredGrid>\n";
   header += "    <Piece NumberOfPoints=\"" + std::to_string(size.points) +
             "\" NumberOfCells=\"" + std::to_string(size.tets) + "\">\n";
   header += "      <Points>\n" +

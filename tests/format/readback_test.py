@@ -329,10 +329,6 @@ class Vtk(Readback):
                 vtk_to_numpy(grid.GetPoints().GetData()),
                 vtk_to_numpy(grid.GetCells().GetConnectivityArray()),
                 vtk_to_numpy(grid.GetCellData().GetArray("label"))))
-            if "names.txt" in options:
-                names = grid.GetFieldData().GetAbstractArray("region_name")
-                self.assertEqual([names.GetValue(i) for i in range(3)],
-                                 ["Left <lobe> & more", "Left-lobe", "left\tlobe"])
 
 
 class Febio(Readback):
