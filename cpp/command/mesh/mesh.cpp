@@ -87,7 +87,7 @@ MeshSize announce(const MeshOptions& options, const LabelNames& names, const Stu
                   const Source& source, Context& context) {
   MeshSize size{stuffing.point_count(), stuffing.tet_count(),
                 static_cast<bool>(source.labeller)};
-  if (!needs_survey(options.format) && names.empty()) return size;
+  if (!needs_survey(options.format)) return size;
   auto found = std::make_shared<Survey>(
       survey(stuffing, source.labeller, source.border, context));
   name_regions(*found, names);
