@@ -40,7 +40,7 @@ PACKAGES := \
   libboost-dev libassimp-dev libopenvdb-dev libblosc-dev libimath-dev \
   clang clang-tidy libclang-rt-14-dev valgrind dpkg-dev mandoc groff pkg-config \
   libpng-dev libjs-three chromium chromium-driver python3-selenium \
-  pybind11-dev python3-dev mricron-data
+  pybind11-dev python3-dev python3-gmsh python3-vtk9 mricron-data
 
 deps:
 	@missing=$$(for p in $(PACKAGES); do \

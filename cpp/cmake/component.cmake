@@ -12,6 +12,7 @@ function(certet_component target name)
     add_library(certet::${name} ALIAS ${target})
   endif()
   set_target_properties(${target} PROPERTIES
+    POSITION_INDEPENDENT_CODE ON  # modules of Python, plugins
     EXPORT_NAME ${name}
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})

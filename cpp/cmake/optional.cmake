@@ -25,7 +25,8 @@ add_library(certet_flags INTERFACE)
 target_compile_options(certet_flags INTERFACE
   -Wall -Wextra -Wconversion
   $<$<BOOL:${CERTET_WERROR}>:-Werror>
-  -ffp-contract=off -fno-math-errno)
+  -ffp-contract=off -fno-math-errno
+  -fno-semantic-interposition)
 
 # Ranks in bit sets are counted by the popcount instruction, which every x86-64
 # machine since 2009 has.

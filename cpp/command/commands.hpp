@@ -17,6 +17,9 @@ using Run = std::function<Status()>;
 /// From an image, a surface, a volume, a formula or a shape to a mesh file.
 Run declare_mesh(CLI::App& app);
 
+/// From one mesh file to another.
+Run declare_convert(CLI::App& app);
+
 /// Reads a mesh file and verifies it anew.
 Run declare_check(CLI::App& app);
 
@@ -38,6 +41,7 @@ struct Subcommand {
 /// In the order of the help.
 inline constexpr std::array subcommands{
     Subcommand{"mesh", "Mesh an image, a surface, a volume, a formula or a shape", declare_mesh},
+    Subcommand{"convert", "Write a mesh file in another format", declare_convert},
     Subcommand{"check", "Verify a mesh anew, from its file alone", declare_check},
     Subcommand{"report", "A page about a mesh, with a view to turn around", declare_report},
     Subcommand{"picture", "Draw a mesh into a PNG", declare_picture},

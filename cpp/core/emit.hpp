@@ -15,6 +15,10 @@ namespace certet::core {
 void emit_row_points(const WarpedLattice& warped, const Lattice& lattice, const RowRanks& row,
                      int j, int k, Coord3* out);
 
+/// Tells of the same points whether they lie on the surface.
+void mark_row_points(const SignPlanes& planes, const RowRanks& row, int j, int k,
+                     std::uint8_t* out);
+
 /// Writes the tetrahedra of rows [j_begin, j_end) of layer k, from `out` on:
 /// index by index, case by case, in the order of the stencil.
 template <class Index>

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "emit.hpp"
 
 namespace certet::core {
@@ -53,6 +55,18 @@ void emit_row_points(const WarpedLattice& warped, const Lattice& lattice, const 
     out = emit_corners(warped, lattice, grid, j, k, displacement, out);
   for (std::size_t f = 0; f < family_count; ++f)
     out = emit_cuts(warped, lattice, row, f, j, k, cut, out);
+}
+
+void mark_row_points(const SignPlanes& planes, const RowRanks& row, int j, int k,
+                     std::uint8_t* out) {
+  std::uint8_t* const cuts = out + row.corners();
+  for (const Grid grid : {even, odd})
+    for (int w = 0; w < planes.words(); ++w) {
+      const std::uint64_t zero = planes.zero(grid, j, k)[w];
+      for_each_bit(planes.plus(grid, j, k)[w] | zero,
+                   [&](int b) { *out++ = static_cast<std::uint8_t>(zero >> b & 1); });
+    }
+  std::fill(cuts, cuts + (row.count() - row.corners()), std::uint8_t{1});
 }
 
 }  // namespace certet::core

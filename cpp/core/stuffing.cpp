@@ -181,6 +181,20 @@ void Stuffing::emit_points(std::int32_t begin, std::int32_t end, std::span<Coord
   });
 }
 
+void Stuffing::mark_surface(std::int32_t begin, std::int32_t end, std::span<std::uint8_t> out,
+                            Context& context) const {
+  const State& s = *state_;
+  const std::uint64_t start = first_point(begin);
+  for_each_piece(s.lattice, begin, end, context, [&](int j_begin, int j_end, int k) {
+    RowRanks row;
+    for (int j = j_begin; j < j_end; ++j) {
+      row.compute(s.warped.planes, j, k);
+      mark_row_points(s.warped.planes, row, j, k,
+                      out.data() + (s.numbers.first_point[s.row(j, k)] - start));
+    }
+  });
+}
+
 void Stuffing::emit_tets(std::int32_t begin, std::int32_t end,
                          std::span<Tet<std::uint32_t>> out, Context& context) const {
   emit_all_tets(state_->numbers, state_->warped.planes, state_->lattice, begin, end,

@@ -12,7 +12,8 @@
 
 namespace certet::formats {
 
-InputFile::InputFile(const std::filesystem::path& file) : file_(file) {
+InputFile::InputFile(const std::filesystem::path& file, const Context* context)
+    : file_(file), context_(context) {
   // Looked at before it is opened: to open a pipe would wait for its writer.
   struct stat status {};
   if (::stat(file.c_str(), &status) != 0) fail_with(errno);
@@ -28,8 +29,10 @@ InputFile::~InputFile() {
 }
 
 void InputFile::read_at(std::uint64_t offset, std::span<std::byte> bytes) const {
-  constexpr std::size_t at_once = std::size_t{1} << 30;
+  constexpr std::size_t at_once = std::size_t{1} << 26;
   while (!bytes.empty()) {
+    if (context_ != nullptr && context_->cancelled)
+      throw Error(ErrorCode::cancelled, "the run was interrupted");
     const ssize_t got = ::pread(descriptor_, bytes.data(), std::min(bytes.size(), at_once),
                                 static_cast<off_t>(offset));
     if (got < 0) {

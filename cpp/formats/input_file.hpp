@@ -8,12 +8,16 @@
 #include <span>
 #include <string>
 
+#include "certet/context.hpp"
+
 namespace certet::formats {
 
-/// All members throw Error `bad_input` with a sentence that names the file.
+/// All members throw Error `bad_input` with a sentence that names the file, and
+/// `cancelled`.
 class InputFile {
  public:
-  explicit InputFile(const std::filesystem::path& file);
+  /// Where a context is given, reading ends when it is cancelled.
+  explicit InputFile(const std::filesystem::path& file, const Context* context = nullptr);
   ~InputFile();
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
@@ -29,6 +33,7 @@ class InputFile {
   [[noreturn]] void fail_with(int error) const;
 
   std::filesystem::path file_;
+  const Context* context_;
   int descriptor_ = -1;
   std::uint64_t size_ = 0;
 };

@@ -31,7 +31,7 @@ std::string hidden_name() {
 int create_new(const fs::path& file) {
   int descriptor;
   do {
-    descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   } while (descriptor < 0 && errno == EINTR);
   return descriptor;
 }
@@ -105,15 +105,41 @@ void OutputFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes
   }
 }
 
+void OutputFile::read_at(std::uint64_t offset, std::span<std::byte> bytes) const {
+  while (!bytes.empty()) {
+    const ssize_t got =
+        ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail_with(errno);
+    if (got == 0) fail("what was written is gone");
+    offset += static_cast<std::uint64_t>(got);
+    bytes = bytes.subspan(static_cast<std::size_t>(got));
+  }
+}
+
 void OutputFile::commit() {
+  store();
+  publish();
+}
+
+void OutputFile::store() {
   if (::fsync(descriptor_) != 0) fail_with(errno);
   const int descriptor = descriptor_;
   descriptor_ = -1;  // closed even if closing reports an error
   if (::close(descriptor) != 0) fail_with(errno);
+}
+
+void OutputFile::publish() {
   std::error_code error;
   fs::rename(temporary_, target_, error);
   if (error) fail(error.message());
   temporary_.clear();
+  published_ = true;
+}
+
+void OutputFile::retract() {
+  if (published_) ::unlink(target_.c_str());
+  published_ = false;
 }
 
 void OutputFile::fail(const std::string& reason) const {

@@ -27,9 +27,17 @@ class OutputFile {
   void reserve(std::uint64_t bytes);
 
   void write_at(std::uint64_t offset, std::span<const std::byte> bytes);
+  /// Reads what was written.
+  void read_at(std::uint64_t offset, std::span<std::byte> bytes) const;
 
   /// Everything reaches the disk, then the file appears under its name.
   void commit();
+
+  /// The two halves of `commit`, for files that belong together.
+  void store();
+  void publish();
+  /// Takes a file that was published away again.
+  void retract();
 
   [[noreturn]] void fail(const std::string& reason) const;
 
@@ -41,6 +49,7 @@ class OutputFile {
 
   std::filesystem::path asked_for_;  ///< as the caller named it
   std::filesystem::path target_, temporary_;
+  bool published_ = false;
   int descriptor_ = -1;
 };
 

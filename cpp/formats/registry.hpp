@@ -12,10 +12,42 @@ namespace certet::formats {
 
 std::unique_ptr<MeshWriter> open_vtu(const std::filesystem::path& file, const MeshSize& size);
 std::uint64_t vtu_bytes(const MeshSize& size);
-FileMesh read_vtu(const std::filesystem::path& file);
+FileMesh read_vtu(const std::filesystem::path& file, const Context& context);
+
+std::unique_ptr<MeshWriter> open_vtu_zlib(const std::filesystem::path& file,
+                                          const MeshSize& size);
+std::uint64_t vtu_zlib_bytes(const MeshSize& size);
 
 std::unique_ptr<MeshWriter> open_medit(const std::filesystem::path& file, const MeshSize& size);
 std::uint64_t medit_bytes(const MeshSize& size);
-FileMesh read_medit(const std::filesystem::path& file);
+FileMesh read_medit(const std::filesystem::path& file, const Context& context);
+
+std::unique_ptr<MeshWriter> open_medit_binary(const std::filesystem::path& file,
+                                              const MeshSize& size);
+std::uint64_t medit_binary_bytes(const MeshSize& size);
+FileMesh read_medit_binary(const std::filesystem::path& file, const Context& context);
+
+std::unique_ptr<MeshWriter> open_gmsh(const std::filesystem::path& file, const MeshSize& size);
+std::uint64_t gmsh_bytes(const MeshSize& size);
+/// Both versions.
+FileMesh read_gmsh(const std::filesystem::path& file, const Context& context);
+
+std::unique_ptr<MeshWriter> open_gmsh22(const std::filesystem::path& file, const MeshSize& size);
+std::uint64_t gmsh22_bytes(const MeshSize& size);
+
+std::unique_ptr<MeshWriter> open_abaqus(const std::filesystem::path& file, const MeshSize& size);
+std::uint64_t abaqus_bytes(const MeshSize& size);
+
+std::unique_ptr<MeshWriter> open_febio(const std::filesystem::path& file, const MeshSize& size);
+std::uint64_t febio_bytes(const MeshSize& size);
+
+std::unique_ptr<MeshWriter> open_tetgen(const std::filesystem::path& file, const MeshSize& size);
+std::uint64_t tetgen_bytes(const MeshSize& size);
+
+std::unique_ptr<MeshWriter> open_stl(const std::filesystem::path& file, const MeshSize& size);
+std::uint64_t stl_bytes(const MeshSize& size);
+
+std::unique_ptr<MeshWriter> open_ply(const std::filesystem::path& file, const MeshSize& size);
+std::uint64_t ply_bytes(const MeshSize& size);
 
 }  // namespace certet::formats

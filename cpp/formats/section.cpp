@@ -3,9 +3,9 @@
 namespace certet::formats {
 
 void Section::append(std::span<const std::byte> bytes) {
-  if (gathered_.size() + bytes.size() > capacity) flush();
-  if (bytes.size() > capacity) {
-    file_.write_at(offset_, bytes);
+  if (gathered_.size() + bytes.size() > capacity_) flush();
+  if (bytes.size() > capacity_) {
+    file_->write_at(offset_, bytes);
     offset_ += bytes.size();
     return;
   }
@@ -13,7 +13,7 @@ void Section::append(std::span<const std::byte> bytes) {
 }
 
 void Section::flush() {
-  file_.write_at(offset_, gathered_);
+  file_->write_at(offset_, gathered_);
   offset_ += gathered_.size();
   gathered_.clear();
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "output_file.hpp"
@@ -15,7 +16,8 @@ namespace certet::formats {
 /// gathered, large ones go straight to the file.
 class Section {
  public:
-  Section(OutputFile& file, std::uint64_t offset) : file_(file), offset_(offset) {}
+  Section(OutputFile& file, std::uint64_t offset, std::size_t capacity = std::size_t{1} << 20)
+      : file_(&file), offset_(offset), capacity_(capacity) {}
 
   void append(std::span<const std::byte> bytes);
   /// `append` for numbers, byte for byte.
@@ -24,14 +26,18 @@ class Section {
     append(std::as_bytes(values));
   }
 
+  void append_text(std::string_view text) { append_all(std::span<const char>(text)); }
+
+  /// Where the next byte comes in the file.
+  [[nodiscard]] std::uint64_t end() const { return offset_ + gathered_.size(); }
+
   /// What was gathered goes to the file.
   void flush();
 
  private:
-  static constexpr std::size_t capacity = std::size_t{1} << 20;
-
-  OutputFile& file_;
+  OutputFile* file_;
   std::uint64_t offset_;  ///< of the first byte that is not in the file
+  std::size_t capacity_;   ///< bytes that are gathered at most
   std::vector<std::byte> gathered_;
 };
 

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "vtu_layout.hpp"
 
@@ -107,7 +108,8 @@ class HeaderReader {
 
  private:
   void take(const Tag& tag);
-  void take_file(const Tag& tag) const;
+  void take_file(const Tag& tag);
+  void take_data(const Tag& appended);
   void take_piece(const Tag& tag);
   void take_array(const Tag& tag);
   [[nodiscard]] std::uint64_t data_begin(const Tag& appended) const;
@@ -118,6 +120,7 @@ class HeaderReader {
   Tags tags_;
   VtuHeader header_;
   std::string section_;  ///< the tag that arrays stand in
+  std::vector<std::string> appended_;  ///< names of arrays
   bool has_piece_ = false;
 };
 
@@ -125,33 +128,34 @@ VtuHeader HeaderReader::read() {
   Tag tag = tags_.next();
   if (tag.name != "VTKFile") file_.fail("it is not a VTK XML file");
   take_file(tag);
-  while (tag.name != "AppendedData") {
-    if (tag.name == "/VTKFile") file_.fail("it has no appended data");
+  while (tag.name != "AppendedData" && tag.name != "/VTKFile") {
     tag = tags_.next();
     take(tag);
   }
-  if (tag["encoding"] != "raw") file_.fail("its appended data is not raw");
   if (!has_piece_) file_.fail("it has no piece");
-  const std::uint64_t begin = data_begin(tag);
-  for (auto& [name, array] : header_.arrays) {
-    if (array.place >= file_.size()) file_.fail("its array " + name + " lies beyond its end");
-    array.place += begin;
-  }
+  if (tag.name == "AppendedData") take_data(tag);
   return std::move(header_);
 }
 
+/// Sections may have tags of other kinds in them.
 void HeaderReader::take(const Tag& tag) {
+  constexpr std::string_view sections[] = {"Points", "Cells", "PointData", "CellData", "FieldData"};
   if (tag.name == "Piece") take_piece(tag);
   else if (tag.name == "DataArray") take_array(tag);
-  else if (!tag.name.starts_with('/')) section_ = tag.name;
+  else if (std::ranges::find(sections, tag.name) != std::end(sections)) section_ = tag.name;
 }
 
-void HeaderReader::take_file(const Tag& tag) const {
+void HeaderReader::take_file(const Tag& tag) {
   if (tag["type"] != "UnstructuredGrid") file_.fail("it is not an unstructured grid");
   if (tag["byte_order"] != vtu_byte_order)
     file_.fail("its byte order is not " + std::string(vtu_byte_order));
-  if (tag["header_type"] != "UInt64") file_.fail("its header type is not UInt64");
-  if (!tag["compressor"].empty()) file_.fail("it is compressed");
+  const std::string_view sizes = tag["header_type"], compressor = tag["compressor"];
+  if (sizes != "UInt64" && sizes != "UInt32" && !sizes.empty())
+    file_.fail("its header type is neither UInt64 nor UInt32");
+  if (compressor != "vtkZLibDataCompressor" && !compressor.empty())
+    file_.fail("it is compressed by another method than vtkZLibDataCompressor");
+  header_.wide_sizes = sizes == "UInt64";
+  header_.compressed = !compressor.empty();
 }
 
 void HeaderReader::take_piece(const Tag& tag) {
@@ -163,12 +167,33 @@ void HeaderReader::take_piece(const Tag& tag) {
 
 void HeaderReader::take_array(const Tag& tag) {
   const std::string name = section_ + "/" + std::string(tag["Name"]);
-  if (tag["format"] != "appended")
-    file_.fail("its array " + name + " is not appended but " + std::string(tag["format"]));
-  VtuArrayEntry array{std::string(tag["type"]), 1, number(tag, "offset")};
+  VtuArrayEntry array{std::string(tag["type"])};
   if (!tag["NumberOfComponents"].empty()) array.components = number(tag, "NumberOfComponents");
+  const std::string_view format = tag["format"];
+  if (format == "appended") {
+    appended_.push_back(name);
+    array.place = number(tag, "offset");
+  } else {
+    array.encoding = format == "ascii" ? VtuEncoding::ascii : VtuEncoding::base64;
+    array.place = tag.end;
+  }
   if (!header_.arrays.emplace(name, array).second)
     file_.fail("it has two arrays " + name);
+}
+
+/// Offsets count from where the appended data begin.
+void HeaderReader::take_data(const Tag& appended) {
+  const std::string_view encoding = appended["encoding"];
+  if (encoding != "raw" && encoding != "base64")
+    file_.fail("its appended data is neither raw nor base64");
+  header_.appended = true;
+  const std::uint64_t begin = data_begin(appended);
+  for (const std::string& name : appended_) {
+    VtuArrayEntry& array = header_.arrays[name];
+    if (array.place >= file_.size()) file_.fail("its array " + name + " lies beyond its end");
+    array.place += begin;
+    array.encoding = encoding == "raw" ? VtuEncoding::raw : VtuEncoding::base64;
+  }
 }
 
 std::uint64_t HeaderReader::data_begin(const Tag& appended) const {
@@ -193,6 +218,11 @@ VtuHeader read_vtu_header(const InputFile& file) {
   constexpr std::uint64_t longest_header = 1 << 20;
   std::string text(std::min(file.size(), longest_header), '\0');
   file.read_at(0, std::as_writable_bytes(std::span(text)));
+  // Where the data do not come behind the XML, they stand in it.
+  if (text.size() < file.size() && text.find("<AppendedData") == text.npos) {
+    text.resize(file.size());
+    file.read_at(0, std::as_writable_bytes(std::span(text)));
+  }
   return HeaderReader(text, file).read();
 }
 

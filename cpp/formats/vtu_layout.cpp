@@ -19,11 +19,14 @@ std::string data_array(std::string_view name, const VtuArray& array,
   return line + " format=\"appended\" offset=\"" + std::to_string(array.offset) + "\"/>\n";
 }
 
-std::string header_of(const VtuLayout& layout, const MeshSize& size) {
+}  // namespace
+
+std::string vtu_header_of(const VtuLayout& layout, const MeshSize& size, bool compressed) {
   std::string header = "<?xml version=\"1.0\"?>\n";
   header.append("<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"")
       .append(vtu_byte_order)
-      .append("\" header_type=\"UInt64\">\n");
+      .append("\" header_type=\"UInt64\"")
+      .append(compressed ? " compressor=\"vtkZLibDataCompressor\">\n" : ">\n");
   header += "  <UnstructuredGrid>\n";
   header += "    <Piece NumberOfPoints=\"" + std::to_string(size.points) +
             "\" NumberOfCells=\"" + std::to_string(size.tets) + "\">\n";
@@ -38,8 +41,6 @@ std::string header_of(const VtuLayout& layout, const MeshSize& size) {
               "      </CellData>\n";
   return header + "    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n_";
 }
-
-}  // namespace
 
 VtuLayout::VtuLayout(const MeshSize& size)
     : footer("\n  </AppendedData>\n</VTKFile>\n") {
@@ -56,7 +57,7 @@ VtuLayout::VtuLayout(const MeshSize& size)
   offsets = place_next(offset_type, size.tets * offset_bytes);
   types = place_next("UInt8", size.tets);
   if (size.labels) label = place_next("Int32", size.tets * sizeof(std::int32_t));
-  header = header_of(*this, size);
+  header = vtu_header_of(*this, size, false);
   file_bytes = header.size() + end + footer.size();
 }
 

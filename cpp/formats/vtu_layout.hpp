@@ -44,4 +44,7 @@ struct VtuLayout {
   }
 };
 
+/// The XML before the data, with the arrays where the layout has them.
+std::string vtu_header_of(const VtuLayout& layout, const MeshSize& size, bool compressed);
+
 }  // namespace certet::formats

@@ -76,17 +76,17 @@ std::uint64_t find_duplicates(std::span<const Point3> points) {
 template <class Index>
 class Check {
  public:
-  Check(std::span<const Point3> points, std::span<const Tet<Index>> tets)
-      : points_(points), tets_(tets) {}
+  Check(std::span<const Point3> points, std::span<const Tet<Index>> tets, Context& context)
+      : points_(points), tets_(tets), context_(context) {}
 
   CheckReport report() {
     report_.points = points_.size();
     if (tets_.empty()) fail("there are no tetrahedra");
-    check_indices();
-    check_use();
-    check_places();
-    check_volumes();
-    check_faces();
+    for (const auto step : {&Check::check_indices, &Check::check_use, &Check::check_places,
+                            &Check::check_volumes, &Check::check_faces}) {
+      quality::stop_now_and_then(0, context_);
+      (this->*step)();
+    }
     return std::move(report_);
   }
 
@@ -105,9 +105,11 @@ class Check {
   void check_places();
   void check_volumes();
   void check_faces();
+  [[nodiscard]] Quality measure(std::size_t begin, std::size_t end) const;
 
   std::span<const Point3> points_;
   std::span<const Tet<Index>> tets_;
+  Context& context_;
   CheckReport report_;
 };
 
@@ -154,16 +156,33 @@ void Check<Index>::check_places() {
          " at the very place of another");
 }
 
+/// Of the tetrahedra [begin, end): between those that name no points, runs of
+/// those that do.
+template <class Index>
+Quality Check<Index>::measure(std::size_t begin, std::size_t end) const {
+  Quality quality;
+  while (begin < end) {
+    std::size_t stop = begin;
+    while (stop < end && valid(stop)) ++stop;
+    if (stop > begin) quality += measure_world(points_, 0, tets_.subspan(begin, stop - begin));
+    begin = stop + 1;
+  }
+  return quality;
+}
+
 template <class Index>
 void Check<Index>::check_volumes() {
-  // Between tetrahedra that name no points, runs of those that do.
-  for (std::size_t begin = 0; begin < tets_.size();) {
-    std::size_t end = begin;
-    while (end < tets_.size() && valid(end)) ++end;
-    if (end > begin)
-      report_.quality += measure_world(points_, 0, tets_.subspan(begin, end - begin));
-    begin = end + 1;
-  }
+  constexpr std::size_t tets_per_task = 1 << 16;
+  std::vector<Quality> parts((tets_.size() + tets_per_task - 1) / tets_per_task);
+  core::parallel_for(context_, Stage::count, static_cast<std::int64_t>(parts.size()),
+                     [&](std::int64_t task) {
+                       const auto part = static_cast<std::size_t>(task);
+                       const std::size_t begin = part * tets_per_task;
+                       parts[part] =
+                           measure(begin, std::min(begin + tets_per_task, tets_.size()));
+                     });
+  // In order, so that sums of rounded numbers are always the same.
+  for (const Quality& part : parts) report_.quality += part;
   if (report_.quality.nonpositive > 0)
     fail(count_of(report_.quality.nonpositive, "tetrahedron has", "tetrahedra have") +
          " a volume that is not positive");
@@ -174,9 +193,9 @@ void Check<Index>::check_faces() {
   const auto is_valid = [this](std::size_t tet) { return valid(tet); };
   const FaceFindings faces =
       points_.size() <= quality::NarrowFace::point_limit
-          ? quality::find_faces<quality::NarrowFace>(points_.size(), tets_, is_valid)
-          : quality::find_faces<quality::WideFace>(points_.size(), tets_, is_valid);
-  const EdgeFindings edges = quality::find_edges(points_.size(), faces.boundary);
+          ? quality::find_faces<quality::NarrowFace>(points_.size(), tets_, is_valid, context_)
+          : quality::find_faces<quality::WideFace>(points_.size(), tets_, is_valid, context_);
+  const EdgeFindings edges = quality::find_edges(points_.size(), faces.boundary, context_);
   report_.overfull_faces = faces.overfull;
   report_.misoriented_faces = faces.misoriented;
   report_.boundary_faces = faces.boundary.size();
@@ -198,12 +217,14 @@ void Check<Index>::check_faces() {
 
 }  // namespace
 
-CheckReport check(std::span<const Point3> points, std::span<const Tet<std::uint32_t>> tets) {
-  return Check<std::uint32_t>(points, tets).report();
+CheckReport check(std::span<const Point3> points, std::span<const Tet<std::uint32_t>> tets,
+                  Context& context) {
+  return Check<std::uint32_t>(points, tets, context).report();
 }
 
-CheckReport check(std::span<const Point3> points, std::span<const Tet<std::uint64_t>> tets) {
-  return Check<std::uint64_t>(points, tets).report();
+CheckReport check(std::span<const Point3> points, std::span<const Tet<std::uint64_t>> tets,
+                  Context& context) {
+  return Check<std::uint64_t>(points, tets, context).report();
 }
 
 }  // namespace certet

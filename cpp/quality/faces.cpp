@@ -11,7 +11,16 @@ EdgeKey edge_key(std::uint64_t highest, bool reversed) {
 
 }  // namespace
 
-EdgeFindings find_edges(std::uint64_t points, std::span<const Face> surface) {
+FaceFindings& FaceFindings::operator+=(const FaceFindings& behind) {
+  overfull += behind.overfull;
+  misoriented += behind.misoriented;
+  if (!first_overfull) first_overfull = behind.first_overfull;
+  if (!first_misoriented) first_misoriented = behind.first_misoriented;
+  boundary.insert(boundary.end(), behind.boundary.begin(), behind.boundary.end());
+  return *this;
+}
+
+EdgeFindings find_edges(std::uint64_t points, std::span<const Face> surface, Context& context) {
   Groups<EdgeKey> by_lowest(points);
   for (const Face& face : surface) {
     by_lowest.count(face.points[0], 2);
@@ -27,6 +36,7 @@ EdgeFindings find_edges(std::uint64_t points, std::span<const Face> surface) {
   EdgeFindings found;
   const auto same = [](EdgeKey a, EdgeKey b) { return a >> 1 == b >> 1; };
   for (std::size_t lowest = 0; lowest < by_lowest.size(); ++lowest) {
+    stop_now_and_then(lowest, context);
     const std::span<EdgeKey> group = by_lowest[lowest];
     sort_group(group);
     for_runs(group, same, [&](std::span<EdgeKey> run) {

@@ -10,7 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "certet/context.hpp"
+#include "certet/error.hpp"
 #include "certet/mesh.hpp"
+#include "core/parallel.hpp"
 #include "groups.hpp"
 
 namespace certet::quality {
@@ -68,7 +71,16 @@ struct FaceFindings {
   std::uint64_t misoriented = 0;   ///< in two that see it the same way round
   std::optional<Face> first_overfull, first_misoriented;
   std::vector<Face> boundary;      ///< in one tetrahedron
+
+  /// Adds what was found further on.
+  FaceFindings& operator+=(const FaceFindings& behind);
 };
+
+/// Looks at a context in the middle of long loops.  \throws Error `cancelled`.
+inline void stop_now_and_then(std::size_t turn, const Context& context) {
+  if (turn % (std::size_t{1} << 16) == 0 && context.cancelled)
+    throw Error(ErrorCode::cancelled, "the run was interrupted");
+}
 
 /// What there is to be said of the edges of the boundary.
 struct EdgeFindings {
@@ -96,31 +108,12 @@ SortedTet sorted(const Tet<Index>& tet) {
   return s;
 }
 
-/// Brings together the faces of all tetrahedra for which `valid(number)`: those
-/// name four different points below `points`.
-template <class FaceKey, class Index, class Valid>
-FaceFindings find_faces(std::uint64_t points, std::span<const Tet<Index>> tets, Valid valid) {
-  Groups<FaceKey> by_lowest(points);
-  for (std::size_t i = 0; i < tets.size(); ++i) {
-    if (!valid(i)) continue;
-    const auto [p, odd] = sorted(tets[i]);
-    by_lowest.count(p[0], 3);
-    by_lowest.count(p[1]);
-  }
-  by_lowest.lay_out();
-  for (std::size_t i = 0; i < tets.size(); ++i) {
-    if (!valid(i)) continue;
-    // The boundary of (p0 p1 p2 p3) is the alternating sum of its faces.
-    const auto [p, odd] = sorted(tets[i]);
-    by_lowest.place(p[1], {p[2], p[3], odd});
-    by_lowest.place(p[0], {p[2], p[3], !odd});
-    by_lowest.place(p[0], {p[1], p[3], odd});
-    by_lowest.place(p[0], {p[1], p[2], !odd});
-  }
-
+/// Looks at the groups [begin, end) of faces with the same lowest point.
+template <class FaceKey>
+FaceFindings find_in_groups(Groups<FaceKey>& by_lowest, std::size_t begin, std::size_t end) {
   FaceFindings found;
   const auto same = [](const FaceKey& a, const FaceKey& b) { return a.same_points(b); };
-  for (std::size_t lowest = 0; lowest < by_lowest.size(); ++lowest) {
+  for (std::size_t lowest = begin; lowest < end; ++lowest) {
     const std::span<FaceKey> group = by_lowest[lowest];
     sort_group(group);
     for_runs(group, same, [&](std::span<FaceKey> run) {
@@ -136,7 +129,48 @@ FaceFindings find_faces(std::uint64_t points, std::span<const Tet<Index>> tets, 
   return found;
 }
 
+/// Brings together the faces of all tetrahedra for which `valid(number)`: those
+/// name four different points below `points`.
+/// \throws Error `cancelled`.
+template <class FaceKey, class Index, class Valid>
+FaceFindings find_faces(std::uint64_t points, std::span<const Tet<Index>> tets, Valid valid,
+                        Context& context) {
+  Groups<FaceKey> by_lowest(points);
+  for (std::size_t i = 0; i < tets.size(); ++i) {
+    stop_now_and_then(i, context);
+    if (!valid(i)) continue;
+    const auto [p, odd] = sorted(tets[i]);
+    by_lowest.count(p[0], 3);
+    by_lowest.count(p[1]);
+  }
+  by_lowest.lay_out();
+  for (std::size_t i = 0; i < tets.size(); ++i) {
+    stop_now_and_then(i, context);
+    if (!valid(i)) continue;
+    // The boundary of (p0 p1 p2 p3) is the alternating sum of its faces.
+    const auto [p, odd] = sorted(tets[i]);
+    by_lowest.place(p[1], {p[2], p[3], odd});
+    by_lowest.place(p[0], {p[2], p[3], !odd});
+    by_lowest.place(p[0], {p[1], p[3], odd});
+    by_lowest.place(p[0], {p[1], p[2], !odd});
+  }
+
+  constexpr std::size_t groups_per_task = 1 << 15;
+  const std::size_t tasks = (by_lowest.size() + groups_per_task - 1) / groups_per_task;
+  std::vector<FaceFindings> parts(tasks);
+  core::parallel_for(context, Stage::count, static_cast<std::int64_t>(tasks),
+                     [&](std::int64_t task) {
+                       const std::size_t begin = static_cast<std::size_t>(task) * groups_per_task;
+                       parts[static_cast<std::size_t>(task)] = find_in_groups(
+                           by_lowest, begin, std::min(begin + groups_per_task, by_lowest.size()));
+                     });
+  FaceFindings found;
+  for (FaceFindings& part : parts) found += part;
+  return found;
+}
+
 /// Brings together the edges of a surface of triangles.
-EdgeFindings find_edges(std::uint64_t points, std::span<const Face> surface);
+/// \throws Error `cancelled`.
+EdgeFindings find_edges(std::uint64_t points, std::span<const Face> surface, Context& context);
 
 }  // namespace certet::quality

@@ -39,8 +39,10 @@ class Usage(ProgramTest):
                 (["--cuts"], ["mesh", *TORUS, "--cuts", "random", "-o", "a.vtu"]),
                 (["--margin"], ["mesh", *TORUS, "--margin", "0", "-o", "a.vtu"]),
                 (["colour"], ["mesh", *TORUS, "--colour", "-o", "a.vtu"]),
-                (["extension", "a.stl"], ["mesh", *TORUS, "-o", "a.stl"]),
-                (["--format"], ["mesh", *TORUS, "-o", "a.vtu", "--format", "stl"])):
+                (["extension", "a.obj"], ["mesh", *TORUS, "-o", "a.obj"]),
+                (["--compress"], ["mesh", *TORUS, "-o", "a.msh", "--compress"]),
+                (["--label-names"], ["mesh", *TORUS, "-o", "a.msh", "--label-names", "n.txt"]),
+                (["--format"], ["mesh", *TORUS, "-o", "a.vtu", "--format", "obj"])):
             with self.subTest(arguments):
                 self.assert_fails(USAGE, words, *arguments)
 

@@ -80,8 +80,8 @@ TEST_F(DamagedMedit, WrongWords) {
   expect_refused("", "not an ASCII MEDIT file");
   expect_refused("MeshVersionFormatted 9\n", "version 9");
   expect_refused("MeshVersionFormatted 2\nDimension 2\n", "dimension is not 3");
-  expect_refused(heading + points + "Triangles\n1\n1 2 3 0\n" + tets + "End\n",
-                 "section 'Triangles' is not known");
+  expect_refused(heading + points + "Prisms\n1\n1 2 3 0\n" + tets + "End\n",
+                 "section 'Prisms' is not known");
   expect_refused(heading + points + points + tets + "End\n", "two sections 'Vertices'");
   expect_refused(heading + points + "End\n", "no vertices or no tetrahedra");
   expect_refused(heading + points + tets, "'End' is missing");

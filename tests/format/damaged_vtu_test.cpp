@@ -110,12 +110,16 @@ TEST_F(DamagedVtu, OtherKindsOfFiles) {
   expect_refused(replaced("type=\"UnstructuredGrid\"", "type=\"PolyData\""),
                  "not an unstructured grid");
   expect_refused(replaced("LittleEndian", "BigEndian"), "byte order");
-  expect_refused(replaced("UInt64", "UInt32"), "header type");
+  expect_refused(replaced("UInt64", "UInt16"), "header type");
+  expect_refused(replaced("header_type", "compressor=\"vtkLZ4DataCompressor\" header_type"),
+                 "another method");
   expect_refused(replaced("header_type", "compressor=\"vtkZLibDataCompressor\" header_type"),
-                 "compressed");
-  expect_refused(replaced("encoding=\"raw\"", "encoding=\"base64\""), "not raw");
-  expect_refused(replaced("format=\"appended\"", "format=\"ascii\""), "not appended but ascii");
-  expect_refused(replaced("Float64", "Float32"), "of type Float32");
+                 "array Points/Points");
+  expect_refused(replaced("encoding=\"raw\"", "encoding=\"hex\""), "neither raw nor base64");
+  expect_refused(replaced("encoding=\"raw\"", "encoding=\"base64\""), "array Points/Points");
+  expect_refused(replaced("format=\"appended\"", "format=\"ascii\""), "is not a number");
+  expect_refused(replaced("Float64", "Float32"), "does not agree");
+  expect_refused(replaced("Float64", "String "), "of type String");
   expect_refused(replaced("\"connectivity\"", "\"connections\""), "no array Cells/connectivity");
   expect_refused(replaced("NumberOfComponents=\"3\"", "NumberOfComponents=\"2\""),
                  "does not agree");

@@ -28,8 +28,17 @@ class FailingOutput : public testing::TestWithParam<const char*> {
   const SampleMesh mesh_ = sample_mesh(100, 200, false);
 };
 
-INSTANTIATE_TEST_SUITE_P(Formats, FailingOutput, testing::Values(".vtu", ".mesh"),
+INSTANTIATE_TEST_SUITE_P(Formats, FailingOutput, testing::Values(".vtu", ".mesh", ".meshb", ".msh", ".inp", ".feb",
+                                                            ".stl", ".ply"),
                          [](const auto& info) { return std::string(info.param).substr(1); });
+
+/// The file has the bytes that writing the mesh gives elsewhere.
+void expect_holds(const fs::path& file, const SampleMesh& mesh) {
+  const ScratchFolder elsewhere;
+  const fs::path other = elsewhere / file.filename().string();
+  test::write(other, mesh);
+  EXPECT_TRUE(test::bytes_of(file) == test::bytes_of(other)) << file;
+}
 
 void expect_write_failed(const std::string& words, const fs::path& file,
                          const SampleMesh& mesh) {
@@ -85,7 +94,7 @@ TEST_P(FailingOutput, TheOldFileIsReplacedAtTheEnd) {
   test::write_tets(*writer, mesh_.tets, mesh_.labels, 10);
   EXPECT_EQ(test::bytes_of(file()), "old");
   writer->finish();
-  EXPECT_EQ(read_mesh(file()).tets, mesh_.wide_tets());
+  expect_holds(file(), mesh_);
 }
 
 TEST_P(FailingOutput, ASymbolicLinkIsFollowed) {
@@ -95,7 +104,7 @@ TEST_P(FailingOutput, ASymbolicLinkIsFollowed) {
   fs::create_symlink(real, file());
   test::write(file(), mesh_);
   EXPECT_TRUE(fs::is_symlink(file()));
-  EXPECT_EQ(read_mesh(real).tets, mesh_.wide_tets());
+  expect_holds(real, mesh_);
 }
 
 TEST_P(FailingOutput, TwoWritersOfOneFileDoNotMeet) {
@@ -107,9 +116,9 @@ TEST_P(FailingOutput, TwoWritersOfOneFileDoNotMeet) {
   test::write_tets(*first, mesh_.tets, mesh_.labels, 7);
   test::write_tets(*second, other.tets, other.labels, 7);
   second->finish();
-  EXPECT_EQ(read_mesh(file()).tets, other.wide_tets());
+  expect_holds(file(), other);
   first->finish();
-  EXPECT_EQ(read_mesh(file()).tets, mesh_.wide_tets());
+  expect_holds(file(), mesh_);
 }
 
 TEST_P(FailingOutput, TheFileIsReadableAsTheUserWants) {
@@ -134,9 +143,17 @@ TEST_P(FailingOutput, WhatIsWrittenMustBeWhatWasAnnounced) {
     writer.tets(tets.first(199), {});
     writer.finish();
   });
-  attempt("more points", {99, 200, false},
+  const auto announced = [&](std::uint64_t points, std::uint64_t count, bool labels) {
+    MeshSize size = mesh_.size();
+    size.points = points;
+    size.tets = count;
+    size.labels = labels;
+    return size;
+  };
+  const bool surface_alone = name() == "mesh.stl" || name() == "mesh.ply";
+  attempt(surface_alone ? "not there" : "more points", announced(99, 200, false),
           [&](MeshWriter& writer) { writer.points(mesh_.points); });
-  attempt("more tetrahedra", {100, 199, false}, [&](MeshWriter& writer) {
+  attempt("more tetrahedra", announced(100, 199, false), [&](MeshWriter& writer) {
     writer.points(mesh_.points);
     writer.tets(tets, {});
   });
@@ -144,11 +161,11 @@ TEST_P(FailingOutput, WhatIsWrittenMustBeWhatWasAnnounced) {
     writer.points(std::span(mesh_.points).first(99));
     writer.tets(tets, {});
   });
-  attempt("labels", {100, 200, true}, [&](MeshWriter& writer) {
+  attempt("labels", announced(100, 200, true), [&](MeshWriter& writer) {
     writer.points(mesh_.points);
     writer.tets(tets, {});
   });
-  attempt("not there", {100, 1, false}, [&](MeshWriter& writer) {
+  attempt("not there", announced(100, 1, false), [&](MeshWriter& writer) {
     writer.points(mesh_.points);
     const Tet<std::uint64_t> tet{1, 2, 3, (std::uint64_t{1} << 32) + 4};
     writer.tets(std::span(&tet, 1), {});
@@ -205,7 +222,49 @@ TEST_P(FailingOutput, AFullDisk) {
   expect_write_failed("No space left", file, large);
   EXPECT_TRUE(fs::is_empty(folder_ / "disk"));
   test::write(file, mesh_);
-  EXPECT_EQ(read_mesh(file).tets, mesh_.wide_tets());
+  expect_holds(file, mesh_);
+}
+
+TEST(FailingTetgen, LeavesNoneOfItsThreeFiles) {
+  const ScratchFolder folder;
+  const SampleMesh mesh = sample_mesh(100, 200, true);
+  for (const char* name : {"mesh.node", "mesh.ele", "mesh.face"}) {
+    test::write_bytes(folder / "mesh.ele", "precious");
+    fs::remove(folder / name);
+    fs::create_directory(folder / name);
+    expect_error(ErrorCode::write_failed, name, [&] { test::write(folder / "mesh.ele", mesh); });
+    EXPECT_EQ(folder.names().size(), std::string(name) == "mesh.ele" ? 1u : 2u);
+    fs::remove_all(folder / name);
+    fs::remove(folder / "mesh.ele");
+  }
+  {
+    const FileSizeLimit limit(4096);
+    expect_error(ErrorCode::write_failed, "File too large",
+                 [&] { test::write(folder / "mesh.node", mesh); });
+    EXPECT_TRUE(folder.names().empty());
+  }
+  test::write(folder / "mesh.face", mesh);
+  EXPECT_EQ(folder.names().size(), 3u);
+}
+
+TEST(FailingSurvey, IsMissedOrWrong) {
+  const ScratchFolder folder;
+  const SampleMesh mesh = sample_mesh(100, 200, true);
+  for (const char* name : {"a.msh", "a.inp", "a.feb"}) {
+    MeshSize size = mesh.size();
+    size.survey = nullptr;
+    expect_error(ErrorCode::write_failed, "survey",
+                 [&] { open_writer(folder / name, *format_of(name), size); });
+    Survey survey = *mesh.size().survey;
+    survey.regions.back().tets -= 1;
+    size.survey = std::make_shared<Survey>(survey);
+    expect_error(ErrorCode::write_failed, "region", [&] {
+      const auto writer = open_writer(folder / name, *format_of(name), size);
+      writer->points(mesh.points);
+      writer->tets(std::span<const Tet<std::uint32_t>>(mesh.tets), mesh.labels);
+    });
+    EXPECT_TRUE(folder.names().empty());
+  }
 }
 
 }  // namespace

@@ -21,7 +21,11 @@ struct SampleMesh {
   std::vector<Tet<std::uint32_t>> tets;
   std::vector<std::int32_t> labels;
 
-  [[nodiscard]] MeshSize size() const { return {points.size(), tets.size(), !labels.empty()}; }
+  [[nodiscard]] MeshSize size() const {
+    Context context;
+    return {points.size(), tets.size(), !labels.empty(),
+            std::make_shared<Survey>(survey(points.size(), wide_tets(), labels, context))};
+  }
   [[nodiscard]] std::vector<Tet<std::uint64_t>> wide_tets() const {
     std::vector<Tet<std::uint64_t>> wide;
     for (const auto& [a, b, c, d] : tets) wide.push_back({a, b, c, d});
@@ -66,15 +70,20 @@ inline void write_points(MeshWriter& writer, const std::vector<Point3>& points,
     writer.points(std::span(points).subspan(begin, std::min(piece, points.size() - begin)));
 }
 
-inline void write(const std::filesystem::path& file, const SampleMesh& mesh,
-                  std::size_t piece = 1 << 30, bool wide = false) {
-  const auto writer = open_writer(file, *format_of(file), mesh.size());
+inline void write_as(const std::filesystem::path& file, Format format, const SampleMesh& mesh,
+                     std::size_t piece = 1 << 30, bool wide = false) {
+  const auto writer = open_writer(file, format, mesh.size());
   write_points(*writer, mesh.points, piece);
   if (wide)
     write_tets(*writer, mesh.wide_tets(), mesh.labels, piece);
   else
     write_tets(*writer, mesh.tets, mesh.labels, piece);
   writer->finish();
+}
+
+inline void write(const std::filesystem::path& file, const SampleMesh& mesh,
+                  std::size_t piece = 1 << 30, bool wide = false) {
+  write_as(file, *format_of(file), mesh, piece, wide);
 }
 
 inline std::string bytes_of(const std::filesystem::path& file) {

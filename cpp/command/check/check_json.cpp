@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "check_report.hpp"
 #include "json.hpp"
 
@@ -14,6 +16,7 @@ std::string json(const CheckedFile& checked) {
   json["mesh"] = {{"points", report.points},
                   {"tets", report.quality.tets},
                   {"volume", report.quality.volume},
+                  {"checksum", fmt::format("0x{:016x}", checked.checksum)},
                   {"unused_points", report.unused_points},
                   {"nonfinite_points", report.nonfinite_points},
                   {"duplicate_points", report.duplicate_points},

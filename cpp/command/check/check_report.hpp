@@ -13,6 +13,7 @@ namespace certet::command {
 struct CheckedFile {
   std::string file;
   CheckReport report;
+  std::uint64_t checksum = 0;  ///< of the file's numbers, whatever its format
   double read_seconds = 0, check_seconds = 0, total_seconds = 0;
   std::uint64_t memory_peak = 0;
 };

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "certet/error.hpp"
+#include "certet/label_names.hpp"
 #include "commands.hpp"
 #include "memory.hpp"
 #include "mesh_options.hpp"
@@ -38,10 +39,13 @@ void judge_outputs(const MeshOptions& options) {
       throw Error(ErrorCode::bad_option, "input and --json are the same file '" +
                                              options.input.string() + "'");
   }
-  if (json_file && !options.output.empty() && same_file(options.output, options.json))
-    throw Error(ErrorCode::bad_option,
-                "output and --json are the same file '" + options.output.string() + "'");
-  if (!options.dry_run) judge_output(options.output);
+  if (!options.output.empty())
+    for (const std::filesystem::path& file : files_of(options.output, options.format)) {
+      if (json_file && same_file(file, options.json))
+        throw Error(ErrorCode::bad_option,
+                    "output and --json are the same file '" + file.string() + "'");
+      if (!options.dry_run) judge_output(file);
+    }
   if (json_file) judge_output(options.json);
 }
 
@@ -67,15 +71,30 @@ void judge_lattice(const PlacedSource& source, std::uint64_t limit) {
 }
 
 /// Chooses the slabs by the memory that is left.
-Slabs plan(const Counted& counted, MeshReport& report) {
+Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report) {
   const auto& [source, stuffing] = counted;
-  const std::uint64_t held = source.bytes + stuffing.bytes();
+  const std::uint64_t faces = size.survey == nullptr ? 0 : size.survey->boundary.size();
+  const std::uint64_t held = source.bytes + stuffing.bytes() + faces * sizeof(BoundaryFace);
   report.memory_least = held + cut_slabs(stuffing, 0).bytes;
   if (report.memory_least > report.memory_limit)
     refuse_memory("the mesh", report.memory_least, report.memory_limit);
   Slabs slabs = cut_slabs(stuffing, std::min(slab_bytes, report.memory_limit - held));
   report.memory_needed = held + slabs.bytes;
   return slabs;
+}
+
+/// What the format says of the mesh before its numbers.
+MeshSize announce(const MeshOptions& options, const LabelNames& names, const Counted& counted,
+                  Context& context) {
+  const auto& [source, stuffing] = counted;
+  MeshSize size{stuffing.point_count(), stuffing.tet_count(),
+                static_cast<bool>(source.labeller)};
+  if (!needs_survey(options.format)) return size;
+  auto found = std::make_shared<Survey>(
+      survey(stuffing, source.labeller, source.border, context));
+  name_regions(*found, names);
+  size.survey = std::move(found);
+  return size;
 }
 
 void write(const MeshOptions& options, const Counted& counted, const Slabs& slabs,
@@ -129,7 +148,7 @@ void describe(const MeshOptions& options, const Source& source, MeshReport& repo
   report.input_name = source.name;
   report.input_notes = source.notes;
   report.output = options.output.string();
-  report.format = options.format == Format::vtu ? "vtu" : "medit";
+  report.format = name(options.format);
   report.target_tets = options.target_tets;
   report.cuts = options.stuffing.cuts;
   report.asked = options.stuffing.guarantee;
@@ -157,6 +176,8 @@ MeshReport run(const MeshOptions& options, Context& context) {
   report.memory_limit = memory_limit(options);
   limit_memory(report.memory_limit + base_bytes);
   judge_outputs(options);
+  LabelNames names;
+  if (!options.label_names.empty()) names = read_label_names(options.label_names);
   const Source source = open_source(options, report.memory_limit);
   report.read_seconds = clock.seconds();
   describe(options, source, report);
@@ -168,10 +189,9 @@ MeshReport run(const MeshOptions& options, Context& context) {
     throw Error(ErrorCode::empty_domain,
                 "nothing of '" + source.name + "' is inside at size " +
                     std::to_string(report.size) + ", so there is no mesh");
-  const MeshSize size{report.points, report.tets,
-                      static_cast<bool>(counted.source.labeller)};
+  const MeshSize size = announce(options, names, counted, context);
   report.output_bytes = file_bytes(options.format, size);
-  const Slabs slabs = plan(counted, report);
+  const Slabs slabs = plan(counted, size, report);
   if (!options.dry_run) write(options, counted, slabs, size, context, progress, report);
   report.total_seconds = clock.seconds();
   report.memory_peak = peak_memory();

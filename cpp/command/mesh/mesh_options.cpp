@@ -7,6 +7,7 @@
 #include "certet/error.hpp"
 #include "certet/surface.hpp"
 #include "certet/volume.hpp"
+#include "format_choice.hpp"
 #include "option_values.hpp"
 
 namespace certet::command {
@@ -46,6 +47,7 @@ a dry run leaves out what it does not know.)";
 /// Options whose values need more than CLI11's own reading.
 struct RawMesh {
   std::string size, relative_size, target_tets, iso, labels, bounds, format;
+  bool compress = false;
 };
 
 void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
@@ -99,9 +101,16 @@ void declare_lattice(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
 }
 
 void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
-  mesh.add_option("-o,--output", options.output, "Mesh: .vtu or .mesh")->option_text("OUT");
-  mesh.add_option("--format", raw.format, "vtu or medit (default: by the extension)")
+  mesh.add_option("-o,--output", options.output,
+                  "Mesh: .vtu, .mesh, .meshb, .msh, .inp, .feb, .node (with .ele, .face); "
+                  "its boundary: .stl, .ply")
+      ->option_text("OUT");
+  mesh.add_option("--format", raw.format, format_names() + " (default: by the extension)")
       ->option_text("F");
+  mesh.add_flag("--compress", raw.compress, "Compress .vtu");
+  mesh.add_option("--label-names", options.label_names,
+                  "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
+      ->option_text("FILE");
   mesh.add_option("--threads", options.threads, "Threads (default: as many as there are)")
       ->check(CLI::Range(0, 1024))
       ->option_text("N");
@@ -112,18 +121,6 @@ void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_flag("--dry-run", options.dry_run, "Count, but write nothing");
   mesh.add_option("--json", options.json, "Report for programs; - is stdout")
       ->option_text("FILE|-");
-}
-
-Format chosen_format(const MeshOptions& options, const std::string& name) {
-  if (name == "vtu") return Format::vtu;
-  if (name == "medit" || name == "mesh") return Format::medit;
-  if (!name.empty()) refuse("--format is vtu or medit, not '" + name + "'");
-  if (options.output.empty()) return Format::vtu;
-  const auto format = format_of(options.output);
-  if (!format)
-    refuse("the extension of '" + options.output.string() +
-           "' is neither .vtu nor .mesh; name a format with --format");
-  return *format;
 }
 
 void judge_source(const MeshOptions& options, const RawMesh& raw) {
@@ -142,6 +139,8 @@ void judge_source(const MeshOptions& options, const RawMesh& raw) {
     refuse("--labels and --iso go with an image or a volume, not with a surface");
   if (is_volume_file(options.input) && !raw.labels.empty())
     refuse("--labels goes with an image, not with a volume");
+  if (!options.label_names.empty() && (!image || !raw.iso.empty()))
+    refuse("--label-names goes with an image of labels");
   if (!raw.labels.empty() && !raw.iso.empty())
     refuse("--labels and --iso exclude each other");
 }
@@ -168,7 +167,7 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   if (!raw.labels.empty()) options.labels = parse_labels(raw.labels);
   if (!raw.bounds.empty()) options.bounds = parse_bounds(raw.bounds);
   if (options.output.empty() && !options.dry_run) refuse("mesh needs an output: -o OUT");
-  options.format = chosen_format(options, raw.format);
+  options.format = choose_format(options.output, raw.format, raw.compress);
   return options;
 }
 

@@ -36,6 +36,7 @@ struct MeshOptions {
   bool dry_run = false;
   std::filesystem::path output;
   Format format = Format::vtu;
+  std::filesystem::path label_names;  ///< empty: labels have no names
   std::string json;  ///< a file, - for stdout, or empty
 };
 

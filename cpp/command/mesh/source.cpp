@@ -21,18 +21,29 @@ PlacedSource placed(std::unique_ptr<PlacedDomain> domain) {
   return source;
 }
 
+/// Where a box cuts the solid off is border, not surface.  The box is along the
+/// axes of the frame, `low` and `high` are opposite corners of it.
+void set_border(PlacedSource& source, const Bounds& box, Cuts cuts) {
+  source.border = box_border(source.frame, box.low, box.high, cuts);
+}
+
 Source from_formula(const MeshOptions& options) {
   const auto place = [formula = options.formula, bounds = options.bounds.value(),
-                      margin = options.margin](double size) {
-    return placed(std::make_unique<ExpressionDomain>(formula, bounds, size, margin));
+                      margin = options.margin, cuts = options.stuffing.cuts](double size) {
+    PlacedSource source =
+        placed(std::make_unique<ExpressionDomain>(formula, bounds, size, margin));
+    set_border(source, bounds, cuts);
+    return source;
   };
   return {"formula", options.formula, place};
 }
 
 Source from_shape(const MeshOptions& options) {
-  const auto place = [shape = options.shape, bounds = options.bounds,
-                      margin = options.margin](double size) {
-    return placed(std::make_unique<ShapeDomain>(shape, bounds, size, margin));
+  const auto place = [shape = options.shape, bounds = options.bounds, margin = options.margin,
+                      cuts = options.stuffing.cuts](double size) {
+    PlacedSource source = placed(std::make_unique<ShapeDomain>(shape, bounds, size, margin));
+    if (bounds) set_border(source, *bounds, cuts);
+    return source;
   };
   return {"shape", options.shape, place};
 }
@@ -60,6 +71,22 @@ Image read(const MeshOptions& options, std::uint64_t max_bytes) {
   return read_image(options.input, max_bytes);
 }
 
+/// The world position of a voxel's centre, or of what lies between centres.
+Point3 voxel_position(const Image& image, const Point3& voxel) {
+  Point3 world = image.origin;
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t a = 0; a < 3; ++a)
+      world[r] += image.axes[r][a] * image.spacing[a] * voxel[a];
+  return world;
+}
+
+/// The outermost corners of an image's voxels.
+Bounds outer_corners(const Image& image) {
+  Point3 last;
+  for (std::size_t a = 0; a < 3; ++a) last[a] = static_cast<double>(image.size[a]) - 0.5;
+  return {voxel_position(image, {-0.5, -0.5, -0.5}), voxel_position(image, last)};
+}
+
 PlacedSource placed_image(std::unique_ptr<ImageDomain> domain, bool labels) {
   const ImageDomain& image = *domain;
   PlacedSource source = placed(std::move(domain));
@@ -75,10 +102,12 @@ Source from_image(const MeshOptions& options, std::uint64_t max_bytes) {
     throw Error(ErrorCode::bad_option, "the voxels of '" + image->name +
                                            "' are not whole numbers: choose a level with --iso");
   const auto place = [image, iso = options.iso, labels = options.labels,
-                      margin = options.margin](double size) {
+                      margin = options.margin, cuts = options.stuffing.cuts](double size) {
     const ImageLattice lattice{size, margin};
-    return placed_image(
+    PlacedSource source = placed_image(
         iso ? level_domain(image, *iso, lattice) : label_domain(image, labels, lattice), !iso);
+    set_border(source, outer_corners(*image), cuts);
+    return source;
   };
   return {options.iso ? "level" : "labels", image->name, place};
 }

@@ -18,6 +18,7 @@ struct PlacedSource {
   Lattice lattice;
   Frame frame;
   Labeller labeller;        ///< empty where there are no labels
+  BorderTest border;        ///< empty where nothing is cut off
   double longest_side = 0;  ///< of the solid's box, in world units
   std::uint64_t bytes = 0;
 };

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "certet/context.hpp"
 #include "certet/quality.hpp"
 
 namespace certet {
@@ -34,9 +35,23 @@ struct CheckReport {
 ///
 /// Takes 32 bytes for each tetrahedron (64 from 2^31 points on) and some 20 for
 /// each point, beside the mesh.
-CheckReport check(std::span<const Point3> points,
-                  std::span<const Tet<std::uint32_t>> tets);
-CheckReport check(std::span<const Point3> points,
-                  std::span<const Tet<std::uint64_t>> tets);
+///
+/// Works with the threads of the context; the report does not depend on them.
+/// \throws Error `cancelled`.
+CheckReport check(std::span<const Point3> points, std::span<const Tet<std::uint32_t>> tets,
+                  Context& context);
+CheckReport check(std::span<const Point3> points, std::span<const Tet<std::uint64_t>> tets,
+                  Context& context);
+
+inline CheckReport check(std::span<const Point3> points,
+                         std::span<const Tet<std::uint32_t>> tets) {
+  Context context;
+  return check(points, tets, context);
+}
+inline CheckReport check(std::span<const Point3> points,
+                         std::span<const Tet<std::uint64_t>> tets) {
+  Context context;
+  return check(points, tets, context);
+}
 
 }  // namespace certet

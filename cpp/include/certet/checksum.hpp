@@ -2,6 +2,7 @@
 /// \file
 /// One number that tells whether two meshes are the same.
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -20,6 +21,15 @@ class Checksum {
   void points(std::uint64_t first, std::span<const Coord3> points) {
     for (const Coord3 p : points)
       sum_ += hash(word(p.x) | word(p.y) << 32, word(p.z), point_key + first++);
+  }
+
+  /// Points as files have them.
+  void points(std::uint64_t first, std::span<const Point3> points) {
+    for (const Point3& p : points) {
+      const auto bits = std::bit_cast<std::array<std::uint64_t, 3>>(p);
+      sum_ += hash(bits[0] ^ std::rotl(bits[1], 21), bits[2] ^ std::rotl(bits[1], 42),
+                   point_key + first++);
+    }
   }
 
   template <class Index>

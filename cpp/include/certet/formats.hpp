@@ -7,26 +7,55 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "certet/mesh.hpp"
+#include "certet/survey.hpp"
 
 namespace certet {
 
 enum class Format {
-  vtu,    ///< VTK XML unstructured grid, raw appended binary (.vtu)
-  medit,  ///< MEDIT, ASCII (.mesh)
+  vtu,           ///< VTK XML unstructured grid, raw appended binary (.vtu)
+  vtu_zlib,      ///< the same, compressed
+  medit,         ///< MEDIT, ASCII (.mesh)
+  medit_binary,  ///< MEDIT, binary (.meshb)
+  gmsh,          ///< Gmsh 4.1, binary (.msh)
+  gmsh22,        ///< Gmsh 2.2, ASCII
+  abaqus,        ///< Abaqus input: nodes, elements and sets (.inp)
+  febio,         ///< FEBio 4.0: the mesh alone (.feb)
+  tetgen,        ///< three files: .node, .ele and .face
+  stl,           ///< the boundary alone, binary (.stl)
+  ply,           ///< the boundary alone, binary (.ply)
 };
 
 /// The format that a file name's extension stands for.
 std::optional<Format> format_of(const std::filesystem::path& file);
+/// The format of a name: vtu, vtu-zlib, medit, meditb, msh, msh22, inp, feb,
+/// tetgen, stl, ply.
+std::optional<Format> format_named(std::string_view name);
+std::string_view name(Format format);
+/// All names, for sentences.
+std::string format_names();
+
+/// All files that are written for this one: more than one for TetGen.
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& file, Format format);
+
+/// Whether `vtu_zlib` was built in; without it compressed files cannot be read
+/// either.
+bool can_compress();
+
+/// Whether a writer needs to know the mesh's survey beforehand.
+bool needs_survey(Format format);
 
 /// All that a file says about its size, known before the first number is written.
 struct MeshSize {
   std::uint64_t points = 0;
   std::uint64_t tets = 0;
-  bool labels = false;  ///< whether there is a cell field `label`
+  bool labels = false;  ///< whether tetrahedra have labels
+  /// Where the format needs it; it must be the survey of the mesh that follows.
+  std::shared_ptr<const Survey> survey = nullptr;
 };
 
 /// Writes a mesh piece by piece, so that it never needs to be in memory whole:
@@ -53,20 +82,26 @@ class MeshWriter {
 std::unique_ptr<MeshWriter> open_writer(const std::filesystem::path& file, Format format,
                                         const MeshSize& size);
 
-/// The exact size in bytes of a .vtu file, or an estimate for text formats.
+/// The exact size in bytes for binary formats, an estimate for others.
 std::uint64_t file_bytes(Format format, const MeshSize& size);
 
 /// A mesh as a file holds it.
 struct FileMesh {
   std::vector<Point3> points;
   std::vector<Tet<std::uint64_t>> tets;
-  std::vector<std::int32_t> labels;  ///< empty, or one for each tetrahedron; a
-                                     ///< MEDIT file of zeros alone has none
+  std::vector<std::int32_t> labels;  ///< empty, or one for each tetrahedron; zeros
+                                     ///< alone are none in formats that must have some
+  LabelNames names;                  ///< where the format has them
 };
 
-/// Reads what `open_writer` wrote, and looks at everything but whether the
-/// indices are those of points: that is the task of `check`.
-/// \throws Error `bad_input` with one sentence that names the file.
-FileMesh read_mesh(const std::filesystem::path& file);
+/// Reads .vtu, .mesh, .meshb and .msh files, by their extension.  Looks at
+/// everything but whether the indices are those of points: that is the task of
+/// `check`.
+/// \throws Error `bad_input` with one sentence that names the file; `cancelled`.
+FileMesh read_mesh(const std::filesystem::path& file, const Context& context = {});
+
+/// A hash of the points, bit by bit, and the tetrahedra, but not of labels: the
+/// same for all files of one mesh, whatever their format.
+std::uint64_t checksum(const FileMesh& mesh);
 
 }  // namespace certet

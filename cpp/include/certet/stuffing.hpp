@@ -88,6 +88,10 @@ class Stuffing {
   /// `out.size()` is first_point(end) - first_point(begin).
   void emit_points(std::int32_t begin, std::int32_t end, std::span<Coord3> out,
                    Context& context) const;
+  /// Tells of the same points whether they lie on the surface: 1 for cuts and for
+  /// corners that are zero, 0 for corners that are plus.
+  void mark_surface(std::int32_t begin, std::int32_t end, std::span<std::uint8_t> out,
+                    Context& context) const;
   /// Writes the tetrahedra of the layers [begin, end).
   /// `out.size()` is first_tet(end) - first_tet(begin).
   void emit_tets(std::int32_t begin, std::int32_t end,

@@ -2,10 +2,7 @@
 /// \file
 /// From a counted mesh to a file, slab by slab, measuring it on the way.
 
-#include <array>
 #include <cstdint>
-#include <functional>
-#include <span>
 #include <vector>
 
 #include "certet/context.hpp"
@@ -13,13 +10,9 @@
 #include "certet/frame.hpp"
 #include "certet/quality.hpp"
 #include "certet/stuffing.hpp"
+#include "certet/survey.hpp"
 
 namespace certet {
-
-/// The labels of tetrahedra by their four corners, in steps; called from
-/// several threads at once.
-using Labeller =
-    std::function<void(std::span<const std::array<Coord3, 4>>, std::span<std::int32_t>)>;
 
 /// A mesh cut into slabs of whole layers.
 struct Slabs {

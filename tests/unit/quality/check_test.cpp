@@ -197,8 +197,9 @@ TEST(Faces, WideKeysFindWhatNarrowOnesFind) {
   mesh.tets.push_back({mesh.tets[40][0], mesh.tets[40][1], mesh.tets[40][3], 0});
   const std::span<const Tet32> tets(mesh.tets);
   const auto all = [](std::size_t) { return true; };
-  const auto narrow = quality::find_faces<quality::NarrowFace>(mesh.points.size(), tets, all);
-  const auto wide = quality::find_faces<quality::WideFace>(mesh.points.size(), tets, all);
+  Context context;
+  const auto narrow = quality::find_faces<quality::NarrowFace>(mesh.points.size(), tets, all, context);
+  const auto wide = quality::find_faces<quality::WideFace>(mesh.points.size(), tets, all, context);
   EXPECT_GT(narrow.misoriented, 0u);
   EXPECT_EQ(narrow.misoriented, wide.misoriented);
   EXPECT_EQ(narrow.overfull, wide.overfull);
@@ -221,11 +222,12 @@ TEST(Faces, KeysHoldTheGreatestPoints) {
 TEST(Faces, ASurfaceWithAMissingOrATurnedTriangleIsOpen) {
   std::vector<quality::Face> surface = {
       {{0, 1, 2}, true}, {{0, 1, 3}, false}, {{0, 2, 3}, true}, {{1, 2, 3}, false}};
-  EXPECT_EQ(quality::find_edges(4, surface).open, 0u);
+  Context context;
+  EXPECT_EQ(quality::find_edges(4, surface, context).open, 0u);
   surface[1].reversed = true;
-  EXPECT_EQ(quality::find_edges(4, surface).open, 3u);
+  EXPECT_EQ(quality::find_edges(4, surface, context).open, 3u);
   surface.erase(surface.begin() + 1);
-  EXPECT_EQ(quality::find_edges(4, surface).open, 3u);
+  EXPECT_EQ(quality::find_edges(4, surface, context).open, 3u);
 }
 
 }  // namespace

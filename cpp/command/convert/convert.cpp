@@ -1,0 +1,171 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "certet/error.hpp"
+#include "certet/formats.hpp"
+#include "certet/label_names.hpp"
+#include "commands.hpp"
+#include "format_choice.hpp"
+#include "json.hpp"
+#include "outputs.hpp"
+#include "report.hpp"
+#include "signals.hpp"
+#include "stopwatch.hpp"
+#include "table.hpp"
+
+namespace certet::command {
+namespace {
+
+constexpr const char* footer = R"(
+Labels are kept, and their names where the format has them; the boundary is found
+anew.
+
+Keys of the JSON: certet, command, input, output {file, format, bytes}, mesh
+{points, tets, regions, boundary_faces, checksum}, seconds.)";
+
+/// What the user asks of `certet convert`.
+struct ConvertOptions {
+  std::filesystem::path input, output, label_names;
+  std::string format, json;
+  bool compress = false;
+};
+
+/// What is known at the end.
+struct ConvertReport {
+  std::string input, output, format;
+  std::uint64_t bytes = 0, points = 0, tets = 0, regions = 0, boundary_faces = 0, checksum = 0;
+  double seconds = 0;
+};
+
+std::string table(const ConvertReport& report) {
+  Lines lines;
+  lines.add("input", "{}", report.input);
+  lines.add("output", "{} ({}, {})", report.output, report.format, bytes(report.bytes));
+  lines.add("mesh", "{} points, {} tetrahedra, {} regions, {} boundary faces",
+            grouped(report.points), grouped(report.tets), grouped(report.regions),
+            grouped(report.boundary_faces));
+  lines.add("checksum", "0x{:016x}", report.checksum);
+  lines.add("seconds", "{:.2f}", report.seconds);
+  return std::move(lines).text();
+}
+
+std::string json(const ConvertReport& report) {
+  Json json;
+  json["certet"] = CERTET_VERSION;
+  json["command"] = "convert";
+  json["input"] = report.input;
+  json["output"] = {
+      {"file", report.output}, {"format", report.format}, {"bytes", report.bytes}};
+  json["mesh"] = {{"points", report.points},
+                  {"tets", report.tets},
+                  {"regions", report.regions},
+                  {"boundary_faces", report.boundary_faces},
+                  {"checksum", fmt::format("0x{:016x}", report.checksum)}};
+  json["seconds"] = report.seconds;
+  return print(json);
+}
+
+void judge_files(const ConvertOptions& options, Format format) {
+  const bool json_file = !options.json.empty() && options.json != "-";
+  for (const std::filesystem::path& file : files_of(options.output, format)) {
+    if (same_file(options.input, file))
+      throw Error(ErrorCode::bad_option,
+                  "input and output are the same file '" + options.input.string() + "'");
+    if (json_file && same_file(file, options.json))
+      throw Error(ErrorCode::bad_option,
+                  "output and --json are the same file '" + file.string() + "'");
+    judge_output(file);
+  }
+  if (!json_file) return;
+  if (same_file(options.input, options.json))
+    throw Error(ErrorCode::bad_option,
+                "input and --json are the same file '" + options.input.string() + "'");
+  judge_output(options.json);
+}
+
+/// A writer would say the same, but with no word of the input.
+void judge_indices(const ConvertOptions& options, const FileMesh& mesh) {
+  for (const Tet<std::uint64_t>& tet : mesh.tets)
+    for (const std::uint64_t point : tet)
+      if (point >= mesh.points.size())
+        throw Error(ErrorCode::bad_input,
+                    "cannot convert '" + options.input.string() +
+                        "': a tetrahedron names a point that is not there");
+}
+
+void stop_if_cancelled(const Context& context) {
+  if (context.cancelled) throw Error(ErrorCode::cancelled, "the run was interrupted");
+}
+
+void write(const ConvertOptions& options, Format format, const FileMesh& mesh,
+           const MeshSize& size, const Context& context) {
+  const auto writer = open_writer(options.output, format, size);
+  writer->points(mesh.points);
+  constexpr std::size_t piece = 1 << 20;
+  const std::span<const std::int32_t> labels(mesh.labels);
+  for (std::size_t begin = 0; begin < mesh.tets.size(); begin += piece) {
+    stop_if_cancelled(context);
+    const std::size_t count = std::min(piece, mesh.tets.size() - begin);
+    writer->tets(std::span(mesh.tets).subspan(begin, count),
+                 labels.empty() ? labels : labels.subspan(begin, count));
+  }
+  stop_if_cancelled(context);
+  writer->finish();
+}
+
+ConvertReport run(const ConvertOptions& options, Context& context) {
+  const Stopwatch clock;
+  const Format format = choose_format(options.output, options.format, options.compress);
+  judge_files(options, format);
+  FileMesh mesh = read_mesh(options.input, context);
+  judge_indices(options, mesh);
+  if (!options.label_names.empty()) mesh.names = read_label_names(options.label_names);
+  auto found = std::make_shared<Survey>(survey(mesh.points.size(), mesh.tets, mesh.labels, context));
+  name_regions(*found, mesh.names);
+  stop_if_cancelled(context);
+  const MeshSize size{mesh.points.size(), mesh.tets.size(), !mesh.labels.empty(), found};
+  write(options, format, mesh, size, context);
+  ConvertReport report{options.input.string(), options.output.string(), std::string(name(format))};
+  for (const std::filesystem::path& file : files_of(options.output, format))
+    report.bytes += std::filesystem::file_size(file);
+  report.points = size.points;
+  report.tets = size.tets;
+  report.regions = found->regions.size();
+  report.boundary_faces = found->boundary.size();
+  report.checksum = checksum(mesh);
+  report.seconds = clock.seconds();
+  return report;
+}
+
+Status convert(const ConvertOptions& options) {
+  Context context;
+  const Signals signals(context);
+  tell(run(options, context), options.json);
+  return Status::ok;
+}
+
+}  // namespace
+
+Run declare_convert(CLI::App& app) {
+  const auto options = std::make_shared<ConvertOptions>();
+  app.add_option("input", options->input, "Mesh: .vtu, .mesh, .meshb or .msh")
+      ->required()
+      ->option_text("IN");
+  app.add_option("output", options->output,
+                 "Mesh: .vtu, .mesh, .meshb, .msh, .inp, .feb, .node (with .ele, .face); its "
+                 "boundary: .stl, .ply")
+      ->required()
+      ->option_text("OUT");
+  app.add_option("--format", options->format, format_names() + " (default: by the extension)")
+      ->option_text("F");
+  app.add_flag("--compress", options->compress, "Compress .vtu");
+  app.add_option("--label-names", options->label_names,
+                 "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
+      ->option_text("FILE");
+  app.add_option("--json", options->json, "Report for programs; - is stdout")
+      ->option_text("FILE|-");
+  app.footer(footer);
+  return [options] { return convert(*options); };
+}
+
+}  // namespace certet::command

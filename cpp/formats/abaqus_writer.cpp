@@ -1,0 +1,95 @@
+// Abaqus input: nodes, an element set for each region, a surface for each patch.
+
+#include "line.hpp"
+#include "names.hpp"
+#include "region_sections.hpp"
+#include "registry.hpp"
+#include "streamed_writer.hpp"
+
+namespace certet::formats {
+namespace {
+
+/// Abaqus' number of the face of a C3D4 that does not have a corner.
+constexpr std::array<int, 4> face_number{3, 4, 2, 1};
+
+class AbaqusWriter final : public StreamedWriter {
+ public:
+  AbaqusWriter(const std::filesystem::path& file, const MeshSize& size)
+      : StreamedWriter(file, size), text_(file_, 0), tets_(file_),
+        tet_digits_(digits_of(size.tets)), point_digits_(digits_of(size.points)) {
+    text_.append_text("*HEADING\nTetrahedra by certet\n*NODE\n");
+    static_cast<void>(survey());
+  }
+
+ private:
+  /// "number, a, b, c, d" and the end of the line.
+  [[nodiscard]] std::uint64_t line_bytes() const { return tet_digits_ + 4 * (2 + point_digits_) + 1; }
+
+  void put_points(std::uint64_t first, std::span<const Point3> points) override {
+    for (const Point3& p : points)
+      text_.append_all(
+          (Line() << ++first << ", " << p[0] << ", " << p[1] << ", " << p[2] << '\n').text());
+  }
+
+  void open_tets() override {
+    text_.flush();
+    std::uint64_t end = text_.end();
+    const std::vector<std::string> names = names_of(survey().regions, NameRule::identifier);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const std::string heading = "*ELEMENT, TYPE=C3D4, ELSET=" + names[i] + "\n";
+      end = tets_.open(survey().regions[i], end, std::as_bytes(std::span(heading)),
+                       line_bytes());
+    }
+    text_ = {file_, end};
+  }
+
+  void put_tets(std::uint64_t first, std::span<const Tet<std::uint64_t>> tets,
+                std::span<const std::int32_t> labels) override {
+    for (std::size_t i = 0; i < tets.size(); ++i) {
+      Line line;
+      line << Padded{first + i + 1, tet_digits_};
+      for (const std::uint64_t point : tets[i]) line << ", " << Padded{point + 1, point_digits_};
+      tets_.append(labels[i], std::as_bytes((line << '\n').text()));
+    }
+  }
+
+  void close() override {
+    tets_.flush();
+    for (const Patch patch : {Patch::surface, Patch::border}) put_surface(patch);
+    text_.flush();
+  }
+
+  void put_surface(Patch patch) {
+    bool opened = false;
+    for (const BoundaryFace& face : survey().boundary) {
+      if (face.patch != patch) continue;
+      if (!opened)
+        text_.append_all((Line() << "*SURFACE, TYPE=ELEMENT, NAME="
+                                 << patch_names[static_cast<std::size_t>(patch)] << '\n')
+                             .text());
+      opened = true;
+      text_.append_all(
+          (Line() << face.tet + 1 << ", S" << face_number[face.opposite] << '\n').text());
+    }
+  }
+
+  Section text_;
+  RegionSections tets_;
+  std::size_t tet_digits_, point_digits_;
+};
+
+}  // namespace
+
+std::unique_ptr<MeshWriter> open_abaqus(const std::filesystem::path& file,
+                                        const MeshSize& size) {
+  return std::make_unique<AbaqusWriter>(file, size);
+}
+
+std::uint64_t abaqus_bytes(const MeshSize& size) {
+  const std::uint64_t point_digits = digits_of(size.points), tet_digits = digits_of(size.tets);
+  const std::uint64_t faces = size.survey == nullptr ? 0 : size.survey->boundary.size();
+  return 200 + size.points * (point_digits + 3 * 21 + 3) +
+         size.tets * (tet_digits + 4 * (2 + point_digits) + 1) + faces * (tet_digits + 5);
+}
+
+}  // namespace certet::formats

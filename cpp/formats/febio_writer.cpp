@@ -1,0 +1,113 @@
+// FEBio 4.0: the mesh, with a part for each region and a surface for each patch.
+// Materials and all else are for the user to add.
+
+#include "line.hpp"
+#include "names.hpp"
+#include "region_sections.hpp"
+#include "registry.hpp"
+#include "streamed_writer.hpp"
+
+namespace certet::formats {
+namespace {
+
+constexpr std::string_view head =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+    "<febio_spec version=\"4.0\">\n"
+    "  <Module type=\"solid\"/>\n"
+    "  <Mesh>\n"
+    "    <Nodes name=\"points\">\n";
+constexpr std::string_view part_end = "    </Elements>\n";
+
+class FebioWriter final : public StreamedWriter {
+ public:
+  FebioWriter(const std::filesystem::path& file, const MeshSize& size)
+      : StreamedWriter(file, size), text_(file_, 0), tets_(file_),
+        tet_digits_(digits_of(size.tets)), point_digits_(digits_of(size.points)) {
+    static_cast<void>(survey());
+    text_.append_text(head);
+  }
+
+ private:
+  /// <elem id="number">a,b,c,d</elem>
+  [[nodiscard]] std::uint64_t line_bytes() const {
+    return 20 + tet_digits_ + 4 * point_digits_ + 3;
+  }
+
+  void put_points(std::uint64_t first, std::span<const Point3> points) override {
+    for (const Point3& p : points)
+      text_.append_all((Line() << "<node id=\"" << ++first << "\">" << p[0] << ',' << p[1] << ','
+                               << p[2] << "</node>\n")
+                           .text());
+  }
+
+  void open_tets() override {
+    text_.append_text("    </Nodes>\n");
+    text_.flush();
+    std::uint64_t end = text_.end();
+    const std::vector<std::string> names = names_of(survey().regions, NameRule::xml);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const std::string heading = "    <Elements type=\"tet4\" name=\"" + names[i] + "\">\n";
+      end = tets_.open(survey().regions[i], end, std::as_bytes(std::span(heading)),
+                       line_bytes());
+      file_.write_at(end, std::as_bytes(std::span(part_end)));
+      end += part_end.size();
+    }
+    text_ = {file_, end};
+  }
+
+  void put_tets(std::uint64_t first, std::span<const Tet<std::uint64_t>> tets,
+                std::span<const std::int32_t> labels) override {
+    for (std::size_t i = 0; i < tets.size(); ++i) {
+      Line line;
+      line << "<elem id=\"" << Padded{first + i + 1, tet_digits_} << "\">";
+      for (std::size_t v = 0; v < 4; ++v) {
+        if (v > 0) line << ',';
+        line << Padded{tets[i][v] + 1, point_digits_};
+      }
+      tets_.append(labels[i], std::as_bytes((line << "</elem>\n").text()));
+    }
+  }
+
+  void close() override {
+    tets_.flush();
+    for (const Patch patch : {Patch::surface, Patch::border}) put_surface(patch);
+    text_.append_text("  </Mesh>\n</febio_spec>\n");
+    text_.flush();
+  }
+
+  void put_surface(Patch patch) {
+    std::uint64_t number = 0;
+    for (const BoundaryFace& face : survey().boundary) {
+      if (face.patch != patch) continue;
+      if (number == 0)
+        text_.append_all((Line() << "    <Surface name=\""
+                                 << patch_names[static_cast<std::size_t>(patch)] << "\">\n")
+                             .text());
+      const auto& [a, b, c] = face.points;
+      text_.append_all((Line() << "<tri3 id=\"" << ++number << "\">" << a + 1 << ',' << b + 1
+                               << ',' << c + 1 << "</tri3>\n")
+                           .text());
+    }
+    if (number > 0) text_.append_text("    </Surface>\n");
+  }
+
+  Section text_;
+  RegionSections tets_;
+  std::size_t tet_digits_, point_digits_;
+};
+
+}  // namespace
+
+std::unique_ptr<MeshWriter> open_febio(const std::filesystem::path& file, const MeshSize& size) {
+  return std::make_unique<FebioWriter>(file, size);
+}
+
+std::uint64_t febio_bytes(const MeshSize& size) {
+  const std::uint64_t point_digits = digits_of(size.points), tet_digits = digits_of(size.tets);
+  const std::uint64_t faces = size.survey == nullptr ? 0 : size.survey->boundary.size();
+  return 400 + size.points * (point_digits + 3 * 20 + 22) +
+         size.tets * (tet_digits + 4 * point_digits + 25) +
+         faces * (digits_of(faces) + 3 * point_digits + 24);
+}
+
+}  // namespace certet::formats

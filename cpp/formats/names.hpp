@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// Names of regions, made fit for a format.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "certet/survey.hpp"
+
+namespace certet::formats {
+
+/// What a format allows in names.
+enum class NameRule {
+  quoted,      ///< anything printable but quotation marks, up to 127 bytes: Gmsh
+  identifier,  ///< letters, digits and underscores, up to 80, a letter first: Abaqus
+  xml,         ///< valid XML text, to stand in an attribute: FEBio
+};
+
+/// A name for each region, all different, even where case does not matter; those
+/// that have none are called region_<label>.
+std::vector<std::string> names_of(const std::vector<Region>& regions, NameRule rule);
+
+}  // namespace certet::formats

@@ -1,0 +1,84 @@
+// TetGen: points in .node, tetrahedra with their regions in .ele, the boundary
+// with its patches in .face.  Numbers count from 1.
+
+#include "line.hpp"
+#include "registry.hpp"
+#include "section.hpp"
+#include "streamed_writer.hpp"
+
+namespace certet::formats {
+namespace {
+
+std::filesystem::path sibling(std::filesystem::path file, const char* extension) {
+  return file.replace_extension(extension);
+}
+
+class TetgenWriter final : public StreamedWriter {
+ public:
+  TetgenWriter(const std::filesystem::path& file, const MeshSize& size)
+      : StreamedWriter(sibling(file, ".node"), size), ele_file_(sibling(file, ".ele")),
+        face_file_(sibling(file, ".face")), node_(file_, 0), ele_(ele_file_, 0),
+        face_(face_file_, 0) {
+    // How many there are, the dimension or the corners, attributes, markers.
+    put(node_, Line() << size.points << " 3 0 0\n");
+    put(ele_, Line() << size.tets << " 4 1\n");
+    put(face_, Line() << survey().boundary.size() << " 1\n");
+  }
+
+ private:
+  static void put(Section& section, const Line& line) { section.append_all(line.text()); }
+
+  void put_points(std::uint64_t first, std::span<const Point3> points) override {
+    for (const Point3& p : points)
+      put(node_, Line() << ++first << ' ' << p[0] << ' ' << p[1] << ' ' << p[2] << '\n');
+  }
+  void put_tets(std::uint64_t first, std::span<const Tet<std::uint64_t>> tets,
+                std::span<const std::int32_t> labels) override {
+    for (std::size_t i = 0; i < tets.size(); ++i) {
+      const auto& [a, b, c, d] = tets[i];
+      put(ele_, Line() << first + i + 1 << ' ' << a + 1 << ' ' << b + 1 << ' ' << c + 1 << ' '
+                       << d + 1 << ' ' << labels[i] << '\n');
+    }
+  }
+  void close() override {
+    std::uint64_t number = 0;
+    for (const BoundaryFace& face : survey().boundary) {
+      const auto& [a, b, c] = face.points;
+      put(face_, Line() << ++number << ' ' << a + 1 << ' ' << b + 1 << ' ' << c + 1 << ' '
+                        << static_cast<int>(face.patch) + 1 << '\n');
+    }
+    for (Section* section : {&node_, &ele_, &face_}) section->flush();
+  }
+
+  /// All three are whole on the disk before the first one takes its name.
+  void commit() override {
+    const std::array files{&file_, &ele_file_, &face_file_};
+    for (OutputFile* file : files) file->store();
+    try {
+      for (OutputFile* file : files) file->publish();
+    } catch (...) {
+      for (OutputFile* file : files) file->retract();
+      throw;
+    }
+  }
+
+  OutputFile ele_file_, face_file_;
+  Section node_, ele_, face_;
+};
+
+}  // namespace
+
+std::unique_ptr<MeshWriter> open_tetgen(const std::filesystem::path& file,
+                                        const MeshSize& size) {
+  return std::make_unique<TetgenWriter>(file, size);
+}
+
+std::uint64_t tetgen_bytes(const MeshSize& size) {
+  const std::uint64_t digits = digits_of(size.points), tet_digits = digits_of(size.tets);
+  const std::uint64_t faces = size.survey == nullptr ? 0 : size.survey->boundary.size();
+  return 100 + size.points * (digits + 3 * 20 + 1) +
+         size.tets * (tet_digits + 4 * (digits + 1) + 4) +
+         faces * (digits_of(faces) + 3 * (digits + 1) + 3);
+}
+
+}  // namespace certet::formats

@@ -1,0 +1,89 @@
+#pragma once
+/// \file
+/// What many file formats say of a mesh beside its points and tetrahedra: the
+/// regions that it is divided into, and its boundary.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "certet/context.hpp"
+#include "certet/mesh.hpp"
+#include "certet/stuffing.hpp"
+
+namespace certet {
+
+/// The names of labels, in UTF-8 or whatever the input had.
+using LabelNames = std::map<std::int32_t, std::string>;
+
+/// The label of all tetrahedra of a mesh without labels.
+inline constexpr std::int32_t only_label = 1;
+
+/// The tetrahedra of one label.
+struct Region {
+  std::int32_t label = only_label;
+  std::string name;  ///< empty if the label has none
+  std::uint64_t tets = 0;
+};
+
+/// What a face of the boundary is part of.
+enum class Patch : std::uint8_t {
+  surface,  ///< the surface of the shape
+  border,   ///< where the shape is cut off, by the edge of the image
+};
+inline constexpr std::array<std::string_view, 2> patch_names{"surface", "border"};
+
+/// A face that belongs to one tetrahedron only.
+struct BoundaryFace {
+  /// Counterclockwise as seen from outside, from the lowest number on.
+  std::array<std::uint64_t, 3> points;
+  std::uint64_t tet;      ///< whose face it is
+  std::uint8_t opposite;  ///< which of that one's corners it does not have
+  Patch patch = Patch::surface;
+
+  friend bool operator==(const BoundaryFace&, const BoundaryFace&) = default;
+};
+
+struct Survey {
+  std::vector<Region> regions;         ///< by growing labels; none is empty
+  std::vector<BoundaryFace> boundary;  ///< by growing numbers of points
+};
+
+/// Labels of tetrahedra by their four corners, in steps; called from several
+/// threads at once.
+using Labeller =
+    std::function<void(std::span<const std::array<Coord3, 4>>, std::span<std::int32_t>)>;
+
+/// Whether a point of the mesh, in steps, lies where the shape is cut off.  A face
+/// of the boundary with three such points belongs to the patch `border`.  Called
+/// from several threads at once.
+using BorderTest = std::function<bool(Coord3)>;
+
+/// For a shape that is cut off at the faces of a box: one along the axes of the
+/// frame, with two opposite corners given in world coordinates.
+BorderTest box_border(const Frame& frame, const Point3& corner, const Point3& opposite,
+                      Cuts cuts);
+
+/// Surveys a mesh that is counted but not written, with memory for its boundary
+/// alone.  The result does not depend on the number of threads.  Names are left
+/// empty.
+/// \throws Error `cancelled`, `too_large` (out of memory).
+Survey survey(const Stuffing& stuffing, const Labeller& labeller, const BorderTest& border,
+              Context& context);
+
+/// Surveys a mesh in memory; `labels` is empty or as long as `tets`.  Tetrahedra
+/// that name a point which is not there, or one twice, have no faces.  All faces
+/// belong to the patch `surface`.
+/// \throws Error `cancelled`.
+Survey survey(std::uint64_t points, std::span<const Tet<std::uint64_t>> tets,
+              std::span<const std::int32_t> labels, Context& context);
+
+/// Gives regions their names.
+void name_regions(Survey& survey, const LabelNames& names);
+
+}  // namespace certet

@@ -1,0 +1,425 @@
+"""Every format, read by programs that share no code with certet: meshio, Gmsh's
+Python module, VTK, and where nobody reads a format, by this file.
+
+The truth is the raw .vtu file of the same mesh, read byte by byte."""
+
+import os
+import pathlib
+import sys
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "cli"))
+import vtu  # noqa: E402
+from images import voxels, write_nrrd  # noqa: E402
+from program import ProgramTest  # noqa: E402
+
+try:
+    import meshio
+except ImportError:
+    meshio = None
+try:
+    import gmsh
+except ImportError:
+    gmsh = None
+try:
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+except ImportError:
+    vtkXMLUnstructuredGridReader = None
+
+SIZE = (9, 8, 7)
+FACES = ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1))
+
+
+class Mesh:
+    """Points, tetrahedra and their labels; triangles of the boundary and the
+    numbers of their patches, which may be missing."""
+
+    def __init__(self, points, tets, labels, triangles=None, patches=None):
+        self.points = np.asarray(points, dtype=float).reshape(-1, 3)
+        self.tets = np.asarray(tets, dtype=np.int64).reshape(-1, 4)
+        self.labels = np.asarray(labels, dtype=np.int64)
+        self.triangles = None if triangles is None else np.asarray(triangles).reshape(-1, 3)
+        self.patches = None if patches is None else np.asarray(patches, dtype=np.int64)
+
+    def by_region(self):
+        """The order of files that go region by region."""
+        order = np.argsort(self.labels, kind="stable")
+        return Mesh(self.points, self.tets[order], self.labels[order], self.triangles,
+                    self.patches)
+
+
+def rotated(triangles):
+    """Each with its lowest point first, sorted."""
+    triangles = np.asarray(triangles, dtype=np.int64).reshape(-1, 3)
+    first = np.argmin(triangles, axis=1)
+    turned = np.stack([triangles[np.arange(len(triangles)), (first + i) % 3] for i in range(3)], 1)
+    return turned[np.lexsort(turned.T[::-1])]
+
+
+def boundary_of(tets):
+    """Faces in one tetrahedron only, as seen from outside."""
+    faces = np.concatenate([tets[:, f] for f in FACES])
+    keys = np.sort(faces, axis=1)
+    _, where, counts = np.unique(keys, axis=0, return_index=True, return_counts=True)
+    return rotated(faces[where[counts == 1]])
+
+
+def volume_within(points, triangles):
+    a, b, c = (points[triangles[:, i]] for i in range(3))
+    return np.einsum("ij,ij->", a, np.cross(b, c)) / 6
+
+
+def open_edges(triangles):
+    edges = np.concatenate([triangles[:, (0, 1)], triangles[:, (1, 2)], triangles[:, (2, 0)]])
+    forward = {tuple(e) for e in edges}
+    return sum((b, a) not in forward for a, b in forward)
+
+
+def differences(truth, read, exact=True):
+    """What is wrong with a mesh that was read: sentences."""
+    found = []
+    if truth.points.shape != read.points.shape:
+        found.append(f"{len(read.points)} points, not {len(truth.points)}")
+    elif not (np.array_equal(truth.points, read.points) if exact
+              else np.allclose(truth.points, read.points, rtol=1e-6, atol=1e-5)):
+        found.append("other points")
+    if not np.array_equal(truth.tets, read.tets):
+        found.append("other tetrahedra")
+    if not np.array_equal(truth.labels, read.labels):
+        found.append("other labels")
+    if read.triangles is not None:
+        found += boundary_differences(truth, read)
+    return found
+
+
+def boundary_differences(truth, read):
+    found = []
+    if not np.array_equal(boundary_of(truth.tets), rotated(read.triangles)):
+        found.append("other boundary")
+    if open_edges(read.triangles) != 0:
+        found.append("a boundary that is not closed")
+    a, b, c, d = (truth.points[truth.tets[:, i]] for i in range(4))
+    volume = np.einsum("ij,ij->", b - a, np.cross(c - a, d - a)) / 6
+    if not np.isclose(volume, volume_within(read.points, read.triangles), rtol=1e-9):
+        found.append("a boundary around another volume")
+    if read.patches is not None:
+        found += patch_differences(read)
+    return found
+
+
+def patch_differences(read):
+    """The bricks end at the faces of the voxels of the border."""
+    low, high = np.full(3, -0.5), np.asarray(SIZE) - 0.5
+    near = (np.abs(read.points - low) < 1e-3) | (np.abs(read.points - high) < 1e-3)
+    at_border = near.any(axis=1)[read.triangles].all(axis=1)
+    return [] if np.array_equal(read.patches == 2, at_border) else ["other patches"]
+
+
+def blocks(mesh, kind, data):
+    """The numbers of all blocks of one kind of cell."""
+    chosen = [i for i, block in enumerate(mesh.cells) if block.type == kind]
+    cells = np.concatenate([mesh.cells[i].data for i in chosen])
+    values = None
+    if data is not None:
+        values = np.concatenate([np.asarray(mesh.cell_data[data][i]) for i in chosen])
+    return cells, values
+
+
+class Readback(ProgramTest):
+    """Two labels in a brick that touches four sides of its image."""
+
+    @classmethod
+    def label(cls, i, j, k):
+        if k >= 5 or i < 1:
+            return 0
+        return 7 if i >= 5 else (12 if j >= 4 else 3)
+
+    def setUp(self):
+        super().setUp()
+        write_nrrd(self.folder / "a.nrrd", SIZE, voxels(SIZE, self.label), kind="B")
+        (self.folder / "names.txt").write_text("3 Left <lobe> & more\n7 Left-lobe 2001\n"
+                                               "# nothing\n12 \"left\tlobe\"\n")
+        self.truth = self.make("truth.vtu")
+
+    def make(self, name, *options):
+        self.mesh("a.nrrd", *options, "-o", name)
+        if name != "truth.vtu":
+            return str(self.folder / name)
+        file = self.folder / name
+        return Mesh(vtu.points(file), vtu.tets(file), vtu.numbers(file, "label"))
+
+    def assert_same(self, truth, read, exact=True):
+        self.assertEqual(differences(truth, read, exact), [])
+        self.assert_defects_are_found(truth, read)
+
+    def assert_defects_are_found(self, truth, read):
+        """Planted: two corners swapped, a label one too large, a triangle turned."""
+        tets, labels = read.tets.copy(), read.labels.copy()
+        if len(tets):
+            tets[5, [0, 1]] = tets[5, [1, 0]]
+            labels[7] += 1
+            for defect in (Mesh(read.points, tets, read.labels),
+                           Mesh(read.points, read.tets, labels)):
+                self.assertNotEqual(differences(truth, defect), [])
+        if read.triangles is not None:
+            turned = read.triangles.copy()
+            turned[3] = turned[3][::-1]
+            for triangles in (turned, read.triangles[1:]):
+                self.assertNotEqual(boundary_differences(truth, Mesh(
+                    read.points, read.tets, read.labels, triangles)), [])
+        if read.patches is not None:
+            patches = read.patches.copy()
+            patches[11] = 3 - patches[11]
+            self.assertNotEqual(boundary_differences(truth, Mesh(
+                read.points, read.tets, read.labels, read.triangles, patches)), [])
+
+
+@unittest.skipIf(meshio is None, "meshio was not found")
+class Meshio(Readback):
+    def read(self, name, reference, *options, **settings):
+        mesh = meshio.read(self.make(name, *options), **settings)
+        tets, labels = blocks(mesh, "tetra", reference)
+        triangles, patches = blocks(mesh, "triangle", reference)
+        return mesh, Mesh(mesh.points, tets, labels, triangles, patches)
+
+    def test_vtu(self):
+        for options in ((), ("--compress",)):
+            mesh = meshio.read(self.make("a.vtu", *options))
+            self.assert_same(self.truth, Mesh(mesh.points, *blocks(mesh, "tetra", "label")))
+
+    def test_medit(self):
+        for name in ("a.mesh", "a.meshb"):
+            self.assert_same(self.truth, self.read(name, "medit:ref")[1])
+
+    def test_gmsh(self):
+        mesh, read = self.read("a.msh", "gmsh:physical", "--label-names", "names.txt")
+        self.assert_same(self.truth.by_region(), read)
+        self.assertEqual({name: tuple(tag) for name, tag in mesh.field_data.items()}, {
+            "surface": (1, 2), "border": (2, 2), "Left <lobe> & more": (3, 3),
+            "Left-lobe": (7, 3), "left?lobe": (12, 3)})
+
+    def test_gmsh_22(self):
+        mesh, read = self.read("a.msh", "gmsh:physical", "--format", "msh22",
+                               "--label-names", "names.txt", file_format="gmsh")
+        self.assert_same(self.truth, read)
+        self.assertEqual(tuple(mesh.field_data["Left-lobe"]), (7, 3))
+
+    def test_abaqus(self):
+        mesh = meshio.read(self.make("a.inp", "--label-names", "names.txt"))
+        labels = np.concatenate([np.full(len(b.data), label)
+                                 for b, label in zip(mesh.cells, (3, 7, 12))])
+        truth = self.truth.by_region()
+        triangles, patches = self.abaqus_surfaces(truth)
+        self.assert_same(truth, Mesh(mesh.points, blocks(mesh, "tetra", None)[0], labels,
+                                     triangles, patches))
+        text = (self.folder / "a.inp").read_text()
+        for name in ("ELSET=Left__lobe____more\n", "ELSET=Left_lobe\n", "ELSET=left_lobe_12\n"):
+            self.assertIn(name, text)
+
+    def abaqus_surfaces(self, truth):
+        """meshio passes over surfaces."""
+        corners = {"S1": (0, 1, 2), "S2": (0, 3, 1), "S3": (1, 3, 2), "S4": (2, 3, 0)}
+        triangles, patches, patch, tets = [], [], 0, {}
+        for line in (self.folder / "a.inp").read_text().splitlines():
+            words = [w.strip() for w in line.split(",")]
+            if line.startswith("*"):
+                kind = words[0]
+                patch = {"NAME=surface": 1, "NAME=border": 2}.get(words[-1], 0)
+            elif kind == "*ELEMENT":
+                tets[int(words[0])] = [int(w) - 1 for w in words[1:]]
+            elif kind == "*SURFACE":
+                # As seen from inside: Abaqus counts the corners so.
+                a, b, c = (tets[int(words[0])][v] for v in corners[words[1]])
+                triangles.append((a, c, b))
+                patches.append(patch)
+        return np.array(triangles), np.array(patches)
+
+    def test_tetgen(self):
+        mesh = meshio.read(self.make("a.ele"))
+        rows = np.loadtxt(self.folder / "a.face", skiprows=1, dtype=np.int64)
+        tets = [cells.data for cells in mesh.cells if cells.type == "tetra"][0]
+        labels = np.loadtxt(self.folder / "a.ele", skiprows=1, dtype=np.int64)[:, 5]
+        self.assert_same(self.truth, Mesh(mesh.points, tets, labels, rows[:, 1:4] - 1, rows[:, 4]))
+        self.assertEqual([f for f in self.files() if f.startswith("a.")],
+                         ["a.ele", "a.face", "a.node", "a.nrrd"])
+
+    def test_ply(self):
+        mesh = meshio.read(self.make("a.ply"))
+        self.assert_surface(mesh.points, mesh.cells_dict["triangle"])
+
+    def test_stl(self):
+        mesh = meshio.read(self.make("a.stl"))
+        self.assert_surface(mesh.points, mesh.cells_dict["triangle"])
+
+    def assert_surface(self, points, triangles):
+        """The points of the boundary alone, found again by where they are."""
+        self.assertEqual(open_edges(triangles), 0)
+        truth = boundary_of(self.truth.tets)
+        self.assertEqual(len(triangles), len(truth))
+        a = rotated_places(points, triangles)
+        b = rotated_places(self.truth.points, truth)
+        self.assertTrue(np.allclose(a, b, atol=1e-5))
+
+
+def rotated_places(points, triangles):
+    """Corners by their places, each triangle with its lowest corner first, sorted."""
+    corners = np.round(points[triangles], 4) + 0.0
+    listed = []
+    for triangle in corners.tolist():
+        first = triangle.index(min(triangle))
+        listed.append(triangle[first:] + triangle[:first])
+    return np.array(sorted(listed))
+
+
+@unittest.skipIf(gmsh is None, "gmsh was not found")
+class Gmsh(Readback):
+    def read(self, name, *options):
+        path = self.make(name, *options)
+        gmsh.initialize()
+        self.addCleanup(gmsh.finalize)
+        gmsh.option.setNumber("General.Terminal", 0)
+        gmsh.open(path)
+        tags, places, _ = gmsh.model.mesh.getNodes()
+        points = np.empty((len(tags), 3))
+        points[np.asarray(tags) - 1] = np.reshape(places, (-1, 3))
+        tets = self.elements(3, 4)
+        triangles = self.elements(2, 2)
+        return Mesh(points, tets[:, 2:], tets[:, 1], triangles[:, 2:], triangles[:, 1])
+
+    def elements(self, dimension, kind):
+        """Rows of a tag, a physical group and points, by tag."""
+        corners = 4 if dimension == 3 else 3
+        rows = []
+        for _, entity in gmsh.model.getEntities(dimension):
+            groups = gmsh.model.getPhysicalGroupsForEntity(dimension, entity)
+            tags, nodes = gmsh.model.mesh.getElementsByType(kind, entity)
+            group = np.full(len(tags), groups[0] if len(groups) else entity)
+            rows.append(np.column_stack(
+                [tags, group, np.reshape(nodes, (-1, corners)).astype(np.int64) - 1]))
+        rows = np.concatenate(rows).astype(np.int64)
+        return rows[np.argsort(rows[:, 0])]
+
+    def test_41(self):
+        read = self.read("a.msh", "--label-names", "names.txt")
+        self.assert_same(self.truth, read)
+        self.assertEqual(gmsh.model.getPhysicalName(2, 2), "border")
+        self.assertEqual(gmsh.model.getPhysicalName(3, 7), "Left-lobe")
+
+    def test_22(self):
+        self.assert_same(self.truth, self.read("a.msh", "--format", "msh22"))
+
+    def test_medit(self):
+        self.assert_same(self.truth, self.read("a.mesh"))
+
+
+@unittest.skipIf(vtkXMLUnstructuredGridReader is None, "VTK was not found")
+class Vtk(Readback):
+    def test_vtu(self):
+        for options in ((), ("--compress",), ("--label-names", "names.txt")):
+            reader = vtkXMLUnstructuredGridReader()
+            reader.SetFileName(self.make("a.vtu", *options))
+            reader.Update()
+            grid = reader.GetOutput()
+            self.assertEqual(set(vtk_to_numpy(grid.GetCellTypesArray())), {10})
+            self.assert_same(self.truth, Mesh(
+                vtk_to_numpy(grid.GetPoints().GetData()),
+                vtk_to_numpy(grid.GetCells().GetConnectivityArray()),
+                vtk_to_numpy(grid.GetCellData().GetArray("label"))))
+
+
+class Febio(Readback):
+    def test_mesh(self):
+        mesh = ElementTree.parse(self.make("a.feb", "--label-names", "names.txt")).getroot()
+        self.assertEqual((mesh.tag, mesh.get("version")), ("febio_spec", "4.0"))
+        mesh = mesh.find("Mesh")
+        nodes = mesh.find("Nodes")
+        self.assertEqual([int(n.get("id")) for n in nodes], list(range(1, len(nodes) + 1)))
+        points = [[float(c) for c in n.text.split(",")] for n in nodes]
+        rows, names = [], {3: "Left <lobe> & more", 7: "Left-lobe", 12: "left?lobe"}
+        parts = {part.get("name"): part for part in mesh.findall("Elements")}
+        self.assertEqual(set(parts), set(names.values()))
+        for label, name in names.items():
+            self.assertEqual(parts[name].get("type"), "tet4")
+            rows += [(int(e.get("id")), label, *numbers(e)) for e in parts[name]]
+        rows = np.array(sorted(rows))
+        self.assertEqual(rows[:, 0].tolist(), list(range(1, len(rows) + 1)))
+        triangles, patches = [], []
+        for patch, name in ((1, "surface"), (2, "border")):
+            (surface,) = (s for s in mesh.findall("Surface") if s.get("name") == name)
+            triangles += [numbers(e) for e in surface]
+            patches += [patch] * len(surface)
+        self.assert_same(self.truth, Mesh(points, rows[:, 2:], rows[:, 1], triangles, patches))
+
+
+class Patches(Readback):
+    """Where faces lie, whatever the cuts; and the same bytes for all threads."""
+
+    def test_midpoint(self):
+        self.make("m.node", "--cuts", "midpoint")
+        points = np.loadtxt(self.folder / "m.node", skiprows=1)[:, 1:4]
+        rows = np.loadtxt(self.folder / "m.face", skiprows=1, dtype=np.int64)
+        low, high = np.full(3, -0.5), np.asarray(SIZE) - 0.5
+        near = (np.abs(points - low) < 0.26) | (np.abs(points - high) < 0.26)
+        at_border = near.any(axis=1)[rows[:, 1:4] - 1].all(axis=1)
+        border = rows[:, 4] == 2
+        self.assertTrue(border.any() and not border.all())
+        self.assertFalse((border & ~at_border).any())
+        # A cut in the middle of an edge towards label 0 can be as near.
+        corners = points[rows[at_border & ~border, 1:4] - 1]
+        inner = (corners[:, :, 0] < 0.8) | (corners[:, :, 2] > 4.2)
+        self.assertTrue(inner.any(axis=1).all())
+
+    def test_formula_is_cut_off_at_its_bounds(self):
+        self.mesh("--expr", "x^2+y^2+z^2-1", "--bounds", "-2,-2,0,2,2,2", "--size", "0.1",
+                  "-o", "h.node")
+        points = np.loadtxt(self.folder / "h.node", skiprows=1)[:, 1:4]
+        rows = np.loadtxt(self.folder / "h.face", skiprows=1, dtype=np.int64)
+        flat = (np.abs(points[:, 2]) < 1e-4)[rows[:, 1:4] - 1].all(axis=1)
+        self.assertTrue(flat.any())
+        self.assertTrue(np.array_equal(rows[:, 4] == 2, flat))
+        labels = np.loadtxt(self.folder / "h.ele", skiprows=1, dtype=np.int64)[:, 5]
+        self.assertEqual(set(labels), {1})
+
+    def test_threads_and_memory(self):
+        for name in ("a.msh", "a.feb", "a.mesh"):
+            least = self.mesh("a.nrrd", "--threads", 1, "-o", name)["memory"]["least"]
+            first = (self.folder / name).read_bytes()
+            self.mesh("a.nrrd", "--threads", 3, "--max-memory", least, "-o", name)
+            self.assertEqual((self.folder / name).read_bytes(), first)
+
+    def test_files_of_others(self):
+        """What meshio and VTK write is read."""
+        labels = self.truth.labels.astype(np.int32)
+        for name, settings in (("v.vtu", {}), ("w.vtu", {"compression": None}),
+                               ("x.vtu", {"binary": False}), ("y.mesh", {}), ("z.meshb", {}),
+                               ("g.msh", {"file_format": "gmsh"}),
+                               ("h.msh", {"file_format": "gmsh22"}),
+                               ("i.msh", {"file_format": "gmsh22", "binary": False}),
+                               ("j.msh", {"file_format": "gmsh", "binary": False})):
+            with self.subTest(name):
+                data = {"vtu": {"label": [labels]}, "msh": {
+                    "gmsh:physical": [labels], "gmsh:geometrical": [labels]}}.get(
+                        name[-3:], {"medit:ref": [labels]})
+                mesh = meshio.Mesh(self.truth.points, [("tetra", self.truth.tets)],
+                                   cell_data=data)
+                meshio.write(self.folder / name, mesh, **settings)
+                run = self.run_certet("convert", name, "back.vtu")
+                self.assertEqual(run.returncode, 0, run.stderr)
+                file = self.folder / "back.vtu"
+                back = Mesh(vtu.points(file), vtu.tets(file), vtu.numbers(file, "label"))
+                found = differences(self.truth, back, exact=name not in ("x.vtu",))
+                if name in ("g.msh", "j.msh"):  # by region, or without labels
+                    found = [f for f in found if f == "other points"]
+                self.assertEqual(found, [])
+
+
+def numbers(element):
+    return [int(n) - 1 for n in element.text.split(",")]
+
+
+if __name__ == "__main__":
+    unittest.main()
