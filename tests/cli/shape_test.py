@@ -21,7 +21,7 @@ class Shapes(ProgramTest):
         for shape, volume in VOLUMES.items():
             with self.subTest(shape):
                 report = self.mesh("--shape", shape, "--rel-size", "0.02", "-o", "s.vtu")
-                self.assertEqual(report["input"], {"kind": "shape", "name": shape})
+                self.assertEqual(report["input"], {"kind": "shape", "name": shape, "notes": []})
                 self.assertAlmostEqual(report["mesh"]["volume"], volume, delta=0.02 * volume)
                 self.assertTrue(report["guarantee"]["holds"])
                 self.check("s.vtu")

@@ -1,0 +1,61 @@
+from collections.abc import Callable, Sequence
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+_Point = Sequence[float]
+
+version: str
+
+class Options:
+    def __init__(self, midpoint: bool, embedding: bool, threads: int) -> None: ...
+
+class Mesh:
+    @property
+    def points(self) -> NDArray[np.float64]: ...
+    @property
+    def positions(self) -> NDArray[np.int32]: ...
+    @property
+    def tets(self) -> NDArray[np.unsignedinteger[Any]]: ...
+    @property
+    def labels(self) -> NDArray[np.int32] | None: ...
+    @property
+    def size(self) -> float: ...
+    @property
+    def origin(self) -> list[float]: ...
+    @property
+    def axes(self) -> list[list[float]]: ...
+    @property
+    def guarantee(self) -> Literal["angles", "embedding"]: ...
+    @property
+    def inverted_tets(self) -> int: ...
+    def checksum(self) -> int: ...
+    def quality(self) -> dict[str, Any]: ...
+
+def mesh_image(
+    array: NDArray[Any],
+    spacing: _Point,
+    origin: _Point,
+    direction: Sequence[_Point],
+    labels: Sequence[tuple[int, int]],
+    iso: float | None,
+    size: float,
+    margin: int,
+    options: Options,
+) -> Mesh: ...
+def mesh_function(
+    function: Callable[[NDArray[np.float64]], Any],
+    low: _Point,
+    high: _Point,
+    size: float,
+    margin: int,
+    options: Options,
+) -> Mesh: ...
+def mesh_surface(
+    points: NDArray[np.float64],
+    triangles: NDArray[np.int64],
+    size: float,
+    margin: int,
+    options: Options,
+) -> Mesh: ...

@@ -1,0 +1,244 @@
+"""The Python package: what it makes, what it refuses, and how it is stopped."""
+
+import gc
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+import certet
+import numpy as np
+
+TORUS_VOLUME = 2 * np.pi**2 * 0.4**2
+
+
+def torus(points):
+    ring = np.hypot(points[:, 0], points[:, 1]) - 1
+    return ring**2 + points[:, 2] ** 2 - 0.16
+
+
+BOX = ((-1.5, -1.5, -0.5), (1.5, 1.5, 0.5))
+
+
+def ball(n=24, radius=9.0):
+    grid = np.indices((n, n, n)) - (n - 1) / 2
+    return (np.sqrt((grid**2).sum(0)) < radius).astype(np.uint8)
+
+
+def volumes(mesh):
+    p = mesh.points[mesh.tets]
+    return np.linalg.det(p[:, 1:] - p[:, :1]) / 6
+
+
+class Functions(unittest.TestCase):
+    def test_torus(self):
+        mesh = certet.mesh_function(torus, BOX, 0.1)
+        self.assertTrue((volumes(mesh) > 0).all())
+        self.assertAlmostEqual(volumes(mesh).sum(), TORUS_VOLUME, delta=0.02 * TORUS_VOLUME)
+        quality = mesh.quality()
+        self.assertTrue(quality.holds)
+        self.assertEqual(quality.tets, len(mesh.tets))
+        self.assertEqual(quality.histogram.sum(), 6 * len(mesh.tets))
+        self.assertIsNone(mesh.labels)
+
+    def test_the_same_mesh_as_the_command_makes(self):
+        mesh = certet.mesh_function(torus, BOX, 0.1)
+        with tempfile.TemporaryDirectory() as folder:
+            report = pathlib.Path(folder) / "r.json"
+            # Both add, multiply and take roots in the same order.
+            subprocess.run(
+                [os.environ["CERTET"], "mesh", "--expr", "(sqrt(x*x+y*y)-1)^2+z^2-0.16",
+                 "--bounds=-1.5,-1.5,-0.5,1.5,1.5,0.5", "--size", "0.1", "--json", report,
+                 "-o", pathlib.Path(folder) / "t.vtu"], check=True, stdout=subprocess.DEVNULL)
+            import json
+            told = json.loads(report.read_text())
+        exact = certet.mesh_function(
+            lambda p: (np.sqrt(p[:, 0] ** 2 + p[:, 1] ** 2) - 1) ** 2 + p[:, 2] ** 2 - 0.16,
+            BOX, 0.1)
+        self.assertEqual(int(told["mesh"]["checksum"], 16), exact.checksum)
+        self.assertEqual(told["mesh"]["tets"], len(mesh.tets))
+
+    def test_threads_do_not_matter(self):
+        meshes = [certet.mesh_function(torus, BOX, 0.2, threads=n) for n in (1, 2, 8)]
+        self.assertEqual(len({m.checksum for m in meshes}), 1)
+
+    def test_what_the_function_raises_is_raised(self):
+        def broken(points):
+            raise LookupError("no such place")
+
+        with self.assertRaisesRegex(LookupError, "no such place"):
+            certet.mesh_function(broken, BOX, 0.1)
+
+    def test_too_few_numbers(self):
+        with self.assertRaisesRegex(ValueError, "gave 1 numbers"):
+            certet.mesh_function(lambda p: [1.0], BOX, 0.1)
+
+    def test_nan_is_outside(self):
+        with self.assertRaisesRegex(ValueError, "nothing is inside"):
+            certet.mesh_function(lambda p: np.full(len(p), np.nan), BOX, 0.1)
+
+    def test_ctrl_c(self):
+        def slow(points):
+            time.sleep(0.001)
+            return torus(points)
+
+        threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+        start = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            certet.mesh_function(slow, BOX, 0.005)
+        self.assertLess(time.monotonic() - start, 60)  # and not the hours of the whole run
+
+    def test_other_threads_run_meanwhile(self):
+        counted = []
+        stop = threading.Event()
+
+        def count():
+            while not stop.is_set():
+                counted.append(None)
+                time.sleep(0.001)
+
+        thread = threading.Thread(target=count)
+        thread.start()
+        certet.mesh_image(ball(48, 20.0), size=0.5)
+        stop.set()
+        thread.join()
+        self.assertGreater(len(counted), 3)
+
+
+class Images(unittest.TestCase):
+    def test_labels(self):
+        voxels = ball().astype(np.int16)
+        voxels[12:] *= 7
+        mesh = certet.mesh_image(voxels)
+        self.assertEqual(set(np.unique(mesh.labels)), {1, 7})
+        self.assertAlmostEqual(volumes(mesh).sum(), (voxels > 0).sum(), delta=0.1 * voxels.astype(bool).sum())
+        # Label 7 is where the first index is great.
+        centres = mesh.points[mesh.tets].mean(1)
+        self.assertGreater(centres[mesh.labels == 7][:, 0].mean(), 14)
+        self.assertLess(centres[mesh.labels == 1][:, 0].mean(), 8)
+
+    def test_chosen_labels(self):
+        voxels = ball().astype(np.int64)
+        voxels[12:] *= 7
+        one = certet.mesh_image(voxels, labels=[1])
+        self.assertEqual(set(np.unique(one.labels)), {1})
+        both = certet.mesh_image(voxels, labels=[(1, 7)])
+        self.assertEqual(set(np.unique(both.labels)), {1, 7})
+
+    def test_place(self):
+        turned = np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+        mesh = certet.mesh_image(ball(), spacing=(1, 2, 3), origin=(10, 20, 30), direction=turned)
+        middle = np.array((10, 20, 30)) + turned @ (np.array((1, 2, 3)) * 11.5)
+        np.testing.assert_allclose((mesh.points.min(0) + mesh.points.max(0)) / 2, middle, atol=0.5)
+        self.assertTrue((volumes(mesh) > 0).all())
+
+    def test_left_handed(self):
+        mesh = certet.mesh_image(ball(), direction=np.diag((1, 1, -1)))
+        self.assertTrue((volumes(mesh) > 0).all())
+        self.assertLess(mesh.points[:, 2].max(), 1)
+
+    def test_order_of_memory_does_not_matter(self):
+        voxels = ball()
+        voxels[:4] = 0
+        meshes = [certet.mesh_image(a) for a in (voxels, np.asfortranarray(voxels), voxels[::-1][::-1])]
+        self.assertEqual(len({m.checksum for m in meshes}), 1)
+
+    def test_level(self):
+        grid = np.indices((20, 20, 20)) - 9.5
+        distance = np.sqrt((grid**2).sum(0))
+        mesh = certet.mesh_image(-distance, iso=-6.0)
+        self.assertAlmostEqual(volumes(mesh).sum(), 4 / 3 * np.pi * 216, delta=20)
+        self.assertIsNone(mesh.labels)
+
+    def test_midpoint(self):
+        quality = certet.mesh_image(ball(), cuts="midpoint").quality()
+        self.assertEqual(quality.theorem, "MidpointBounds")
+        self.assertGreaterEqual(quality.min_dihedral, 30 - 1e-6)
+
+    def test_refusals(self):
+        for arguments, sentence in [
+            (dict(array=np.zeros((4, 4))), "2 dimensions"),
+            (dict(array=np.zeros((4, 4, 0), np.uint8)), "no voxels"),
+            (dict(array=np.zeros((4, 4, 4), complex)), "complex"),
+            (dict(array=ball().astype(float)), "not whole numbers"),
+            (dict(array=np.zeros((4, 4, 4), np.uint8)), "other than 0"),
+            (dict(array=ball(), spacing=(1, 0, 1)), "spacing"),
+            (dict(array=ball(), direction=np.ones((3, 3))), "orthonormal"),
+            (dict(array=ball(), size=-1), "positive"),
+            (dict(array=ball(), margin=0), "margin"),
+            (dict(array=ball(), labels=[1], iso=1), "exclude"),
+            (dict(array=ball(), labels=[]), "empty"),
+            (dict(array=ball(), cuts="middle"), "'midpoint'"),
+            (dict(array=np.full((4, 4, 4), 2**40)), "32 bits"),
+        ]:
+            with self.subTest(sentence), self.assertRaisesRegex(ValueError, sentence):
+                certet.mesh_image(**arguments)
+        with self.assertRaises(MemoryError):
+            certet.mesh_image(ball(), size=1e-6)
+
+
+class Surfaces(unittest.TestCase):
+    points = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
+    triangles = np.array([[0, 2, 1], [1, 2, 3], [4, 5, 6], [5, 7, 6], [0, 1, 4], [1, 5, 4],
+                          [2, 6, 3], [3, 6, 7], [0, 4, 2], [2, 4, 6], [1, 3, 5], [3, 7, 5]])
+
+    def test_cube(self):
+        mesh = certet.mesh_surface(self.points, self.triangles, size=0.125)
+        self.assertAlmostEqual(volumes(mesh).sum(), 1, delta=0.05)
+        self.assertTrue(mesh.quality().holds)
+
+    def test_refusals(self):
+        for triangles, sentence in [(self.triangles[1:], "open"), (self.triangles + 5, "point"),
+                                    (self.triangles[:, :2], "shape")]:
+            with self.subTest(sentence), self.assertRaisesRegex(ValueError, sentence):
+                certet.mesh_surface(self.points, triangles)
+
+
+class Arrays(unittest.TestCase):
+    def test_they_share_memory_and_keep_it_alive(self):
+        mesh = certet.mesh_function(torus, BOX, 0.2)
+        points, tets, positions = mesh.points, mesh.tets, mesh.positions
+        self.assertTrue(np.shares_memory(points, mesh.points))
+        self.assertFalse(points.flags.owndata)
+        copies = points.copy(), tets.copy(), positions.copy()
+        del mesh
+        gc.collect()
+        for array, copy in zip((points, tets, positions), copies):
+            np.testing.assert_array_equal(array, copy)
+
+    def test_exact_positions(self):
+        mesh = certet.mesh_function(torus, BOX, 0.2)
+        world = mesh.origin + mesh.size / 2**17 * mesh.positions @ mesh.axes.T
+        np.testing.assert_allclose(mesh.points, world, atol=1e-12)
+
+    def test_meshio(self):
+        mesh = certet.mesh_image(ball())
+        other = mesh.to_meshio()
+        self.assertEqual(len(other.cells[0].data), len(mesh.tets))
+        np.testing.assert_array_equal(other.cell_data["label"][0], mesh.labels)
+
+    def test_a_planted_bug_is_seen(self):
+        mesh = certet.mesh_function(torus, BOX, 0.2)
+        turned = mesh.tets.copy()
+        turned[0, [0, 1]] = turned[0, [1, 0]]
+        p = mesh.points[turned]
+        self.assertFalse((np.linalg.det(p[:, 1:] - p[:, :1]) > 0).all())
+
+
+class Examples(unittest.TestCase):
+    def test_they_run(self):
+        for script in pathlib.Path(os.environ["CERTET_EXAMPLES"]).glob("python/*.py"):
+            with self.subTest(script.name), tempfile.TemporaryDirectory() as folder:
+                done = subprocess.run([sys.executable, script], cwd=folder, capture_output=True,
+                                      text=True)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertIn("tetrahedra", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
