@@ -46,10 +46,10 @@ deps:
 	@missing=$$(for p in $(PACKAGES); do \
 	    dpkg-query -W -f '$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || echo $$p; done); \
 	if [ -n "$$missing" ]; then \
-	  sudo=; [ "$$(id -u)" = 0 ] || sudo=sudo; \
+	  sudo=; [ "$$(id -u)" = 0 ] || sudo="sudo -E"; \
 	  export DEBIAN_FRONTEND=noninteractive; \
 	  $$sudo apt-get update -q && \
-	  $$sudo -E apt-get install -q -y --no-install-recommends $$missing; \
+	  $$sudo apt-get install -q -y --no-install-recommends $$missing; \
 	fi
 
 build: deps

@@ -26,7 +26,8 @@ class Bytes {
 
  private:
   void append(std::span<const std::byte> more) {
-    bytes_.insert(bytes_.end(), more.begin(), more.end());
+    bytes_.reserve(bytes_.size() + more.size());
+    for (const std::byte byte : more) bytes_.push_back(byte);
   }
   std::vector<std::byte> bytes_;
 };

@@ -93,7 +93,8 @@ std::vector<std::string> names_of(const std::vector<Region>& regions, NameRule r
     const std::string fit = rule == NameRule::identifier ? as_identifier(wish) : as_text(wish);
     std::string name = fit;
     shorten(name, longest(rule));
-    std::string suffix = "_" + std::to_string(std::abs(std::int64_t{region.label}));
+    std::string suffix(1, '_');
+    suffix += std::to_string(std::abs(std::int64_t{region.label}));
     while (!taken.insert(lower_case(name)).second) {
       name = fit;
       shorten(name, longest(rule) - suffix.size());

@@ -101,7 +101,11 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
                                        const std::vector<std::pair<std::int64_t, std::int64_t>>& labels,
                                        std::optional<double> iso, double size, int margin,
                                        const Options& options) {
-  Image image{.name = "array", .spacing = spacing, .origin = origin, .axes = direction};
+  Image image;
+  image.name = "array";
+  image.spacing = spacing;
+  image.origin = origin;
+  image.axes = direction;
   image.voxels = voxels(array, image.size);
   std::vector<LabelRange> ranges;
   for (const auto& [first, last] : labels) ranges.push_back({first, last});
@@ -133,7 +137,8 @@ std::shared_ptr<PythonMesh> mesh_surface(
     const py::array_t<double, py::array::c_style | py::array::forcecast>& points,
     const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>& triangles,
     double size, int margin, const Options& options) {
-  TriangleSurface surface{.name = "the surface"};
+  TriangleSurface surface;
+  surface.name = "surface";
   const auto shape = [](const py::array& array, const char* what) {
     if (array.ndim() != 2 || array.shape(1) != 3)
       throw Error(ErrorCode::bad_input, std::string(what) + " are not of shape (n, 3)");
