@@ -38,6 +38,7 @@ PACKAGES := \
   python3 python3-numpy python3-meshio python3-matplotlib \
   libboost-dev libassimp-dev libopenvdb-dev libblosc-dev libimath-dev \
   clang clang-tidy libclang-rt-14-dev valgrind dpkg-dev mandoc groff pkg-config \
+  libtiff-dev python3-tifffile python3-pydicom \
   mricron-data
 
 deps:

@@ -7,7 +7,7 @@ namespace certet {
 
 bool can_read_images() { return false; }
 
-Image read_image(const std::filesystem::path& file, std::uint64_t) {
+Image read_image(const std::filesystem::path& file, std::uint64_t, const ImageChoice&) {
   throw Error(ErrorCode::bad_input,
               "'" + file.string() + "' cannot be read: reading images was not built in");
 }

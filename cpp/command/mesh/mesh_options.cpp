@@ -45,18 +45,25 @@ a dry run leaves out what it does not know.)";
 
 /// Options whose values need more than CLI11's own reading.
 struct RawMesh {
-  std::string size, relative_size, target_tets, iso, labels, bounds, format;
+  std::string size, relative_size, target_tets, iso, labels, spacing, bounds, format;
 };
 
 void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
-  mesh.add_option("input", options.input, "Image: NIfTI, NRRD or MetaImage; surface: STL, OBJ, PLY or OFF; "
-                  "volume: OpenVDB")
+  mesh.add_option("input", options.input,
+                  "Image: NIfTI, NRRD, MetaImage, TIFF, or a folder with a DICOM series; "
+                  "surface: STL, OBJ, PLY or OFF; volume: OpenVDB")
       ->option_text("INPUT");
   mesh.add_option("--labels", raw.labels,
                   "Labels that make the solid, like 1,5-9 (default: all but 0)")
       ->option_text("LIST");
   mesh.add_option("--iso", raw.iso, "The solid is where the image is above V")
       ->option_text("V");
+  mesh.add_option("--spacing", raw.spacing,
+                  "Size of a voxel, in the place of what the image's file says")
+      ->option_text("a,b,c");
+  mesh.add_option("--series", options.image.series,
+                  "UID of the DICOM series, where a folder holds several")
+      ->option_text("UID");
   mesh.add_option("--grid", options.grid, "Grid of a .vdb file (default: its first level set)")
       ->option_text("NAME");
   mesh.add_option("--expr", options.formula,
@@ -142,6 +149,10 @@ void judge_source(const MeshOptions& options, const RawMesh& raw) {
     refuse("--labels and --iso go with an image or a volume, not with a surface");
   if (is_volume_file(options.input) && !raw.labels.empty())
     refuse("--labels goes with an image, not with a volume");
+  const bool voxels =
+      image && !is_surface_file(options.input) && !is_volume_file(options.input);
+  if (!voxels && (!raw.spacing.empty() || !options.image.series.empty()))
+    refuse("--spacing and --series go with an image");
   if (!raw.labels.empty() && !raw.iso.empty())
     refuse("--labels and --iso exclude each other");
 }
@@ -166,6 +177,7 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   read_size(options, raw);
   if (!raw.iso.empty()) options.iso = parse_number("--iso", raw.iso);
   if (!raw.labels.empty()) options.labels = parse_labels(raw.labels);
+  if (!raw.spacing.empty()) options.image.spacing = parse_spacing(raw.spacing);
   if (!raw.bounds.empty()) options.bounds = parse_bounds(raw.bounds);
   if (options.output.empty() && !options.dry_run) refuse("mesh needs an output: -o OUT");
   options.format = chosen_format(options, raw.format);

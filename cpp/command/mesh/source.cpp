@@ -57,7 +57,7 @@ Source from_volume(const MeshOptions& options) {
 
 Image read(const MeshOptions& options, std::uint64_t max_bytes) {
   const Silence silence;
-  return read_image(options.input, max_bytes);
+  return read_image(options.input, max_bytes, options.image);
 }
 
 PlacedSource placed_image(std::unique_ptr<ImageDomain> domain, bool labels) {
@@ -80,7 +80,7 @@ Source from_image(const MeshOptions& options, std::uint64_t max_bytes) {
     return placed_image(
         iso ? level_domain(image, *iso, lattice) : label_domain(image, labels, lattice), !iso);
   };
-  return {options.iso ? "level" : "labels", image->name, place};
+  return {options.iso ? "level" : "labels", image->name, place, image->notes};
 }
 
 }  // namespace

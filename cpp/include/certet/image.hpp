@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -37,6 +38,7 @@ struct Image {
   /// right-handed or left-handed.
   std::array<std::array<double, 3>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   Voxels voxels;
+  std::vector<std::string> notes = {};  ///< what is doubtful about it, a sentence each
 
   /// Whether the voxels are whole numbers, which makes them labels.
   [[nodiscard]] bool integral() const { return voxels.index() < 6; }
@@ -45,12 +47,27 @@ struct Image {
 /// Whether `read_image` was built in.
 bool can_read_images();
 
-/// Reads a NIfTI, NRRD or MetaImage file of three dimensions and one number per
-/// voxel.  The header is judged before memory is taken for the voxels.
+/// What a file may leave open.
+struct ImageChoice {
+  std::string series;             ///< UID of a DICOM series; empty: the only one there is
+  std::optional<Point3> spacing;  ///< in the place of the file's own
+};
+
+/// Reads an image of three dimensions and one number per voxel: a NIfTI, NRRD,
+/// MetaImage or TIFF file, or a folder that holds a DICOM series.  The header is
+/// judged before memory is taken for the voxels.
+///
+/// The slices of a DICOM series are put in the order of their positions, whatever
+/// their names and numbers; the third axis is the normal of the slices.  The pages
+/// of a TIFF file are slices from z = 0 upwards, the centre of the first voxel is
+/// the world's origin, and the first axis runs along the rows.
 /// \throws Error `bad_input` where the file is missing, truncated, not such an
-/// image, or has a direction that is not orthonormal; `too_large` where the
-/// voxels need more than `max_bytes`.  The sentence names the file.
-Image read_image(const std::filesystem::path& file, std::uint64_t max_bytes);
+/// image, or has a direction that is not orthonormal, and where the slices of a
+/// series are not equally spaced; `bad_option` where a folder holds several series
+/// or not the one chosen; `too_large` where the voxels need more than `max_bytes`.
+/// The sentence names the file.
+Image read_image(const std::filesystem::path& file, std::uint64_t max_bytes,
+                 const ImageChoice& choice = {});
 
 /// Labels first, first + 1, …, last.
 struct LabelRange {
