@@ -72,10 +72,10 @@ std::vector<double> parse_numbers(const std::string& option, const std::string& 
   return numbers;
 }
 
-Bounds parse_bounds(const std::string& text) {
-  const std::vector<double> numbers = parse_numbers("--bounds", text);
+Bounds parse_bounds(const std::string& text, const std::string& option) {
+  const std::vector<double> numbers = parse_numbers(option, text);
   if (numbers.size() != 6)
-    refuse("--bounds takes six numbers x0,y0,z0,x1,y1,z1, not " +
+    refuse(option + " takes six numbers x0,y0,z0,x1,y1,z1, not " +
            std::to_string(numbers.size()));
   return {{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
 }

@@ -23,7 +23,11 @@ struct Slice {
   fs::path file;
   Point3 origin;
   double along = 0;  ///< of the origin, along the normal
-  [[nodiscard]] std::string name() const { return "'" + file.filename().string() + '\''; }
+  [[nodiscard]] std::string name() const {
+    std::string text = "'";
+    text += file.filename().string();
+    return text + '\'';
+  }
 };
 
 /// What all slices of a series share.

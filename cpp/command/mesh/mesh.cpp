@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <limits>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "mesh_report.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
+#include "regions.hpp"
 #include "signals.hpp"
 #include "source.hpp"
 #include "target_size.hpp"
@@ -79,13 +81,14 @@ Slabs plan(const Counted& counted, MeshReport& report) {
 }
 
 void write(const MeshOptions& options, const Counted& counted, const Slabs& slabs,
-           const MeshSize& size, Context& context, Progress& progress, MeshReport& report) {
+           const MeshSize& size, const RegionWatch& watch, Context& context,
+           Progress& progress, MeshReport& report) {
   const auto& [source, stuffing] = counted;
   judge_room(options.output, report.output_bytes);
   const auto file = open_writer(options.output, options.format, size);
   WatchedWriter writer(*file, size, progress);
   report.written =
-      write_mesh(stuffing, source.frame, slabs, source.labeller, writer, context);
+      write_mesh(stuffing, source.frame, slabs, watch.watch(source.labeller), writer, context);
   if (!holds(report))
     throw Error(ErrorCode::check_failed,
                 "the angles measured, " + std::to_string(report.written.lattice.min_dihedral) +
@@ -128,6 +131,7 @@ void describe(const MeshOptions& options, const Source& source, MeshReport& repo
   report.input_kind = source.kind;
   report.input_name = source.name;
   report.input_notes = source.notes;
+  report.smoothing = source.smoothing;
   report.output = options.output.string();
   report.format = options.format == Format::vtu ? "vtu" : "medit";
   report.target_tets = options.target_tets;
@@ -151,6 +155,12 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
   report.count_seconds = progress.seconds(Stage::count);
 }
 
+void describe(RegionWatch& watch, MeshReport& report) {
+  report.regions = watch.regions(report.tets);
+  report.counted_pieces = watch.counted_pieces();
+  report.warnings = watch.warnings(!report.dry_run);
+}
+
 MeshReport run(const MeshOptions& options, Context& context) {
   const Stopwatch clock;
   MeshReport report;
@@ -172,7 +182,9 @@ MeshReport run(const MeshOptions& options, Context& context) {
                       static_cast<bool>(counted.source.labeller)};
   report.output_bytes = file_bytes(options.format, size);
   const Slabs slabs = plan(counted, report);
-  if (!options.dry_run) write(options, counted, slabs, size, context, progress, report);
+  RegionWatch watch(source, counted.source);
+  if (!options.dry_run) write(options, counted, slabs, size, watch, context, progress, report);
+  describe(watch, report);
   report.total_seconds = clock.seconds();
   report.memory_peak = peak_memory();
   return report;
@@ -182,7 +194,10 @@ Status mesh(const MeshOptions& options) {
   Context context;
   context.threads = options.threads;
   const Signals signals(context);
-  tell(run(options, context), options.json);
+  const MeshReport report = run(options, context);
+  for (const std::string& warning : report.warnings)
+    std::fprintf(stderr, "certet: warning: %s\n", warning.c_str());
+  tell(report, options.json);
   return Status::ok;
 }
 
