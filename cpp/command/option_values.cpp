@@ -62,17 +62,31 @@ std::uint64_t parse_count(const std::string& option, const std::string& text) {
   return value;
 }
 
-Bounds parse_bounds(const std::string& text) {
+std::vector<double> parse_numbers(const std::string& option, const std::string& text) {
   std::vector<double> numbers;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    numbers.push_back(parse_number("--bounds", text.substr(begin, end - begin)));
+    numbers.push_back(parse_number(option, text.substr(begin, end - begin)));
     begin = end + 1;
   }
+  return numbers;
+}
+
+Bounds parse_bounds(const std::string& text, const std::string& option) {
+  const std::vector<double> numbers = parse_numbers(option, text);
   if (numbers.size() != 6)
-    refuse("--bounds takes six numbers x0,y0,z0,x1,y1,z1, not " +
+    refuse(option + " takes six numbers x0,y0,z0,x1,y1,z1, not " +
            std::to_string(numbers.size()));
   return {{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
+}
+
+Point3 parse_spacing(const std::string& text) {
+  const std::vector<double> numbers = parse_numbers("--spacing", text);
+  if (numbers.size() != 3)
+    refuse("--spacing takes three numbers a,b,c, not " + std::to_string(numbers.size()));
+  for (const double number : numbers)
+    if (!(number > 0)) refuse("--spacing takes positive numbers, not '" + text + "'");
+  return {numbers[0], numbers[1], numbers[2]};
 }
 
 }  // namespace certet::command

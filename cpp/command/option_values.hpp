@@ -16,7 +16,10 @@ namespace certet::command {
 std::vector<LabelRange> parse_labels(const std::string& text);
 
 /// "x0,y0,z0,x1,y1,z1".  \throws Error `bad_option`.
-Bounds parse_bounds(const std::string& text);
+Bounds parse_bounds(const std::string& text, const std::string& option = "--bounds");
+
+/// "a,b,c", all positive.  \throws Error `bad_option`.
+Point3 parse_spacing(const std::string& text);
 
 /// A whole number of at least 1.  \throws Error `bad_option` naming the option.
 std::uint64_t parse_count(const std::string& option, const std::string& text);

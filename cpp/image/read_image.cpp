@@ -1,4 +1,4 @@
-// The only translation unit that includes ITK.
+// One file by one of ITK's readers, and which reader an input is for.
 
 #include <itkMetaImageIO.h>
 #include <itkNiftiImageIO.h>
@@ -14,16 +14,14 @@
 #include "certet/image.hpp"
 #include "completeness.hpp"
 #include "geometry.hpp"
+#include "image_file.hpp"
+#include "itk_voxels.hpp"
 
 namespace certet {
 namespace {
 
 namespace fs = std::filesystem;
 using Reader = itk::ImageIOBase;
-
-[[noreturn]] void refuse(const fs::path& file, const std::string& reason) {
-  throw Error(ErrorCode::bad_input, "'" + file.string() + "' " + reason);
-}
 
 /// Made by name and not through ITK's object factories, which would load every
 /// format there is.
@@ -37,7 +35,7 @@ Reader::Pointer reader_for(const fs::path& file) {
     reader->SetFileName(name);
     return reader;
   }
-  refuse(file, "is not a NIfTI, NRRD or MetaImage file");
+  refuse(file, "is not a NIfTI, NRRD, MetaImage or TIFF file");
 }
 
 /// Trailing dimensions of one element do no harm.
@@ -74,11 +72,7 @@ std::uint64_t judge_bytes(const fs::path& file, const Reader& header,
   const std::uint64_t greatest_ratio = 1040;
   if (!detached && bytes / greatest_ratio > fs::file_size(file))
     refuse(file, "is too short for the dimensions in its header");
-  if (bytes > max_bytes)
-    throw Error(ErrorCode::too_large, "the voxels of '" + file.string() + "' need " +
-                                          std::to_string(bytes) +
-                                          " bytes, more than the " +
-                                          std::to_string(max_bytes) + " allowed");
+  judge_memory(file, bytes, max_bytes);
   return bytes;
 }
 
@@ -92,58 +86,6 @@ void read_geometry(const Reader& header, Image& image) {
   }
   judge_geometry(image);
   orthonormalise(image);
-}
-
-template <class T>
-Buffer<T> load(Reader& reader, std::uint64_t bytes) {
-  Buffer<T> voxels(bytes / sizeof(T));
-  reader.Read(voxels.data());
-  return voxels;
-}
-
-/// 64-bit labels are kept where they fit 32 bits.
-template <class T>
-Buffer<std::int32_t> load_narrow(const fs::path& file, Reader& reader, std::uint64_t bytes) {
-  const Buffer<T> wide = load<T>(reader, bytes);
-  Buffer<std::int32_t> voxels(wide.size());
-  for (std::size_t i = 0; i < wide.size(); ++i) {
-    if (!std::in_range<std::int32_t>(wide[i]))
-      refuse(file, "has label " + std::to_string(wide[i]) +
-                       ", which does not fit 32 bits with a sign");
-    voxels[i] = static_cast<std::int32_t>(wide[i]);
-  }
-  return voxels;
-}
-
-template <class T>
-Voxels load_whole(const fs::path& file, Reader& reader, std::uint64_t bytes) {
-  if constexpr (sizeof(T) > 4)
-    return load_narrow<T>(file, reader, bytes);
-  else if constexpr (std::is_signed_v<T>)
-    return load<std::conditional_t<sizeof(T) == 1, std::int8_t,
-                std::conditional_t<sizeof(T) == 2, std::int16_t, std::int32_t>>>(reader, bytes);
-  else
-    return load<std::conditional_t<sizeof(T) == 1, std::uint8_t,
-                std::conditional_t<sizeof(T) == 2, std::uint16_t, std::uint32_t>>>(reader, bytes);
-}
-
-Voxels load_voxels(const fs::path& file, Reader& reader, std::uint64_t bytes) {
-  switch (reader.GetComponentType()) {
-    case itk::IOComponentEnum::UCHAR: return load_whole<unsigned char>(file, reader, bytes);
-    case itk::IOComponentEnum::CHAR: return load_whole<signed char>(file, reader, bytes);
-    case itk::IOComponentEnum::USHORT: return load_whole<unsigned short>(file, reader, bytes);
-    case itk::IOComponentEnum::SHORT: return load_whole<short>(file, reader, bytes);
-    case itk::IOComponentEnum::UINT: return load_whole<unsigned>(file, reader, bytes);
-    case itk::IOComponentEnum::INT: return load_whole<int>(file, reader, bytes);
-    case itk::IOComponentEnum::ULONG: return load_whole<unsigned long>(file, reader, bytes);
-    case itk::IOComponentEnum::LONG: return load_whole<long>(file, reader, bytes);
-    case itk::IOComponentEnum::ULONGLONG:
-      return load_whole<unsigned long long>(file, reader, bytes);
-    case itk::IOComponentEnum::LONGLONG: return load_whole<long long>(file, reader, bytes);
-    case itk::IOComponentEnum::FLOAT: return load<float>(reader, bytes);
-    case itk::IOComponentEnum::DOUBLE: return load<double>(reader, bytes);
-    default: refuse(file, "has voxels of a type that is not supported");
-  }
 }
 
 Image read(const fs::path& file, std::uint64_t max_bytes) {
@@ -161,21 +103,37 @@ Image read(const fs::path& file, std::uint64_t max_bytes) {
   for (unsigned d = 0; d < reader->GetNumberOfDimensions(); ++d)
     region.SetSize(d, reader->GetDimensions(d));
   reader->SetIORegion(region);
-  image.voxels = load_voxels(file, *reader, bytes);
+  image.voxels = load_voxels(file, reader->GetComponentType(), bytes,
+                             [&](void* voxels) { reader->Read(voxels); });
   if (!complete.get()) refuse(file, "is truncated or damaged");
   return image;
+}
+
+Image read_any(const fs::path& file, std::uint64_t max_bytes, const ImageChoice& choice) {
+  std::error_code failure;
+  if (fs::is_directory(file, failure)) return read_dicom(file, max_bytes, choice.series);
+  if (!fs::is_regular_file(file, failure)) refuse(file, "is not a regular file");
+  if (!choice.series.empty()) refuse(file, "is no folder, so that it holds no DICOM series");
+  if (is_dicom(file))
+    refuse(file, "is one file of DICOM; give the folder that holds its series");
+  if (is_tiff(file)) return read_tiff(file, max_bytes, !choice.spacing);
+  return read(file, max_bytes);
 }
 
 }  // namespace
 
 bool can_read_images() { return true; }
 
-Image read_image(const fs::path& file, std::uint64_t max_bytes) {
+Image read_image(const fs::path& file, std::uint64_t max_bytes, const ImageChoice& choice) {
   std::error_code failure;
   if (!fs::exists(file, failure)) refuse(file, "does not exist");
-  if (!fs::is_regular_file(file, failure)) refuse(file, "is not a regular file");
   try {
-    return read(file, max_bytes);
+    Image image = read_any(file, max_bytes, choice);
+    if (choice.spacing) {
+      image.spacing = *choice.spacing;
+      judge_geometry(image);
+    }
+    return image;
   } catch (const itk::ExceptionObject&) {
     // ITK's own text has many lines, source files and addresses.
     refuse(file, "is truncated or damaged");

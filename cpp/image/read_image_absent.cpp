@@ -1,4 +1,4 @@
-// Stands in for read_image.cpp where ITK was left out.
+// Stands in for read_image.cpp and smooth.cpp where ITK was left out.
 
 #include "certet/error.hpp"
 #include "certet/image.hpp"
@@ -7,9 +7,14 @@ namespace certet {
 
 bool can_read_images() { return false; }
 
-Image read_image(const std::filesystem::path& file, std::uint64_t) {
+Image read_image(const std::filesystem::path& file, std::uint64_t, const ImageChoice&) {
   throw Error(ErrorCode::bad_input,
               "'" + file.string() + "' cannot be read: reading images was not built in");
+}
+
+Image smoothed_labels(const Image& image, std::vector<LabelRange>, double, int) {
+  throw Error(ErrorCode::bad_input,
+              "'" + image.name + "' cannot be smoothed: that was not built in");
 }
 
 }  // namespace certet

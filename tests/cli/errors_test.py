@@ -119,7 +119,7 @@ class Images(ProgramTest):
 
     def test_missing(self):
         self.refused(BAD_INPUT, "does not exist")
-        self.refused(BAD_INPUT, "regular", file=".")
+        self.refused(BAD_INPUT, "without a DICOM series", file=".")
 
     def test_other_files(self):
         for name in ("a.nrrd", "a.nii", "a.nii.gz", "a.mha", "a.png", "a"):

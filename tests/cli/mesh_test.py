@@ -19,6 +19,7 @@ KEYS = {
                   "inverted_tets", "holds"},
     "seconds": {"read", "sample", "cut", "warp", "count", "emit", "measure", "write",
                 "total"},
+    "warnings": None,
     "memory": {"limit", "needed", "least", "peak"},
 }
 

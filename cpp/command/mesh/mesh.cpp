@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <limits>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "mesh_report.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
+#include "regions.hpp"
 #include "signals.hpp"
 #include "source.hpp"
 #include "target_size.hpp"
@@ -98,13 +100,14 @@ MeshSize announce(const MeshOptions& options, const LabelNames& names, const Cou
 }
 
 void write(const MeshOptions& options, const Counted& counted, const Slabs& slabs,
-           const MeshSize& size, Context& context, Progress& progress, MeshReport& report) {
+           const MeshSize& size, const RegionWatch& watch, Context& context,
+           Progress& progress, MeshReport& report) {
   const auto& [source, stuffing] = counted;
   judge_room(options.output, report.output_bytes);
   const auto file = open_writer(options.output, options.format, size);
   WatchedWriter writer(*file, size, progress);
   report.written =
-      write_mesh(stuffing, source.frame, slabs, source.labeller, writer, context);
+      write_mesh(stuffing, source.frame, slabs, watch.watch(source.labeller), writer, context);
   if (!holds(report))
     throw Error(ErrorCode::check_failed,
                 "the angles measured, " + std::to_string(report.written.lattice.min_dihedral) +
@@ -147,6 +150,7 @@ void describe(const MeshOptions& options, const Source& source, MeshReport& repo
   report.input_kind = source.kind;
   report.input_name = source.name;
   report.input_notes = source.notes;
+  report.smoothing = source.smoothing;
   report.output = options.output.string();
   report.format = name(options.format);
   report.target_tets = options.target_tets;
@@ -168,6 +172,12 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
   report.cut_seconds = progress.seconds(Stage::cut);
   report.warp_seconds = progress.seconds(Stage::warp);
   report.count_seconds = progress.seconds(Stage::count);
+}
+
+void describe(RegionWatch& watch, MeshReport& report) {
+  report.regions = watch.regions(report.tets);
+  report.counted_pieces = watch.counted_pieces();
+  report.warnings = watch.warnings(!report.dry_run);
 }
 
 MeshReport run(const MeshOptions& options, Context& context) {
@@ -192,7 +202,9 @@ MeshReport run(const MeshOptions& options, Context& context) {
   const MeshSize size = announce(options, names, counted, context);
   report.output_bytes = file_bytes(options.format, size);
   const Slabs slabs = plan(counted, size, report);
-  if (!options.dry_run) write(options, counted, slabs, size, context, progress, report);
+  RegionWatch watch(source, counted.source);
+  if (!options.dry_run) write(options, counted, slabs, size, watch, context, progress, report);
+  describe(watch, report);
   report.total_seconds = clock.seconds();
   report.memory_peak = peak_memory();
   return report;
@@ -202,7 +214,10 @@ Status mesh(const MeshOptions& options) {
   Context context;
   context.threads = options.threads;
   const Signals signals(context);
-  tell(run(options, context), options.json);
+  const MeshReport report = run(options, context);
+  for (const std::string& warning : report.warnings)
+    std::fprintf(stderr, "certet: warning: %s\n", warning.c_str());
+  tell(report, options.json);
   return Status::ok;
 }
 

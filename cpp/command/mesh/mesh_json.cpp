@@ -35,6 +35,30 @@ Json seconds(const MeshReport& report) {
   return json;
 }
 
+Json regions(const MeshReport& report) {
+  Json all = Json::array();
+  for (const auto& [region, tets] : report.regions) {
+    Json one{{"label", region.label}, {"voxels", region.voxels}};
+    if (!report.dry_run) one["tets"] = tets;
+    if (report.counted_pieces) {
+      one["pieces"] = region.lattice_pieces;
+      one["image_pieces"] = {{"by_corners", region.pieces_by_corners},
+                             {"by_faces", region.pieces_by_faces}};
+    }
+    all.push_back(one);
+  }
+  return all;
+}
+
+Json smoothing(const MeshReport& report) {
+  const Smoothing& smoothing = *report.smoothing;
+  Json json{{"sigma", smoothing.sigma}, {"voxel_volume", smoothing.voxel_volume}};
+  if (report.dry_run) return json;
+  json["mesh_volume"] = report.written.world.volume;
+  json["change"] = report.written.world.volume / smoothing.voxel_volume - 1;
+  return json;
+}
+
 }  // namespace
 
 std::string json(const MeshReport& report) {
@@ -65,6 +89,9 @@ std::string json(const MeshReport& report) {
   }
   json["guarantee"] = guarantee(report);
   json["seconds"] = seconds(report);
+  json["warnings"] = report.warnings;
+  if (!report.regions.empty()) json["regions"] = regions(report);
+  if (report.smoothing) json["smoothing"] = smoothing(report);
   json["memory"] = {{"limit", report.memory_limit},
                     {"needed", report.memory_needed},
                     {"least", report.memory_least},

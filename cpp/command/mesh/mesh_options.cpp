@@ -27,7 +27,15 @@ Shapes, around the origin of the world: sphere:R, torus:R,r (around z), box:a,b,
 wall at least THICKNESS thick, in a cube of SIDE; default: two periods).
 
 World coordinates are the image's own: millimetres, LPS (x to the left, y to the
-back, z to the head), as ITK has them, for NIfTI too.
+back, z to the head), as ITK has them, for NIfTI too.  The slices of a DICOM series
+are ordered by their positions.  The first voxel of a TIFF file is at the origin, x
+along its rows, y down its columns, z through its pages.
+
+A label that the lattice is too coarse for is named in a warning, and so is one that
+has more or fewer pieces in the mesh than in the image, where voxels may touch at
+edges and corners or not.  Pieces are counted where --size is above the smallest
+voxel spacing, and with --smooth; not with --crop.  At the smallest spacing, without
+--smooth, no label and no piece is lost.
 
 Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file,
 format, bytes}, lattice {cells, size, cuts, and with --target-tets: target_tets,
@@ -35,7 +43,9 @@ tries}, mesh {points, tets, volume, checksum}, dihedral {min, max, lattice_min,
 lattice_max, histogram}, guarantee {asked, used,
 theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
 cut, warp, count, emit, measure, write, total}, memory {limit, needed, least,
-peak}.  Lengths are in world units, angles in degrees, memory in bytes; the
+peak}, warnings, and for images regions [{label, voxels, tets, and where pieces were
+counted: pieces, image_pieces {by_corners, by_faces}}], with --smooth: smoothing
+{sigma, voxel_volume, mesh_volume, change}.  Lengths are in world units, angles in degrees, memory in bytes; the
 histogram has 36 bins of 5 degrees, counted before coordinates are rounded; the
 seconds of emit, measure and write overlap and are those of all threads together;
 a dry run leaves out what it does not know.)";
@@ -46,19 +56,32 @@ a dry run leaves out what it does not know.)";
 
 /// Options whose values need more than CLI11's own reading.
 struct RawMesh {
-  std::string size, relative_size, target_tets, iso, labels, bounds, format;
+  std::string size, relative_size, target_tets, iso, labels, spacing, smooth, crop, bounds, format;
   bool compress = false;
 };
 
 void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
-  mesh.add_option("input", options.input, "Image: NIfTI, NRRD or MetaImage; surface: STL, OBJ, PLY or OFF; "
-                  "volume: OpenVDB")
+  mesh.add_option("input", options.input,
+                  "Image: NIfTI, NRRD, MetaImage, TIFF, or a folder with a DICOM series; "
+                  "surface: STL, OBJ, PLY or OFF; volume: OpenVDB")
       ->option_text("INPUT");
   mesh.add_option("--labels", raw.labels,
                   "Labels that make the solid, like 1,5-9 (default: all but 0)")
       ->option_text("LIST");
   mesh.add_option("--iso", raw.iso, "The solid is where the image is above V")
       ->option_text("V");
+  mesh.add_option("--spacing", raw.spacing,
+                  "Size of a voxel, in the place of what the image's file says")
+      ->option_text("a,b,c");
+  mesh.add_option("--smooth", raw.smooth,
+                  "Smooths labels by a Gaussian of this standard deviation, in world units")
+      ->option_text("SIGMA");
+  mesh.add_option("--crop", raw.crop,
+                  "Box in world coordinates; of an image's solid, only what is in it is meshed")
+      ->option_text("x0,y0,z0,x1,y1,z1");
+  mesh.add_option("--series", options.image.series,
+                  "UID of the DICOM series, where a folder holds several")
+      ->option_text("UID");
   mesh.add_option("--grid", options.grid, "Grid of a .vdb file (default: its first level set)")
       ->option_text("NAME");
   mesh.add_option("--expr", options.formula,
@@ -141,6 +164,14 @@ void judge_source(const MeshOptions& options, const RawMesh& raw) {
     refuse("--labels goes with an image, not with a volume");
   if (!options.label_names.empty() && (!image || !raw.iso.empty()))
     refuse("--label-names goes with an image of labels");
+  const bool voxels =
+      image && !is_surface_file(options.input) && !is_volume_file(options.input);
+  if (!voxels && (!raw.spacing.empty() || !options.image.series.empty()))
+    refuse("--spacing and --series go with an image");
+  if (!voxels && (!raw.smooth.empty() || !raw.crop.empty()))
+    refuse("--smooth and --crop go with an image");
+  if (!raw.smooth.empty() && !raw.iso.empty())
+    refuse("--smooth goes with labels, not with --iso");
   if (!raw.labels.empty() && !raw.iso.empty())
     refuse("--labels and --iso exclude each other");
 }
@@ -165,6 +196,12 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   read_size(options, raw);
   if (!raw.iso.empty()) options.iso = parse_number("--iso", raw.iso);
   if (!raw.labels.empty()) options.labels = parse_labels(raw.labels);
+  if (!raw.smooth.empty()) options.smooth = positive("--smooth", raw.smooth);
+  if (!raw.crop.empty()) {
+    const Bounds box = parse_bounds(raw.crop, "--crop");
+    options.crop = WorldBox{box.low, box.high};
+  }
+  if (!raw.spacing.empty()) options.image.spacing = parse_spacing(raw.spacing);
   if (!raw.bounds.empty()) options.bounds = parse_bounds(raw.bounds);
   if (options.output.empty() && !options.dry_run) refuse("mesh needs an output: -o OUT");
   options.format = choose_format(options.output, raw.format, raw.compress);

@@ -25,6 +25,9 @@ struct MeshOptions {
   std::optional<Bounds> bounds;
   std::vector<LabelRange> labels;  ///< empty: all but 0
   std::optional<double> iso;
+  ImageChoice image;         ///< what an image's file may leave open
+  double smooth = 0;         ///< in world units; 0: not at all
+  std::optional<WorldBox> crop;
   std::string grid;          ///< of a volume; empty: the one that speaks for itself
   double size = 0;           ///< 0: chosen by one of the next two, or by the input
   double relative_size = 0;  ///< 0, or a fraction of the solid's longest side

@@ -4,12 +4,14 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "certet/quality.hpp"
 #include "certet/stuffing.hpp"
 #include "certet/write_mesh.hpp"
+#include "regions.hpp"
 #include "report.hpp"
 
 namespace certet::command {
@@ -19,6 +21,10 @@ struct MeshReport {
   std::string input_kind;  ///< labels, level, formula, shape, surface or volume
   std::string input_name;
   std::vector<std::string> input_notes;
+  std::vector<std::string> warnings;
+  std::vector<MeshedRegion> regions;  ///< of an image
+  bool counted_pieces = false;
+  std::optional<Smoothing> smoothing;
   std::string output, format;
   std::uint64_t output_bytes = 0;
 

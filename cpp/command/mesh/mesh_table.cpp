@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "mesh_report.hpp"
 #include "table.hpp"
 
@@ -13,6 +15,14 @@ void add_guarantee(Lines& lines, const MeshReport& report) {
                 ? ""
                 : fmt::format(" (those of {} inverted {} dropped tetrahedra)",
                               name(report.asked), grouped(report.inverted_tets)));
+}
+
+void add_regions(Lines& lines, const MeshReport& report) {
+  const auto present = std::count_if(report.regions.begin(), report.regions.end(),
+                                     [](const MeshedRegion& region) { return region.tets > 0; });
+  if (!report.regions.empty() && report.input_kind == "labels" && !report.dry_run)
+    lines.add("labels", "{} of {} in the mesh", present, report.regions.size());
+  for (const std::string& warning : report.warnings) lines.add("warning", "{}", warning);
 }
 
 }  // namespace
@@ -31,8 +41,13 @@ std::string table(const MeshReport& report) {
     lines.add("target", "{} tetrahedra, size found in {} tries", grouped(report.target_tets),
               report.tries);
   lines.add("mesh", "{} points, {} tetrahedra", grouped(report.points), grouped(report.tets));
+  add_regions(lines, report);
   if (!report.dry_run) {
     lines.add("volume", "{:.9g}", report.written.world.volume);
+    if (report.smoothing)
+      lines.add("smoothing", "sigma {:.6g}, volume of the voxels {:.9g}, change {:+.2f} %",
+                report.smoothing->sigma, report.smoothing->voxel_volume,
+                100 * (report.written.world.volume / report.smoothing->voxel_volume - 1));
     lines.add("checksum", "0x{:016x}", report.written.checksum);
     add_angles(lines, report.written.world);
     // In exact coordinates an angle on the edge between two bins is in its own.

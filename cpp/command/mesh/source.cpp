@@ -68,7 +68,7 @@ Source from_volume(const MeshOptions& options) {
 
 Image read(const MeshOptions& options, std::uint64_t max_bytes) {
   const Silence silence;
-  return read_image(options.input, max_bytes);
+  return read_image(options.input, max_bytes, options.image);
 }
 
 /// The world position of a voxel's centre, or of what lies between centres.
@@ -87,13 +87,47 @@ Bounds outer_corners(const Image& image) {
   return {voxel_position(image, {-0.5, -0.5, -0.5}), voxel_position(image, last)};
 }
 
-PlacedSource placed_image(std::unique_ptr<ImageDomain> domain, bool labels) {
+/// A solid of the voxels, cropped, with labels unless it is a level's.
+PlacedSource placed_image(std::unique_ptr<ImageDomain> domain, const Image& voxels,
+                          const MeshOptions& options) {
+  if (options.crop) domain = cropped_domain(std::move(domain), *options.crop);
   const ImageDomain& image = *domain;
   PlacedSource source = placed(std::move(domain));
-  if (labels)
+  source.image = &image;
+  set_border(source, outer_corners(voxels), options.stuffing.cuts);
+  if (!options.iso)
     source.labeller = [&image](std::span<const std::array<Coord3, 4>> tets,
                                std::span<std::int32_t> out) { image.label(tets, out); };
   return source;
+}
+
+double chosen_volume(const Image& image, const std::vector<LabelRange>& labels) {
+  std::uint64_t voxels = 0;
+  for (const ImageRegion& region : regions_of_labels(image, labels)) voxels += region.voxels;
+  return static_cast<double>(voxels) * image.spacing[0] * image.spacing[1] * image.spacing[2];
+}
+
+Source from_smoothed(const std::shared_ptr<const Image>& image, const MeshOptions& options) {
+  const auto smoothed = std::make_shared<const Image>(
+      smoothed_labels(*image, options.labels, options.smooth, options.threads));
+  const auto place = [image, smoothed, options](double size) {
+    return placed_image(
+        smoothed_domain(image, options.labels, smoothed, {size, options.margin}), *image,
+        options);
+  };
+  Source source{"labels", image->name, place, image->notes};
+  source.smoothing = Smoothing{options.smooth, chosen_volume(*image, options.labels)};
+  return source;
+}
+
+Source from_voxels(const std::shared_ptr<const Image>& image, const MeshOptions& options) {
+  const auto place = [image, options](double size) {
+    const ImageLattice lattice{size, options.margin};
+    return placed_image(options.iso ? level_domain(image, *options.iso, lattice)
+                                    : label_domain(image, options.labels, lattice),
+                        *image, options);
+  };
+  return {options.iso ? "level" : "labels", image->name, place, image->notes};
 }
 
 Source from_image(const MeshOptions& options, std::uint64_t max_bytes) {
@@ -101,15 +135,11 @@ Source from_image(const MeshOptions& options, std::uint64_t max_bytes) {
   if (!options.iso && !image->integral())
     throw Error(ErrorCode::bad_option, "the voxels of '" + image->name +
                                            "' are not whole numbers: choose a level with --iso");
-  const auto place = [image, iso = options.iso, labels = options.labels,
-                      margin = options.margin, cuts = options.stuffing.cuts](double size) {
-    const ImageLattice lattice{size, margin};
-    PlacedSource source = placed_image(
-        iso ? level_domain(image, *iso, lattice) : label_domain(image, labels, lattice), !iso);
-    set_border(source, outer_corners(*image), cuts);
-    return source;
-  };
-  return {options.iso ? "level" : "labels", image->name, place};
+  Source source =
+      options.smooth != 0 ? from_smoothed(image, options) : from_voxels(image, options);
+  source.voxels = SolidVoxels{image, options.labels, options.iso, options.smooth != 0,
+                              options.crop.has_value()};
+  return source;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,25 @@
 
 namespace certet::command {
 
+/// The voxels of a solid, where it is made of some.
+struct SolidVoxels {
+  std::shared_ptr<const Image> image;  ///< before smoothing
+  std::vector<LabelRange> labels;
+  std::optional<double> level = {};
+  bool smoothed = false, cropped = false;
+};
+
+/// What `--smooth` did.
+struct Smoothing {
+  double sigma = 0, voxel_volume = 0;
+};
+
 /// A domain on a lattice of one size.
 struct PlacedSource {
   std::unique_ptr<Domain> domain;
   Lattice lattice;
   Frame frame;
+  const ImageDomain* image = nullptr;  ///< the domain, where it is one of an image
   Labeller labeller;        ///< empty where there are no labels
   BorderTest border;        ///< empty where nothing is cut off
   double longest_side = 0;  ///< of the solid's box, in world units
@@ -32,6 +47,8 @@ struct Source {
   /// 	hrows Error.
   std::function<PlacedSource(double size)> place;
   std::vector<std::string> notes = {};  ///< what is doubtful about it, a sentence each
+  std::optional<SolidVoxels> voxels = {};
+  std::optional<Smoothing> smoothing = {};
 };
 
 /// Reads the image, surface, volume, formula or shape.  	hrows Error.

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -37,6 +38,7 @@ struct Image {
   /// right-handed or left-handed.
   std::array<std::array<double, 3>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   Voxels voxels;
+  std::vector<std::string> notes = {};  ///< what is doubtful about it, a sentence each
 
   /// Whether the voxels are whole numbers, which makes them labels.
   [[nodiscard]] bool integral() const { return voxels.index() < 6; }
@@ -45,12 +47,27 @@ struct Image {
 /// Whether `read_image` was built in.
 bool can_read_images();
 
-/// Reads a NIfTI, NRRD or MetaImage file of three dimensions and one number per
-/// voxel.  The header is judged before memory is taken for the voxels.
+/// What a file may leave open.
+struct ImageChoice {
+  std::string series;             ///< UID of a DICOM series; empty: the only one there is
+  std::optional<Point3> spacing;  ///< in the place of the file's own
+};
+
+/// Reads an image of three dimensions and one number per voxel: a NIfTI, NRRD,
+/// MetaImage or TIFF file, or a folder that holds a DICOM series.  The header is
+/// judged before memory is taken for the voxels.
+///
+/// The slices of a DICOM series are put in the order of their positions, whatever
+/// their names and numbers; the third axis is the normal of the slices.  The pages
+/// of a TIFF file are slices from z = 0 upwards, the centre of the first voxel is
+/// the world's origin, and the first axis runs along the rows.
 /// \throws Error `bad_input` where the file is missing, truncated, not such an
-/// image, or has a direction that is not orthonormal; `too_large` where the
-/// voxels need more than `max_bytes`.  The sentence names the file.
-Image read_image(const std::filesystem::path& file, std::uint64_t max_bytes);
+/// image, or has a direction that is not orthonormal, and where the slices of a
+/// series are not equally spaced; `bad_option` where a folder holds several series
+/// or not the one chosen; `too_large` where the voxels need more than `max_bytes`.
+/// The sentence names the file.
+Image read_image(const std::filesystem::path& file, std::uint64_t max_bytes,
+                 const ImageChoice& choice = {});
 
 /// Labels first, first + 1, …, last.
 struct LabelRange {
@@ -95,6 +112,72 @@ std::unique_ptr<ImageDomain> label_domain(std::shared_ptr<const Image> image,
 /// `empty_domain`, `too_large`.
 std::unique_ptr<ImageDomain> level_domain(std::shared_ptr<const Image> image, double level,
                                           const ImageLattice& lattice);
+
+/// 1 in the voxels chosen and 0 in the others, smoothed by a Gaussian of standard
+/// deviation `sigma` in world units; beyond the border an image goes on as it ends.
+/// Needs four bytes for each voxel.  The same for every number of threads (0: all).
+/// \throws Error `bad_option` (sigma, or fewer than 4 voxels along an axis),
+/// `empty_domain`, and `bad_input` where ITK was left out.
+Image smoothed_labels(const Image& image, std::vector<LabelRange> labels, double sigma,
+                      int threads);
+
+/// Where a smoothed image is above one half; tetrahedra have the chosen label whose
+/// voxel's centre is nearest to their centroid.
+/// \throws Error as `level_domain`.
+std::unique_ptr<ImageDomain> smoothed_domain(std::shared_ptr<const Image> labelled,
+                                             std::vector<LabelRange> labels,
+                                             std::shared_ptr<const Image> smoothed,
+                                             const ImageLattice& lattice);
+
+/// A box along the axes of the world.
+struct WorldBox {
+  Point3 low{}, high{};
+};
+
+/// The part of a solid in a box, closed flat at the box's faces, which belong to it.
+/// The lattice is the whole solid's, without the cells beyond the box.
+/// \throws Error `bad_option` for a box that is empty, `empty_domain`.
+std::unique_ptr<ImageDomain> cropped_domain(std::unique_ptr<ImageDomain> whole,
+                                            const WorldBox& box);
+
+/// One label in an image, and what a lattice finds of it.  A piece is what hangs
+/// together: voxels by their faces, or by faces, edges and corners; points of the
+/// lattice that have the label by the edges of the lattice.  The mesh of a solid has
+/// as many pieces as its lattice points do: a lattice tetrahedron is filled exactly
+/// where a corner is inside, and the fillings on both sides of a face with a corner
+/// inside meet (theorem FaceTriangulationsAgree).
+struct ImageRegion {
+  std::int32_t label = 0;  ///< 0 for the solid of a level
+  std::uint64_t voxels = 0;
+  std::uint64_t pieces_by_faces = 0, pieces_by_corners = 0;  ///< in the image
+  std::uint64_t points = 0, lattice_pieces = 0;              ///< on the lattice
+  /// A lattice of this size has a whole tetrahedron in the region, wherever it lies;
+  /// 0 where it was not asked for.  It is half the edge of the largest cube of voxels of the
+  /// label, each taken for a cube of the smallest spacing.
+  double certain_size = 0;
+
+  /// Voxels that touch at an edge or a corner may hang together in the mesh or not.
+  [[nodiscard]] bool keeps_pieces() const {
+    return pieces_by_corners <= lattice_pieces && lattice_pieces <= pieces_by_faces;
+  }
+};
+
+/// The chosen labels that the image has, ascending, with their voxels; no pieces.
+std::vector<ImageRegion> regions_of_labels(const Image& image, std::vector<LabelRange> labels);
+/// One region: the voxels above the level.
+std::vector<ImageRegion> regions_of_level(const Image& image, double level);
+
+/// Counts pieces and points.  Where the domain is one of labels and its size is at
+/// most the smallest spacing, nothing can be lost: every voxel has a point of the
+/// even lattice, those of voxels that share a face hang together, and an edge is
+/// too short to skip a voxel; such a region always `keeps_pieces`.
+/// `level` is that of a level's solid.  Regions without a point stay so.
+void count_pieces(const Image& image, std::optional<double> level, const ImageDomain& domain,
+                  std::vector<ImageRegion>& regions);
+
+/// Finds the `certain_size` of one region.
+void find_certain_size(const Image& image, std::optional<double> level,
+                       std::vector<ImageRegion>& regions, std::size_t which);
 
 /// The same of an image that nobody else needs.
 inline std::unique_ptr<ImageDomain> label_domain(Image image, std::vector<LabelRange> labels,

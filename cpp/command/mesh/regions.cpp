@@ -1,0 +1,110 @@
+#include "regions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace certet::command {
+namespace {
+
+/// More sentences of a kind than this are only counted.
+constexpr std::size_t most_told = 8;
+
+std::size_t index_of(const std::vector<ImageRegion>& regions, std::int32_t label) {
+  const auto at = std::lower_bound(
+      regions.begin(), regions.end(), label,
+      [](const ImageRegion& region, std::int32_t value) { return region.label < value; });
+  return at != regions.end() && at->label == label
+             ? static_cast<std::size_t>(at - regions.begin()) : regions.size();
+}
+
+std::string named(const ImageRegion& region, bool level) {
+  return level ? "the solid" : fmt::format("label {}", region.label);
+}
+
+/// Rounded down, so that it still is small enough.
+std::string at_most(double size) { return fmt::format("{:.4g}", size * (1 - 5e-4)); }
+
+}  // namespace
+
+RegionWatch::RegionWatch(const Source& source, const PlacedSource& placed)
+    : source_(source), size_(placed.frame.size) {
+  if (!source.voxels) return;
+  const SolidVoxels& solid = *source.voxels;
+  finest_ = *std::min_element(solid.image->spacing.begin(), solid.image->spacing.end());
+  regions_ = solid.level ? regions_of_level(*solid.image, *solid.level)
+                         : regions_of_labels(*solid.image, solid.labels);
+  tets_ = std::make_unique<std::atomic<std::uint64_t>[]>(regions_.size() + 1);
+  if (solid.cropped || (size_ <= finest_ && !solid.smoothed)) return;
+  count_pieces(*solid.image, solid.level, *placed.image, regions_);
+  counted_pieces_ = true;
+}
+
+Labeller RegionWatch::watch(const Labeller& labeller) const {
+  if (!labeller || !source_.voxels || source_.voxels->level) return labeller;
+  return [this, labeller](std::span<const std::array<Coord3, 4>> tets,
+                          std::span<std::int32_t> out) {
+    labeller(tets, out);
+    for (std::size_t begin = 0; begin < out.size();) {
+      const auto same = std::find_if(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(),
+                                     [&](std::int32_t label) { return label != out[begin]; });
+      const auto end = static_cast<std::size_t>(same - out.begin());
+      tets_[index_of(regions_, out[begin])].fetch_add(end - begin, std::memory_order_relaxed);
+      begin = end;
+    }
+  };
+}
+
+std::vector<MeshedRegion> RegionWatch::regions(std::uint64_t all_tets) const {
+  std::vector<MeshedRegion> result;
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    result.push_back({regions_[r], source_.voxels->level ? all_tets : tets_[r].load()});
+  return result;
+}
+
+bool RegionWatch::is_lost(std::size_t which, bool written) const {
+  if (written && !source_.voxels->level) return tets_[which] == 0;
+  return counted_pieces_ && regions_[which].points == 0;
+}
+
+std::string RegionWatch::lost(std::size_t which) {
+  const ImageRegion& region = regions_[which];
+  std::string text = fmt::format("label {} ({} voxels) is not in the mesh", region.label,
+                                 region.voxels);
+  if (source_.voxels->cropped) return text + ", as far as it is cropped";
+  if (source_.voxels->smoothed) return text + "; a smaller --smooth may keep it";
+  find_certain_size(*source_.voxels->image, source_.voxels->level, regions_, which);
+  return text + "; --size " + at_most(region.certain_size) + " or less keeps it";
+}
+
+std::string RegionWatch::other_pieces(std::size_t which) const {
+  const ImageRegion& region = regions_[which];
+  const bool exact = region.pieces_by_corners == region.pieces_by_faces;
+  std::string text = fmt::format(
+      "{} has {} in the mesh, {}{} in the image", named(region, source_.voxels->level.has_value()),
+      region.lattice_pieces == 1 ? "1 piece" : fmt::format("{} pieces", region.lattice_pieces),
+      exact ? "" : fmt::format("{} to ", region.pieces_by_corners), region.pieces_by_faces);
+  if (source_.voxels->smoothed) return text + "; a smaller --smooth may keep them";
+  if (source_.voxels->level) return text + "; a smaller --size may keep them";
+  return text + fmt::format("; --size {:.6g} or less keeps them", finest_);
+}
+
+std::vector<std::string> RegionWatch::warnings(bool written) {
+  std::vector<std::string> sentences;
+  std::size_t lost_ones = 0, changed = 0;
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    if (is_lost(r, written)) {
+      if (++lost_ones <= most_told) sentences.push_back(lost(r));
+    } else if (counted_pieces_ && !regions_[r].keeps_pieces()) {
+      if (++changed <= most_told) sentences.push_back(other_pieces(r));
+    }
+  }
+  if (lost_ones > most_told)
+    sentences.push_back(fmt::format("{} more labels are not in the mesh", lost_ones - most_told));
+  if (changed > most_told)
+    sentences.push_back(
+        fmt::format("{} more labels have other pieces than in the image", changed - most_told));
+  return sentences;
+}
+
+}  // namespace certet::command

@@ -1,0 +1,50 @@
+#pragma once
+/// \file
+/// Whether the labels of an image arrive in the mesh, and in one piece.
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "source.hpp"
+
+namespace certet::command {
+
+/// A region, and what the mesh has of it.
+struct MeshedRegion {
+  ImageRegion region;
+  std::uint64_t tets = 0;
+};
+
+/// Watches a run from the counted lattice to the written mesh.
+class RegionWatch {
+ public:
+  /// Counts pieces where the lattice is coarse enough to lose some.
+  RegionWatch(const Source& source, const PlacedSource& placed);
+
+  /// A labeller that counts what it labels.  Lives as long as the watch.
+  [[nodiscard]] Labeller watch(const Labeller& labeller) const;
+
+  /// Of a mesh of `all_tets`; 0 tetrahedra everywhere if it was not written.
+  [[nodiscard]] std::vector<MeshedRegion> regions(std::uint64_t all_tets) const;
+  [[nodiscard]] bool counted_pieces() const { return counted_pieces_; }
+
+  /// Sentences about what is lost, split or joined; `written` tells whether there
+  /// are tetrahedra to judge by, or lattice points alone.
+  [[nodiscard]] std::vector<std::string> warnings(bool written);
+
+ private:
+  [[nodiscard]] bool is_lost(std::size_t which, bool written) const;
+  [[nodiscard]] std::string lost(std::size_t which);
+  [[nodiscard]] std::string other_pieces(std::size_t which) const;
+
+  const Source& source_;
+  double size_, finest_ = 0;
+  std::vector<ImageRegion> regions_;
+  std::unique_ptr<std::atomic<std::uint64_t>[]> tets_;  ///< of each region
+  bool counted_pieces_ = false;
+};
+
+}  // namespace certet::command

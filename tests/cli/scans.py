@@ -1,0 +1,80 @@
+"""Small scans as DICOM series and TIFF stacks, written by libraries that share no
+code with the program's readers."""
+
+import numpy
+import pydicom
+import tifffile
+from pydicom.dataset import FileDataset, FileMetaDataset
+from pydicom.uid import CTImageStorage, ExplicitVRLittleEndian
+
+AXIAL = (1, 0, 0, 0, 1, 0)
+
+
+def volume(size, value):
+    """An array by [k, j, i]."""
+    return numpy.array([[[value(i, j, k) for i in range(size[0])] for j in range(size[1])]
+                        for k in range(size[2])])
+
+
+def slice_position(origin, orientation, along):
+    normal = numpy.cross(orientation[:3], orientation[3:])
+    return [float(o + along * n) for o, n in zip(origin, normal)]
+
+
+def write_slice(path, pixels, position, series="1.2.3", spacing=(1, 1), thickness=1,
+                orientation=AXIAL, number=1, samples=1):
+    """`spacing` is along i and j; DICOM has it the other way round."""
+    meta = FileMetaDataset()
+    meta.MediaStorageSOPClassUID = CTImageStorage
+    meta.MediaStorageSOPInstanceUID = f"{series}.{number}"
+    meta.TransferSyntaxUID = ExplicitVRLittleEndian
+    data = FileDataset(str(path), {}, file_meta=meta, preamble=b"\0" * 128)
+    data.is_little_endian, data.is_implicit_VR = True, False
+    data.SOPClassUID = CTImageStorage
+    data.SOPInstanceUID = meta.MediaStorageSOPInstanceUID
+    data.StudyInstanceUID, data.SeriesInstanceUID = "1.2", series
+    data.Modality, data.InstanceNumber = "CT", number
+    data.Rows, data.Columns = pixels.shape[:2]
+    data.PixelSpacing = [spacing[1], spacing[0]]
+    data.SliceThickness = thickness
+    data.ImagePositionPatient = [round(float(p), 6) for p in position]
+    data.ImageOrientationPatient = list(orientation)
+    data.SamplesPerPixel = samples
+    data.PhotometricInterpretation = "MONOCHROME2" if samples == 1 else "RGB"
+    if samples == 3:
+        data.PlanarConfiguration = 0
+    data.BitsAllocated = data.BitsStored = 8 * pixels.itemsize
+    data.HighBit = data.BitsStored - 1
+    data.PixelRepresentation = int(pixels.dtype.kind == "i")
+    if samples == 1:
+        data.RescaleSlope, data.RescaleIntercept = 1, 0
+    data.PixelData = pixels.tobytes()
+    data.save_as(str(path), write_like_original=False)
+
+
+def write_series(folder, voxels, spacing=(1, 1, 1), origin=(0, 0, 0), orientation=AXIAL,
+                 series="1.2.3", positions=None, skip=()):
+    """Names and instance numbers run against the slices' positions."""
+    folder.mkdir(exist_ok=True)
+    count = len(voxels)
+    for k, pixels in enumerate(voxels):
+        if k in skip:
+            continue
+        along = positions[k] if positions else k * spacing[2]
+        write_slice(folder / f"{series}-{5 * k % count:03}.dcm", pixels.astype("int16"),
+                    slice_position(origin, orientation, along), series, spacing,
+                    spacing[2], orientation, number=count - k)
+
+
+def write_tiff(path, voxels, **settings):
+    tifffile.imwrite(str(path), voxels, photometric="minisblack", **settings)
+
+
+def write_imagej(path, voxels, spacing, unit="mm"):
+    tifffile.imwrite(str(path), voxels, imagej=True,
+                     resolution=(1 / spacing[0], 1 / spacing[1]),
+                     metadata={"spacing": spacing[2], "unit": unit, "axes": "ZYX"})
+
+
+__all__ = ["AXIAL", "pydicom", "volume", "write_imagej", "write_series", "write_slice",
+           "write_tiff"]
