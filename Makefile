@@ -9,10 +9,12 @@
 #   make check-extracted  re-extract the OCaml reference and compare
 #   make build            the library and the command, build/bin/certet
 #   make bench            the figures of the README, into build/bench
+#   make mutation         single defects seeded into the core, and how many the tests catch
+#   make soak             10,000 random domains, meshed and verified
 
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: demo test deps proofs audit check-extracted build bench certified-tables clean
+.PHONY: demo test deps proofs audit check-extracted build bench mutation soak certified-tables clean
 .NOTPARALLEL:
 
 JOBS ?= $(shell nproc)
@@ -76,6 +78,15 @@ bench: build
 	mkdir -p $(BUILD)/bench
 	$(MAKE) -s -C extracted BUILD=$(abspath $(BUILD))/bench/reference
 	$(PYTHON) -B cpp/bench/report.py $(BUILD) $(if $(LARGE),--large)
+
+# Some 25 minutes; results in build/mutation.
+mutation: build
+	$(PYTHON) -B tests/mutation/mutate.py $(BUILD)
+
+# Some minutes; results in build/soak.
+soak: build
+	mkdir -p $(BUILD)/soak
+	$(BUILD)/bin/certet_soak --count 10000 --report $(BUILD)/soak/soak
 
 clean:
 	$(MAKE) -C coq clean

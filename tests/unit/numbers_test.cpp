@@ -12,6 +12,7 @@
 #include "certet/frame.hpp"
 #include "certet/orientation.hpp"
 #include "certet/sign.hpp"
+#include "certet/structured_tet.hpp"
 
 namespace certet {
 namespace {
@@ -24,6 +25,18 @@ TEST(Coordinates, AddSubtractAndScale) {
   // Any lattice point in use has a position of 32 bits.
   EXPECT_LE(std::int64_t{coordinate_limit} * steps, std::numeric_limits<std::int32_t>::max());
   EXPECT_EQ(coordinate_limit, 32000);
+}
+
+TEST(Coordinates, AnAnchorOutOfRangeIsRefused) {
+  EXPECT_EQ(anchor_limit, 31992);
+  for (const auto axis : {&Coord3::x, &Coord3::y, &Coord3::z})
+    for (const std::int32_t sign : {-1, 1}) {
+      Coord3 anchor{0, 0, 0};
+      anchor.*axis = sign * anchor_limit;
+      EXPECT_NO_THROW(structured_tet({anchor, StructuredTetCase::I1}));
+      anchor.*axis += 2 * sign;
+      EXPECT_THROW(structured_tet({anchor, StructuredTetCase::I1}), Error);
+    }
 }
 
 TEST(Signs, AreOppositeOnlyAcrossTheSurface) {
