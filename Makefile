@@ -20,11 +20,13 @@
 #   make sanitize         the tests under the address and undefined-behaviour sanitizers
 #   make tsan             the engine's tests under the thread sanitizer
 #   make valgrind         the bridge to OCaml under valgrind
+#   make mutation         single defects seeded into the core, and how many the tests catch
+#   make soak             10,000 random domains, meshed and verified
 
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
 .PHONY: demo test deps proofs audit check-extracted conformance build bench certified-tables clean \
-  install package repeatability checksums tidy sanitize tsan valgrind
+  install package repeatability checksums tidy sanitize tsan valgrind mutation soak
 .NOTPARALLEL:
 
 JOBS ?= $(shell nproc)
@@ -128,6 +130,15 @@ valgrind: build
 	OCAMLRUNPARAM=b valgrind --error-exitcode=1 --leak-check=no --undef-value-errors=yes \
 	  --suppressions=tests/differential/valgrind.supp \
 	  $(BUILD)/bin/certet_differential_test --gtest_filter='Bridge*'
+
+# Some 25 minutes; results in build/mutation.
+mutation: build
+	$(PYTHON) -B tests/mutation/mutate.py $(BUILD)
+
+# Some minutes; results in build/soak.
+soak: build
+	mkdir -p $(BUILD)/soak
+	$(BUILD)/bin/certet_soak --count 10000 --report $(BUILD)/soak/soak
 
 clean:
 	$(MAKE) -C coq clean

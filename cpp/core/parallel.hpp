@@ -61,8 +61,12 @@ void parallel_for(Context& context, Stage stage, std::int64_t count, const Task&
   const int threads = context.threads > 0 ? context.threads
                                           : tbb::this_task_arena::max_concurrency();
   if (threads > 1) {
-    const tbb::global_control workers(tbb::global_control::max_allowed_parallelism,
-                                      static_cast<std::size_t>(threads));
+    // Only ever raised: the arena keeps to `threads`, and another run at the same
+    // time may want more.
+    constexpr auto parallelism = tbb::global_control::max_allowed_parallelism;
+    const tbb::global_control workers(parallelism,
+                                      std::max(static_cast<std::size_t>(threads),
+                                               tbb::global_control::active_value(parallelism)));
     tbb::task_arena arena(threads);
     arena.execute([&] {
       tbb::parallel_for(

@@ -218,6 +218,39 @@ TEST(Engine, ALatticeOutsideTheRangeIsRefused) {
   EXPECT_EQ(code_of({{0, 0, 0}, {1, 10, 10}}), ErrorCode::bad_option);
 }
 
+/// The largest lattice that fits is one cell or one unit short of refusal.
+TEST(Engine, TheRangeEndsWhereItSays) {
+  Context context;
+  const auto nowhere = domains::Positional([](Coord3) { return Sign::minus; });
+  constexpr Coord3 low{-anchor_limit, -anchor_limit, -anchor_limit};
+  EXPECT_NO_THROW(Stuffing(nowhere, {low, {2, 2, 2}}, {}, context));
+  constexpr std::int32_t last = anchor_limit - 6;
+  EXPECT_NO_THROW(Stuffing(nowhere, {{last, last, last}, {2, 2, 2}}, {}, context));
+  for (const auto axis : {&Coord3::x, &Coord3::y, &Coord3::z}) {
+    Coord3 beyond = low;
+    beyond.*axis -= 2;
+    EXPECT_EQ(code_of({beyond, {2, 2, 2}}), ErrorCode::too_large);
+    beyond = {last, last, last};
+    beyond.*axis += 2;
+    EXPECT_EQ(code_of({beyond, {2, 2, 2}}), ErrorCode::too_large);
+    Coord3 uneven{0, 0, 0};
+    uneven.*axis = 1;
+    EXPECT_EQ(code_of({uneven, {4, 4, 4}}), ErrorCode::bad_option);
+  }
+  EXPECT_EQ(checked_cells(cells_limit), cells_limit);
+  EXPECT_EQ(checked_cells(7), 7);
+  EXPECT_EQ(cells_limit, 31990);
+  for (const double cells : {cells_limit + 1.0, 1e300, std::nan("")})
+    EXPECT_THROW(static_cast<void>(checked_cells(cells)), Error);
+}
+
+TEST(Engine, NothingIsAssumedThatWasNotSaid) {
+  EXPECT_EQ(Lattice{}.origin, (Coord3{0, 0, 0}));
+  EXPECT_EQ(Lattice{}.cells, (std::array<std::int32_t, 3>{0, 0, 0}));
+  EXPECT_EQ(StuffingOptions{}.cuts, Cuts::bisect);
+  EXPECT_EQ(StuffingOptions{}.guarantee, Guarantee::angles);
+}
+
 TEST(Engine, WithMidpointCutsTheSurfaceCountsAsInside) {
   const auto noise = domains::noise(3, 64);
   const domains::Positional rounded([&](Coord3 p) {

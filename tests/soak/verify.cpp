@@ -1,0 +1,296 @@
+#include "verify.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "certet/check.hpp"
+#include "certet/checksum.hpp"
+#include "certet/direction.hpp"
+#include "certet/quality.hpp"
+#include "certet/write_mesh.hpp"
+
+namespace soak {
+namespace {
+
+using certet::Coord3;
+using certet::Point3;
+using certet::Sign;
+using NarrowTet = certet::Tet<std::uint32_t>;
+
+/// A mesh that may be spoiled.
+struct PlainMesh {
+  std::vector<Coord3> points;
+  std::vector<NarrowTet> tets;
+  std::vector<std::int32_t> labels;
+};
+
+/// The domain, with everything outside beyond a plane.
+class Half final : public certet::Domain {
+ public:
+  Half(const certet::Domain& whole, std::int32_t x) : whole_(whole), x_(x) {}
+  void row(Coord3 first, std::span<Sign> out) const override {
+    whole_.row(first, out);
+    for (Sign& sign : out) {
+      if (first.x > x_) sign = Sign::minus;
+      first.x += 2;
+    }
+  }
+  void at(std::span<const Coord3> positions, std::span<Sign> out) const override {
+    whole_.at(positions, out);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      if (positions[i].x > certet::steps * x_) out[i] = Sign::minus;
+  }
+
+ private:
+  const certet::Domain& whole_;
+  std::int32_t x_;
+};
+
+std::vector<std::array<Coord3, 4>> placed(const PlainMesh& mesh) {
+  std::vector<std::array<Coord3, 4>> corners;
+  for (const auto& [a, b, c, d] : mesh.tets)
+    corners.push_back({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]});
+  return corners;
+}
+
+PlainMesh in_memory(const certet::Stuffing& stuffing, const Trial& trial,
+                    certet::Context& context) {
+  const certet::Mesh made = certet::emit(stuffing, trial.frame, context);
+  const auto& tets = std::get<certet::Buffer<NarrowTet>>(made.tets);
+  PlainMesh mesh{{made.points.begin(), made.points.end()}, {tets.begin(), tets.end()}, {}};
+  if (trial.kind == Kind::labels) {
+    mesh.labels.resize(mesh.tets.size());
+    trial.image->label(placed(mesh), mesh.labels);
+  }
+  return mesh;
+}
+
+void spoil(PlainMesh& mesh, Plant plant) {
+  NarrowTet& tet = mesh.tets[mesh.tets.size() / 2];
+  if (plant == Plant::flipped_tet) std::swap(tet[0], tet[1]);
+  if (plant == Plant::missing_tet) tet = mesh.tets.back(), mesh.tets.pop_back();
+  if (plant == Plant::moved_point) mesh.points[tet[2]] = mesh.points[tet[2]] + Coord3{200'000, 0, 0};
+  if (plant == Plant::torn_point) {
+    mesh.points.push_back(mesh.points[tet[1]]);
+    tet[1] = static_cast<std::uint32_t>(mesh.points.size() - 1);
+  }
+  if (plant == Plant::swapped_labels)
+    for (std::int32_t& label : mesh.labels) label = 4 - label;  // 1 for 3
+}
+
+/// Keeps what is written slab by slab.
+class Keeper final : public certet::MeshWriter {
+ public:
+  void points(std::span<const Point3> points) override {
+    points_.insert(points_.end(), points.begin(), points.end());
+  }
+  void tets(std::span<const NarrowTet> tets, std::span<const std::int32_t> labels) override {
+    tets_.insert(tets_.end(), tets.begin(), tets.end());
+    labels_.insert(labels_.end(), labels.begin(), labels.end());
+  }
+  void tets(std::span<const certet::Tet<std::uint64_t>>, std::span<const std::int32_t>) override {}
+  void finish() override {}
+
+  std::vector<Point3> points_;
+  std::vector<NarrowTet> tets_;
+  std::vector<std::int32_t> labels_;
+};
+
+/// Judges one mesh; every fault is a sentence.
+class Judge {
+ public:
+  Judge(const Trial& trial, PlainMesh mesh, Verdict& verdict)
+      : trial_(trial), mesh_(std::move(mesh)), verdict_(verdict) {
+    for (const Coord3 p : mesh_.points) world_.push_back(trial.frame.world(p));
+  }
+
+  /// Conforming, closed, positive, every point used once: where the lattice has
+  /// its points, and in the world.
+  void check_soundness() {
+    std::vector<Point3> exact;
+    for (const Coord3 p : mesh_.points) exact.push_back({double(p.x), double(p.y), double(p.z)});
+    for (const auto* points : {&exact, &world_})
+      for (const std::string& failure : certet::check(*points, std::span<const NarrowTet>(mesh_.tets)).failures)
+        fault((points == &exact ? "lattice: " : "world: ") + failure);
+  }
+
+  /// A hole inside is a closed boundary too; but it has faces with a vertex
+  /// inside, where the surface cannot be.
+  void check_cracks() {
+    std::map<std::array<std::uint32_t, 3>, int> faces;
+    for (const auto& [a, b, c, d] : mesh_.tets)
+      for (std::array face : {std::array{b, c, d}, {a, c, d}, {a, b, d}, {a, b, c}}) {
+        std::ranges::sort(face);
+        ++faces[face];
+      }
+    std::vector<bool> on_boundary(mesh_.points.size());
+    for (const auto& [face, sides] : faces)
+      if (sides == 1)
+        for (const std::uint32_t p : face) on_boundary[p] = true;
+    for (std::size_t p = 0; p < on_boundary.size(); ++p)
+      if (on_boundary[p] && is_inside(mesh_.points[p])) {
+        fault("there is a crack at point " + std::to_string(p));
+        return;
+      }
+  }
+
+  void check_angles(certet::Guarantee guarantee) {
+    const certet::AngleBounds bounds = certet::proven_bounds(trial_.options.cuts, guarantee);
+    const std::span<const NarrowTet> tets(mesh_.tets);
+    const certet::Quality lattice = certet::measure_lattice(mesh_.points, 0, tets);
+    verdict_.min_dihedral = lattice.min_dihedral;
+    verdict_.max_dihedral = lattice.max_dihedral;
+    if (!certet::within(lattice, bounds, 1e-9)) fault("lattice: " + outside(lattice, bounds));
+    const certet::Quality world = certet::measure_world(world_, 0, tets);
+    if (!certet::within(world, bounds, 1e-6)) fault("world: " + outside(world, bounds));
+    const double expected = lattice.volume * std::pow(trial_.frame.size, 3);
+    if (std::abs(world.volume - expected) > 1e-6 * expected)
+      fault("the volume of the world is not that of the lattice");
+    volume_ = 8 * lattice.volume;
+  }
+
+  /// The volume against random points, in lattice units cubed, give or take what
+  /// lies half a unit from the surface.  Shapes that are mostly thinner than the
+  /// lattice are let off: thin parts may vanish.
+  void check_volume() {
+    if (trial_.kind != Kind::smooth || trial_.options.cuts != certet::Cuts::bisect) return;
+    constexpr int count = 6000;
+    std::mt19937_64 random(trial_.seed);
+    int inside = 0, near = 0, deep = 0;
+    double box = 1;
+    for (const std::int32_t n : trial_.lattice.cells) box *= 2 * n;
+    for (int i = 0; i < count; ++i) {
+      const std::array<Coord3, 7> around = cross(random);
+      std::array<Sign, 7> signs;
+      trial_.domain->at(around, signs);
+      inside += signs[0] == Sign::plus;
+      const bool is_near = std::ranges::any_of(signs, [&](Sign s) { return s != signs[0]; });
+      near += is_near;
+      deep += !is_near && signs[0] == Sign::plus;
+    }
+    if (2 * deep < inside) return;
+    verdict_.volume_compared = true;
+    const double share = double(inside) / count;
+    const double deviation = box * std::sqrt(share * (1 - share) / count);
+    const double allowed = 5 * deviation + 0.2 * box * near / count;
+    if (std::abs(volume_ - box * share) > allowed)
+      fault("the volume is " + std::to_string(volume_) + " where " + std::to_string(box * share) +
+            " were estimated, give or take " + std::to_string(allowed));
+  }
+
+  /// Written slab by slab the mesh is the same, down to its checksum.
+  void check_stream(const certet::Stuffing& stuffing, Plant plant, certet::Context& context) {
+    certet::Labeller labeller;
+    if (trial_.kind == Kind::labels)
+      labeller = [&](auto tets, auto out) { trial_.image->label(tets, out); };
+    Keeper keeper;
+    const std::uint64_t bytes = trial_.seed % 3 * 200'000;
+    const certet::WrittenMesh written = certet::write_mesh(
+        stuffing, trial_.frame, certet::cut_slabs(stuffing, bytes), labeller, keeper, context);
+    if (plant == Plant::streamed_step) mesh_.points.back().y += 1;
+    certet::Checksum sum;
+    sum.points(0, mesh_.points);
+    sum.tets(0, std::span<const NarrowTet>(mesh_.tets));
+    if (written.checksum != sum.value()) fault("streamed: the checksum is another one");
+    if (keeper.points_ != world_ || keeper.tets_ != mesh_.tets) fault("streamed: the mesh is another one");
+    if (keeper.labels_ != mesh_.labels) fault("streamed: the labels are other ones");
+  }
+
+  /// A tetrahedron has the label of the voxel that holds its centroid.
+  void check_labels() {
+    if (trial_.kind != Kind::labels) return;
+    std::size_t wrong = 0, seen = 0;
+    for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
+      const std::int32_t label = mesh_.labels[t];
+      if (label < 1 || label > 3) ++wrong;
+      Point3 centroid{0, 0, 0};
+      for (const std::uint32_t p : mesh_.tets[t])
+        for (std::size_t r = 0; r < 3; ++r) centroid[r] += world_[p][r] / 4;
+      const std::optional<int> there = trial_.labels.at(centroid);
+      if (!there || *there == 0) continue;
+      ++seen;
+      wrong += *there != label;
+    }
+    if (wrong > 0) fault(std::to_string(wrong) + " labels are not those of the voxels");
+    if (seen == 0) fault("no label was looked at");
+  }
+
+ private:
+  void fault(std::string sentence) { verdict_.faults.push_back(std::move(sentence)); }
+
+  /// Whether a position is a lattice point that lies inside for certain: no edge
+  /// is cut within its first step, so that it is not warped at distance 0 either.
+  [[nodiscard]] bool is_inside(Coord3 position) const {
+    const Coord3 d = position - certet::steps * trial_.lattice.origin;
+    if ((d.x | d.y | d.z) & (certet::steps - 1)) return false;
+    const std::array<std::int32_t, 3> index{d.x / certet::steps, d.y / certet::steps,
+                                            d.z / certet::steps};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if ((index[axis] & 1) != (index[0] & 1)) return false;
+      if (index[axis] / 2 < 1 || index[axis] / 2 > trial_.lattice.cells[axis] - 2) return false;
+    }
+    std::array<Coord3, 1 + certet::direction_count> positions;
+    positions[0] = position;
+    for (std::size_t i = 0; i < certet::direction_offset.size(); ++i)
+      positions[i + 1] = position + certet::direction_offset[i];
+    std::array<Sign, positions.size()> signs;
+    trial_.domain->at(positions, signs);
+    return signs[0] == Sign::plus &&
+           std::find(signs.begin(), signs.end(), Sign::minus) == signs.end();
+  }
+
+  static std::string outside(const certet::Quality& quality, const certet::AngleBounds& bounds) {
+    return std::to_string(quality.nonpositive) + " tetrahedra are not positive, angles from " +
+           std::to_string(quality.min_dihedral) + " to " + std::to_string(quality.max_dihedral) +
+           " degrees, outside of " + std::string(bounds.theorem);
+  }
+
+  /// A random position of the lattice's box and six ones half a unit away.
+  std::array<Coord3, 7> cross(std::mt19937_64& random) const {
+    const Coord3 low = certet::steps * trial_.lattice.origin;
+    const auto& n = trial_.lattice.cells;
+    const auto along = [&](std::int32_t from, std::int32_t cells) {
+      return from + static_cast<std::int32_t>(random() % static_cast<std::uint64_t>(2 * cells * certet::steps));
+    };
+    const Coord3 p{along(low.x, n[0]), along(low.y, n[1]), along(low.z, n[2])};
+    constexpr std::int32_t h = certet::steps / 2;
+    return {p, p + Coord3{h, 0, 0}, p - Coord3{h, 0, 0}, p + Coord3{0, h, 0},
+            p - Coord3{0, h, 0}, p + Coord3{0, 0, h}, p - Coord3{0, 0, h}};
+  }
+
+  const Trial& trial_;
+  PlainMesh mesh_;
+  Verdict& verdict_;
+  std::vector<Point3> world_;
+  double volume_ = 0;
+};
+
+}  // namespace
+
+Verdict verify(const Trial& trial, Plant plant) {
+  Verdict verdict;
+  verdict.kind = trial.kind;
+  certet::Context context;
+  context.threads = trial.threads;
+  const Half half(*trial.domain, trial.lattice.origin.x + trial.lattice.cells[0]);
+  const certet::Domain* meshed = trial.domain.get();
+  if (plant == Plant::half_domain && trial.kind == Kind::smooth) meshed = &half;
+  const certet::Stuffing stuffing(*meshed, trial.lattice, trial.options, context);
+  verdict.tets = stuffing.tet_count();
+  verdict.fell_back = stuffing.guarantee() != trial.options.guarantee;
+  if (verdict.tets == 0) return verdict;
+  PlainMesh mesh = in_memory(stuffing, trial, context);
+  spoil(mesh, plant);
+  Judge judge(trial, std::move(mesh), verdict);
+  judge.check_soundness();
+  if (plant != Plant::half_domain) judge.check_cracks();
+  judge.check_angles(stuffing.guarantee());
+  judge.check_volume();
+  judge.check_labels();
+  judge.check_stream(stuffing, plant, context);
+  return verdict;
+}
+
+}  // namespace soak
