@@ -7,6 +7,7 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "certet/image.hpp"
@@ -108,7 +109,7 @@ Labels of_points(const ImageDomain& domain) {
 struct Case {
   std::shared_ptr<const Image> image;
   std::unique_ptr<ImageDomain> domain;
-  std::vector<Region> regions;
+  decltype(regions_of_labels(std::declval<Image>(), {})) regions;
 };
 
 Case counted(unsigned number, const std::array<std::int64_t, 3>& size, int labels, double edge) {
@@ -132,7 +133,7 @@ TEST(Regions, PiecesAreThoseOfAFloodFill) {
         auto faces = flood(voxels, around(false));
         auto corners = flood(voxels, around(true));
         auto lattice = flood(of_points(*c.domain), lattice_edges());
-        for (const Region& region : c.regions) {
+        for (const auto& region : c.regions) {
           ASSERT_EQ(region.pieces_by_faces, faces[region.label]);
           // Not counted where it makes no difference.
           if (region.pieces_by_corners != region.pieces_by_faces) {
@@ -165,7 +166,7 @@ TEST(Regions, NothingIsLostAtTheSizeOfVoxels) {
   unsigned number = 100;
   for (const auto& size : sizes)
     for (const double edge : {1.0, 0.8, 0.5})
-      for (const Region& region : counted(++number, size, 3, edge).regions)
+      for (const auto& region : counted(++number, size, 3, edge).regions)
         EXPECT_TRUE(region.keeps_pieces() && region.points > 0) << region.label;
 }
 

@@ -145,8 +145,7 @@ std::unique_ptr<ImageDomain> cropped_domain(std::unique_ptr<ImageDomain> whole,
 /// lattice that have the label by the edges of the lattice.  The mesh of a solid has
 /// as many pieces as its lattice points do: a lattice tetrahedron is filled exactly
 /// where a corner is inside, and the fillings on both sides of a face with a corner
-/// inside meet (theorem FaceTriangulationsAgree).  Where vertices are warped, pieces
-/// may besides touch in faces whose corners all lie on the surface.
+/// inside meet (theorem FaceTriangulationsAgree).
 struct Region {
   std::int32_t label = 0;  ///< 0 for the solid of a level
   std::uint64_t voxels = 0;
