@@ -24,7 +24,7 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "tetrahedral meshes with proven angl
  Headers and libraries of certet, a mesher whose tetrahedra have dihedral angles
  within proven bounds.")
 set(needs "libstdc++6")
-foreach(pair TBB=libtbb-dev ITK=libinsighttoolkit5-dev MUPARSER=libmuparser-dev)
+foreach(pair TBB=libtbb-dev "ITK=libinsighttoolkit5-dev, libtiff-dev" MUPARSER=libmuparser-dev)
   string(REPLACE "=" ";" pair ${pair})
   list(GET pair 0 part)
   list(GET pair 1 package)

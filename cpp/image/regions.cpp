@@ -101,7 +101,8 @@ constexpr std::array<Link, 5> of_even{
     {{false, -2, 0, 0}, {true, 0, 0, 0}, {true, -1, 1, 0}, {true, 1, 1, 0}, {false, -1, 1, 0}}};
 constexpr std::array<Link, 3> of_odd{{{false, -2, 0, 0}, {true, 0, 0, 0}, {false, -1, 0, 1}}};
 
-/// Finds the runs of a row of lattice points.
+/// Finds the runs of a row of lattice points.  In a mesh with warped vertices,
+/// pieces may besides touch in faces whose corners all lie on the surface.
 class LatticeRows {
  public:
   LatticeRows(const ImageDomain& domain, std::vector<ImageRegion>& regions)

@@ -31,8 +31,11 @@ class NearestLabel {
       centre[a] = static_cast<std::int64_t>(std::floor(std::clamp(at[a], 0.0, last) + 0.5));
       farthest = std::max({farthest, centre[a], image_->size[a] - 1 - centre[a]});
     }
+    // The voxel that the place is in is the nearest of all.
+    if (const std::int64_t label = label_of(centre); set_.contains(label))
+      return static_cast<std::int32_t>(label);
     Best best;
-    for (std::int64_t radius = 0; radius <= farthest; ++radius) {
+    for (std::int64_t radius = 1; radius <= farthest; ++radius) {
       if ((static_cast<double>(radius) - 0.5) * finest_ > best.distance) break;
       search_shell(centre, radius, at, best);
     }
