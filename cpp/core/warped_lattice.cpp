@@ -14,9 +14,9 @@ namespace {
 constexpr std::array<std::array<int, 2>, family_count> family_directions = [] {
   std::array<std::array<int, 2>, family_count> table{};
   for (const Grid grid : {even, odd})
-    for (int d = 0; d < direction_count; ++d) {
+    for (std::size_t d = 0; d < direction_count; ++d) {
       const EdgeRef& edge = edges_of[grid][d];
-      table[edge.kind - corner_kinds][edge.is_first ? 0 : 1] = d;
+      table[edge.kind - corner_kinds][edge.is_first ? 0 : 1] = static_cast<int>(d);
     }
   return table;
 }();
@@ -94,12 +94,13 @@ class LayerWarper {
     row_.compute(planes_, j, k);
     const CutLayer& layer = cuts_[static_cast<std::size_t>(k)];
     const std::uint16_t* cut = layer.steps.data() + layer.row_begin[static_cast<std::size_t>(j)];
-    for (int f = 0; f < family_count; ++f) {
+    for (std::size_t f = 0; f < family_count; ++f) {
       const bool first_counts = k == k_;
       const bool second_counts = k + families[f].second.shift.z == k_;
       for (int w = 0; w < row_.words(); ++w) {
         const std::uint64_t mask = row_.mask(corner_kinds + f, w);
-        const std::uint64_t first_plus = planes_.plus(families[f].first.grid, j, k)[w];
+        const std::uint64_t first_plus =
+            planes_.plus(families[f].first.grid, j, k)[static_cast<std::size_t>(w)];
         if (first_counts || second_counts)
           collect_word(f, j, w, mask, first_plus, cut, {first_counts, second_counts});
         cut += std::popcount(mask);
@@ -107,7 +108,7 @@ class LayerWarper {
     }
   }
 
-  void collect_word(int f, int j, int w, std::uint64_t mask, std::uint64_t first_plus,
+  void collect_word(std::size_t f, int j, int w, std::uint64_t mask, std::uint64_t first_plus,
                     const std::uint16_t* cut, std::array<bool, 2> counts) {
     const std::int32_t threshold = thresholds_.in_steps(family_directions[f][0]);
     for_each_bit(mask, [&](int b) {
@@ -118,9 +119,9 @@ class LayerWarper {
       const bool second = plus != ((first_plus >> b & 1) != 0);
       if (!counts[second]) return;
       const VertexRef& end = second ? families[f].second : families[f].first;
-      rows_[(j + end.shift.y) & 1].add(end.grid, 64 * w + b + end.shift.x,
-                                       family_directions[f][second],
-                                       plus ? from_plus : from_minus);
+      ViolatedRow& row = rows_[static_cast<std::size_t>((j + end.shift.y) & 1)];
+      row.add(end.grid, 64 * w + b + end.shift.x, family_directions[f][second],
+              plus ? from_plus : from_minus);
     });
   }
 
@@ -148,7 +149,7 @@ CutLayer remaining_cuts(const SignPlanes& before, const CutLayer& cuts, const Si
     old_row.compute(before, j, k);
     new_row.compute(after, j, k);
     left.row_begin.push_back(left.steps.size());
-    for (int kind = corner_kinds; kind < kind_count; ++kind)
+    for (std::size_t kind = corner_kinds; kind < kind_count; ++kind)
       for (int w = 0; w < new_row.words(); ++w)
         for_each_bit(new_row.mask(kind, w), [&](int b) {
           left.steps.push_back(

@@ -8,8 +8,7 @@ SurfaceWriter::SurfaceWriter(const std::filesystem::path& file, const MeshSize& 
   for (const BoundaryFace& face : survey().boundary)
     numbers_.insert(numbers_.end(), face.points.begin(), face.points.end());
   std::ranges::sort(numbers_);
-  const auto repeated = std::ranges::unique(numbers_);
-  numbers_.erase(repeated.begin(), repeated.end());
+  numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
   numbers_.shrink_to_fit();
   if (!numbers_.empty() && numbers_.back() >= size.points)
     file_.fail("a face of its boundary names a point that is not there");

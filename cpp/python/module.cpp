@@ -121,14 +121,14 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
 std::shared_ptr<PythonMesh> mesh_function(py::object function, const Point3& low,
                                           const Point3& high, double size, int margin,
                                           const Options& options) {
-  const auto [frame, lattice] = lattice_around({low, high}, size, margin);
+  const BoxLattice box = lattice_around({low, high}, size, margin);
   // Kept here, under Python's lock, for it has to be let go of under it too.
-  const PythonDomain domain(std::move(function), frame, {low, high});
+  const PythonDomain domain(std::move(function), box.frame, {low, high});
   return mesh_of(
       [&] {
         return Placed{std::shared_ptr<Domain>(std::shared_ptr<void>(),
                                               const_cast<PythonDomain*>(&domain)),
-                      lattice, frame, {}};
+                      box.lattice, box.frame, {}};
       },
       options);
 }

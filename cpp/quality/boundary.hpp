@@ -21,7 +21,7 @@ template <class Index>
 BoundaryFace face_of(const Tet<Index>& tet, std::uint64_t number, std::uint8_t opposite) {
   const auto [a, b, c] = outward_faces[opposite];
   BoundaryFace face{{tet[a], tet[b], tet[c]}, number, opposite};
-  std::ranges::rotate(face.points, std::ranges::min_element(face.points));
+  std::rotate(face.points.begin(), std::ranges::min_element(face.points), face.points.end());
   return face;
 }
 

@@ -133,7 +133,8 @@ class VolumeDomain final : public PlacedDomain {
       for (int corner = 0; corner < 8; ++corner) {
         const openvdb::Coord voxel = low.offsetBy(corner & 1, corner >> 1 & 1, corner >> 2);
         double weight = 1;
-        for (int a = 0; a < 3; ++a) weight *= 1 - std::abs(at[a] - voxel[a]);
+        for (int a = 0; a < 3; ++a)
+          weight *= 1 - std::abs(at[a] - voxel[static_cast<unsigned>(a)]);
         value += weight * double{accessor_.getValue(voxel)};
       }
       return domain_.side_.of(value);

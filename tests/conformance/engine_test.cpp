@@ -154,13 +154,15 @@ domains::Positional domain_of(const json& c) {
   const Coord3 origin = c.at("origin").get<Coord3>();
   for (const int shift : {0, 1}) {
     const json& grid = c.at(shift == 0 ? "even" : "odd");
-    for (int k = 0; k < static_cast<int>(grid.size()); ++k)
-      for (int j = 0; j < static_cast<int>(grid[k].size()); ++j) {
-        const auto& row = grid[k][j].get_ref<const std::string&>();
+    for (int k = 0; k < static_cast<int>(grid.size()); ++k) {
+      const json& layer = grid[static_cast<std::size_t>(k)];
+      for (int j = 0; j < static_cast<int>(layer.size()); ++j) {
+        const auto& row = layer[static_cast<std::size_t>(j)].get_ref<const std::string&>();
         for (int i = 0; i < static_cast<int>(row.size()); ++i)
           signs[origin + 2 * Coord3{i, j, k} + Coord3{shift, shift, shift}] =
               sign_of(row[static_cast<std::size_t>(i)]);
       }
+    }
   }
   for (const json& cut : c.at("cut"))
     cuts[{Coord3{cut[0], cut[1], cut[2]}, Coord3{cut[3], cut[4], cut[5]}}] =

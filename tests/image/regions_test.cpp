@@ -192,8 +192,8 @@ TEST(Regions, TheCertainSizeHoldsATetrahedron) {
       ASSERT_EQ(regions[1].certain_size, 0.5 * edge);
       const Labels labels = of_points(*label_domain(shared, {}, {0.5 * edge, 1}));
       bool found = false;
-      for (const auto& [p, label] : labels) {
-        const auto is = [&](int x, int y, int z) {
+      for (const auto& [point, label] : labels) {
+        const auto is = [&, p = point](int x, int y, int z) {
           const auto other = labels.find({p[0] + x, p[1] + y, p[2] + z});
           return other != labels.end() && other->second == 7;
         };

@@ -7,6 +7,13 @@ import unittest
 from project import BUILD, CMAKE, EXAMPLES, SOURCE, PackageTest
 
 
+OPTIONAL = ("ITK", "MUPARSER", "BOOST", "ASSIMP", "OPENVDB", "ZLIB", "PNG", "THREE", "PYBIND11")
+
+
+def without(*parts):
+    return [f"-DCERTET_{part}=OFF" for part in parts]
+
+
 def examples():
     return sorted(p.parent for p in EXAMPLES.glob("*/CMakeLists.txt"))
 
@@ -66,7 +73,7 @@ class SharedCore(PackageTest):
         cls.prefix = cls.folder / "prefix"
         build = cls.configure_and_build(
             SOURCE, "certet", "-DBUILD_SHARED_LIBS=ON", "-DCMAKE_BUILD_TYPE=None",
-            "-DCERTET_TBB=OFF", "-DCERTET_ITK=OFF", "-DCERTET_MUPARSER=OFF",
+            *without("TBB", *OPTIONAL),
             "-DCERTET_TESTS=OFF", "-DCERTET_BENCH=OFF", "-DCMAKE_INSTALL_LIBDIR=lib",
             f"-DCMAKE_INSTALL_PREFIX={cls.prefix}")
         cls.run_program(CMAKE, "--install", build)
@@ -103,12 +110,12 @@ class Subfolder(PackageTest):
         main = (EXAMPLES / "implicit_function" / "main.cpp").as_posix()
         (project / "CMakeLists.txt").write_text(
             "cmake_minimum_required(VERSION 3.25)\nproject(outer CXX)\n"
-            "set(CERTET_COMMAND OFF)\nset(CERTET_ITK OFF)\nset(CERTET_MUPARSER OFF)\n"
+            "set(CERTET_COMMAND OFF)\n"
             f"add_subdirectory({SOURCE.as_posix()} certet)\nadd_executable(outer {main})\n"
             "target_link_libraries(outer certet::certet certet::image certet::expression)\n")
         build = self.configure_and_build(project, "outer", "-DCMAKE_BUILD_TYPE=None",
                                          "-DCMAKE_POLICY_DEFAULT_CMP0077=NEW",
-                                         "-DCMAKE_POLICY_DEFAULT_CMP0126=NEW")
+                                         "-DCMAKE_POLICY_DEFAULT_CMP0126=NEW", *without(*OPTIONAL))
         program = next(p for p in (build / "outer", build / "bin" / "outer") if p.exists())
         self.run_program(program, cwd=self.folder)
 
