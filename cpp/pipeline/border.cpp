@@ -22,16 +22,15 @@ Point3 lattice_position(const Frame& frame, const Point3& world) {
 
 class Box {
  public:
-  Box(const Point3& corner, const Point3& opposite) {
+  /// `rounding` is what a coordinate may be off by.
+  Box(const Point3& corner, const Point3& opposite, double rounding) : rounding_(rounding) {
     for (std::size_t a = 0; a < 3; ++a)
       std::tie(low_[a], high_[a]) = std::minmax(corner[a], opposite[a]);
   }
 
-  /// Lattice coordinates, not steps.
   [[nodiscard]] bool contains(const Point3& p) const {
-    constexpr double rounding = 1e-9;
     for (std::size_t a = 0; a < 3; ++a)
-      if (p[a] < low_[a] - rounding || p[a] > high_[a] + rounding) return false;
+      if (p[a] < low_[a] - rounding_ || p[a] > high_[a] + rounding_) return false;
     return true;
   }
 
@@ -44,12 +43,13 @@ class Box {
 
  private:
   Point3 low_, high_;
+  double rounding_;
 };
 
-/// The two lattice points that a cut in the middle of their edge lies between.
-std::array<Point3, 2> ends_of_middle(Coord3 cut) {
+/// The two lattice points that a cut in the middle of their edge lies between, in steps.
+std::array<Coord3, 2> ends_of_middle(Coord3 cut) {
   const Position at{cut.x, cut.y, cut.z};
-  std::array<Point3, 2> ends;
+  std::array<Position, 2> ends{};
   const bool is_short = at[0] % steps != 0;
   for (std::size_t a = 0; a < 3; ++a) {
     const std::int32_t below = at[a] >> step_bits;
@@ -63,28 +63,51 @@ std::array<Point3, 2> ends_of_middle(Coord3 cut) {
       first -= 1;
       second += 1;
     }
-    ends[0][a] = first;
-    ends[1][a] = second;
+    ends[0][a] = steps * first;
+    ends[1][a] = steps * second;
   }
-  return ends;
+  const auto point = [](const Position& p) { return Coord3{p[0], p[1], p[2]}; };
+  return {point(ends[0]), point(ends[1])};
 }
+
+/// `place` maps steps to the coordinates of the box, `unit` of which are one
+/// lattice unit.
+template <class Place>
+BorderTest border_of(const Box& box, Place place, double unit, Cuts cuts) {
+  if (cuts == Cuts::midpoint)
+    return [box, place](Coord3 position) {
+      const auto [one, other] = ends_of_middle(position);
+      return box.contains(place(one)) != box.contains(place(other));
+    };
+  // A bisected cut is at most one step of a long edge away from the surface.
+  const double tolerance = 4.0 / steps * unit;
+  return [box, place, tolerance](Coord3 position) {
+    return box.is_near_face(place(position), tolerance);
+  };
+}
+
+/// Of the corners' positions, in lattice units.
+constexpr double rounding = 1e-9;
 
 }  // namespace
 
 BorderTest box_border(const Frame& frame, const Point3& corner, const Point3& opposite,
                       Cuts cuts) {
-  const Box box(lattice_position(frame, corner), lattice_position(frame, opposite));
-  if (cuts == Cuts::midpoint)
-    return [box](Coord3 position) {
-      const auto [one, other] = ends_of_middle(position);
-      return box.contains(one) != box.contains(other);
-    };
-  // A bisected cut is at most one step of a long edge away from the surface.
-  constexpr double tolerance = 4.0 / steps;
-  return [box](Coord3 position) {
+  const auto place = [](Coord3 position) -> Point3 {
     constexpr double unit = 1.0 / steps;
-    return box.is_near_face({unit * position.x, unit * position.y, unit * position.z}, tolerance);
+    return {unit * position.x, unit * position.y, unit * position.z};
   };
+  return border_of(
+      Box(lattice_position(frame, corner), lattice_position(frame, opposite), rounding), place, 1,
+      cuts);
+}
+
+BorderTest world_box_border(const Frame& frame, const Point3& corner, const Point3& opposite,
+                            Cuts cuts) {
+  // No rounding: a point is in the box here exactly where it is in a cropped domain.
+  return border_of(Box(corner, opposite, 0),
+                   [frame](Coord3 position) { return frame.world(position); }, frame.size / 2,
+                   cuts);
 }
 
 }  // namespace certet

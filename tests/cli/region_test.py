@@ -244,6 +244,27 @@ class Crop(RegionTest):
                 self.crop(name="t.nrrd")
                 self.expect_box()
 
+    def patches(self, name, *options):
+        """The numbers of the faces' patches: 1 the surface, 2 the border."""
+        self.mesh(name, *options, "--crop", ",".join(map(str, self.BOX)), "-o", "a.mesh")
+        lines = (self.folder / "a.mesh").read_text().split("\n")
+        at = lines.index("Triangles")
+        rows = lines[at + 2:at + 2 + int(lines[at + 1])]
+        return [int(row.split()[3]) for row in rows]
+
+    def test_faces_of_the_box_are_border(self):
+        turned = ((0.6, 0.8, 0), (-0.8, 0.6, 0), (0, 0, 1))
+        for directions, origin in ((None, (3, -5, 7)), (turned, (8, -22, 7))):
+            for value, all_border in ((lambda i, j, k: 1, True), (lambda i, j, k: k % 8 < 5, False)):
+                write_nrrd(self.folder / "a.nrrd", (60, 60, 22),
+                           voxels((60, 60, 22), lambda i, j, k: int(value(i, j, k))),
+                           origin=origin, **({"directions": directions} if directions else {}))
+                for cuts in ("bisect", "midpoint"):
+                    with self.subTest(directions=directions, all_border=all_border, cuts=cuts):
+                        found = self.patches("a.nrrd", "--cuts", cuts)
+                        self.assertIn(2, found)
+                        self.assertEqual(set(found), {2} if all_border else {1, 2})
+
     def test_inside_it_is_the_same_mesh(self):
         self.write()
         whole = self.mesh("a.nrrd", "--cuts", "midpoint", "-o", "w.vtu")

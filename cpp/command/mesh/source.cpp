@@ -95,6 +95,11 @@ PlacedSource placed_image(std::unique_ptr<ImageDomain> domain, const Image& voxe
   PlacedSource source = placed(std::move(domain));
   source.image = &image;
   set_border(source, outer_corners(voxels), options.stuffing.cuts);
+  if (options.crop)
+    source.border = [of_image = std::move(source.border),
+                     of_crop = world_box_border(source.frame, options.crop->low,
+                                                options.crop->high, options.stuffing.cuts)](
+                        Coord3 p) { return of_image(p) || of_crop(p); };
   if (!options.iso)
     source.labeller = [&image](std::span<const std::array<Coord3, 4>> tets,
                                std::span<std::int32_t> out) { image.label(tets, out); };

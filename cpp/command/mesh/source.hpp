@@ -44,14 +44,14 @@ struct Source {
   std::string kind;  ///< labels, level, formula, shape, surface or volume
   std::string name;
   /// `size` is the long edge in world units; 0: the source's own choice.
-  /// 	hrows Error.
+  /// \throws Error.
   std::function<PlacedSource(double size)> place;
   std::vector<std::string> notes = {};  ///< what is doubtful about it, a sentence each
   std::optional<SolidVoxels> voxels = {};
   std::optional<Smoothing> smoothing = {};
 };
 
-/// Reads the image, surface, volume, formula or shape.  	hrows Error.
+/// Reads the image, surface, volume, formula or shape.  \throws Error.
 Source open_source(const MeshOptions& options, std::uint64_t max_bytes);
 
 }  // namespace certet::command

@@ -34,7 +34,7 @@ struct Region {
 /// What a face of the boundary is part of.
 enum class Patch : std::uint8_t {
   surface,  ///< the surface of the shape
-  border,   ///< where the shape is cut off, by the edge of the image
+  border,   ///< where the shape is cut off, by the edge of the image or the bounds
 };
 inline constexpr std::array<std::string_view, 2> patch_names{"surface", "border"};
 
@@ -68,6 +68,10 @@ using BorderTest = std::function<bool(Coord3)>;
 /// frame, with two opposite corners given in world coordinates.
 BorderTest box_border(const Frame& frame, const Point3& corner, const Point3& opposite,
                       Cuts cuts);
+
+/// The same for a box along the axes of the world.
+BorderTest world_box_border(const Frame& frame, const Point3& corner, const Point3& opposite,
+                            Cuts cuts);
 
 /// Surveys a mesh that is counted but not written, with memory for its boundary
 /// alone.  The result does not depend on the number of threads.  Names are left
