@@ -17,6 +17,7 @@
 
 #include "certet/context.hpp"
 #include "certet/error.hpp"
+#include "plain_threads.hpp"
 
 namespace certet::core {
 
@@ -57,7 +58,10 @@ void parallel_for(Context& context, Stage stage, std::int64_t count, const Task&
     task(i);
     progress.task_done();
   };
-#ifdef CERTET_HAS_TBB
+#if defined(CERTET_PLAIN_THREADS)
+  if (context.threads != 1)
+    return run_on_plain_threads(context.threads > 0 ? context.threads : 2, count, run);
+#elif defined(CERTET_HAS_TBB)
   const int threads = context.threads > 0 ? context.threads
                                           : tbb::this_task_arena::max_concurrency();
   if (threads > 1) {

@@ -12,6 +12,7 @@
 #include "certet/orientation.hpp"
 #include "certet/structured_tet.hpp"
 #include "certet/stuffing.hpp"
+#include "core/parallel.hpp"
 #include "domains.hpp"
 
 namespace certet {
@@ -296,6 +297,20 @@ TEST(Engine, ProgressIsReportedStageByStage) {
   stuff(ball(10), around_origin(8), {}, {}, context);
   EXPECT_EQ(order, (std::vector{Stage::sample, Stage::cut, Stage::warp, Stage::count, Stage::emit}));
 }
+
+#ifdef CERTET_PLAIN_THREADS
+/// The thread sanitizer is there and looks: tasks that count in one place are seen.
+TEST(EngineDeathTest, ARaceBetweenTasksIsSeen) {
+  EXPECT_DEATH(
+      {
+        Context context;
+        context.threads = 4;
+        std::int64_t counted = 0;
+        core::parallel_for(context, Stage::sample, 100'000, [&](std::int64_t) { ++counted; });
+      },
+      "data race");
+}
+#endif
 
 }  // namespace
 }  // namespace certet
