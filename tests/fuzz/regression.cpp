@@ -88,7 +88,7 @@ int run(const Arguments& arguments) {
   for (std::uint64_t number = 0; number < arguments.mutations; ++number) {
     const Input& one = inputs[random() % inputs.size()];
     const Input& other = inputs[random() % inputs.size()];
-    const Input input = mutated(one, other, random);
+    const Input input = fuzz::mutated(one, other, random);
     write(arguments.last, input);
     if (!runs(target, input, "mutation " + std::to_string(number) + ", in " + arguments.last))
       return 1;
