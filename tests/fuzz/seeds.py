@@ -166,7 +166,7 @@ def texts():
 
 
 def cores():
-    """Every choice of options; cells of 3 to 6 along the axes."""
+    """Every choice of options; cells of 3 to 5 along the axes."""
     for number in range(8):
         content = bytes([number, 0b100100 ^ number * 9])
         content += bytes((number * 37 + i * i * 11 + i // 3) % 256 for i in range(60 + 7 * number))

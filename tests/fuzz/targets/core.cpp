@@ -24,7 +24,7 @@ class Endless {
   Bytes bytes_;
 };
 
-constexpr std::int32_t most_cells = 7;
+constexpr std::int32_t most_cells = 5;
 
 /// The place of a lattice point in the order of points.
 std::uint64_t number_of(Coord3 v) {
@@ -61,7 +61,7 @@ domains::Positional field(Endless bytes) {
   });
 }
 
-/// The first byte has the options, the second the cells: 3 to 6 along each axis,
+/// The first byte has the options, the second the cells: 3 to 5 along each axis,
 /// of which the outermost points are outside.
 soak::Trial trial_of(Bytes bytes) {
   soak::Trial trial;
@@ -71,7 +71,7 @@ soak::Trial trial_of(Bytes bytes) {
   if (bytes[0] & 2) trial.options.guarantee = certet::Guarantee::embedding;
   trial.lattice.origin = {0, 0, 0};
   for (std::size_t axis = 0; axis < 3; ++axis)
-    trial.lattice.cells[axis] = 3 + (bytes[1] >> (2 * axis) & 3);
+    trial.lattice.cells[axis] = std::array{3, 4, 4, 5}[bytes[1] >> (2 * axis) & 3];
   trial.domain = std::make_unique<domains::Positional>(field(Endless(bytes.subspan(2))));
   return trial;
 }
