@@ -22,11 +22,12 @@
 #   make valgrind         the bridge to OCaml under valgrind
 #   make mutation         single defects seeded into the core, and how many the tests catch
 #   make soak             10,000 random domains, meshed and verified
+#   make fuzz             libFuzzer against every reader and the core, FUZZ_SECONDS (60) each
 
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
 .PHONY: demo test deps proofs audit check-extracted conformance build bench certified-tables clean \
-  install package repeatability checksums tidy sanitize tsan valgrind mutation soak
+  install package repeatability checksums tidy sanitize tsan valgrind mutation soak fuzz
 .NOTPARALLEL:
 
 JOBS ?= $(shell nproc)
@@ -139,6 +140,14 @@ mutation: build
 soak: build
 	mkdir -p $(BUILD)/soak
 	$(BUILD)/bin/certet_soak --count 10000 --report $(BUILD)/soak/soak
+
+# A minute for each target; findings in build-fuzz/findings, the seed may be given.
+FUZZ_SECONDS ?= 60
+FUZZ_SEED ?=
+fuzz: deps
+	cmake --preset fuzz
+	cmake --build --preset fuzz -j $(JOBS)
+	tests/fuzz/run build-fuzz $(FUZZ_SECONDS) $(FUZZ_SEED)
 
 clean:
 	$(MAKE) -C coq clean

@@ -1,5 +1,6 @@
 // The program `certet`.
 
+#include <algorithm>
 #include <cstdio>
 #include <new>
 #include <string>
@@ -10,8 +11,10 @@
 namespace certet::command {
 namespace {
 
-Status say(Status status, const char* sentence) {
-  std::fprintf(stderr, "certet: %s\n", sentence);
+/// On one line, whatever the names of files in it have in them.
+Status say(Status status, std::string sentence) {
+  std::ranges::replace_if(sentence, [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  std::fprintf(stderr, "certet: %s\n", sentence.c_str());
   return status;
 }
 

@@ -19,8 +19,11 @@
 namespace certet {
 namespace {
 
+/// One line, whatever the formula and muParser have in them.
 [[noreturn]] void refuse(const std::string& text, const std::string& reason) {
-  throw Error(ErrorCode::bad_input, "the formula \"" + text + "\" cannot be read: " + reason);
+  std::string sentence = "the formula \"" + text + "\" cannot be read: " + reason;
+  std::ranges::replace_if(sentence, [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
+  throw Error(ErrorCode::bad_input, sentence);
 }
 
 /// muParser's own sentences begin in capitals, may end in a full stop, and count
@@ -30,7 +33,6 @@ namespace {
   for (const char* tail : {" found at position", " at position", " at expression position"})
     if (const auto end = reason.find(tail); end != std::string::npos) reason.resize(end);
   while (!reason.empty() && (reason.back() == '.' || reason.back() == ' ')) reason.pop_back();
-  std::ranges::replace(reason, '\n', ' ');
   if (!reason.empty()) reason[0] = static_cast<char>(std::tolower(reason[0]));
   const auto position = static_cast<std::size_t>(std::max(error.GetPos(), 0));
   if (position < text.size()) reason += " at position " + std::to_string(position + 1);

@@ -46,7 +46,10 @@ void InputFile::read_at(std::uint64_t offset, std::span<std::byte> bytes) const 
 }
 
 void InputFile::fail(const std::string& reason) const {
-  throw Error(ErrorCode::bad_input, "cannot read '" + file_.string() + "': " + reason);
+  // One line, whatever words of a damaged file are quoted.
+  std::string sentence = "cannot read '" + file_.string() + "': " + reason;
+  std::ranges::replace_if(sentence, [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  throw Error(ErrorCode::bad_input, sentence);
 }
 
 void InputFile::fail_with(int error) const { fail(std::generic_category().message(error)); }

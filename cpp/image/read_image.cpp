@@ -16,6 +16,8 @@
 #include "geometry.hpp"
 #include "image_file.hpp"
 #include "itk_voxels.hpp"
+#include "meta_header.hpp"
+#include "nifti_header.hpp"
 
 namespace certet {
 namespace {
@@ -90,6 +92,8 @@ void read_geometry(const Reader& header, Image& image) {
 
 Image read(const fs::path& file, std::uint64_t max_bytes) {
   itk::Object::SetGlobalWarningDisplay(false);
+  judge_meta_header(file);
+  judge_nifti_header(file);
   const Reader::Pointer reader = reader_for(file);
   reader->ReadImageInformation();
   judge_shape(file, *reader);

@@ -3,11 +3,15 @@
 /// Files that announce more than they hold.
 
 #include <filesystem>
+#include <string>
 
 namespace certet {
 
-/// Judges the counts that a binary STL, a PLY or an OFF file begins with by the
-/// length of the file: memory would be taken for what is announced.
+/// The extension in small letters, with the dot.
+std::string surface_extension(const std::filesystem::path& file);
+
+/// Judges the count that a binary STL file begins with by the length of the file:
+/// memory would be taken for what is announced.
 /// \throws Error `bad_input`, the sentence names the file.
 void judge_announced_counts(const std::filesystem::path& file);
 

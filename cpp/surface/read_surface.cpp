@@ -11,6 +11,7 @@
 #include "announced_counts.hpp"
 #include "certet/error.hpp"
 #include "certet/surface.hpp"
+#include "surface_file.hpp"
 
 namespace certet {
 namespace {
@@ -61,6 +62,13 @@ void add(const fs::path& file, const aiMesh& mesh, TriangleSurface& surface) {
   }
 }
 
+void read_with_assimp(const fs::path& file, TriangleSurface& surface) {
+  Assimp::Importer importer;
+  const aiScene* const scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
+  if (scene == nullptr) refuse(file, "cannot be read" + reason(importer.GetErrorString()));
+  for (unsigned m = 0; m < scene->mNumMeshes; ++m) add(file, *scene->mMeshes[m], surface);
+}
+
 }  // namespace
 
 bool can_read_surfaces() { return true; }
@@ -69,11 +77,14 @@ TriangleSurface read_surface(const fs::path& file) {
   judge_file(file);
   TriangleSurface surface;
   surface.name = file.string();
-  Assimp::Importer importer;
+  const std::string extension = surface_extension(file);
   try {
-    const aiScene* const scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
-    if (scene == nullptr) refuse(file, "cannot be read" + reason(importer.GetErrorString()));
-    for (unsigned m = 0; m < scene->mNumMeshes; ++m) add(file, *scene->mMeshes[m], surface);
+    if (extension == ".ply")
+      read_ply(formats::InputFile(file), surface);
+    else if (extension == ".off")
+      read_off(formats::InputFile(file), surface);
+    else
+      read_with_assimp(file, surface);
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::too_large, "'" + file.string() + "' needs more memory than there is");
   }

@@ -1,0 +1,182 @@
+#!/usr/bin/env python3
+"""Writes the corpus: small good inputs for every target.
+
+    seeds.py CERTET CORPUS_FOLDER
+
+Files that are there already, such as those of earlier findings, stay.  Inputs of
+readers of several formats begin with one byte that chooses the format.
+"""
+import gzip
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import zlib
+
+certet, corpus = sys.argv[1], pathlib.Path(sys.argv[2])
+
+
+def put(target, name, content, choice=None):
+    folder = corpus / target
+    folder.mkdir(parents=True, exist_ok=True)
+    first = b"" if choice is None else bytes([choice])
+    (folder / name).write_bytes(first + content)
+
+
+def meshes(folder):
+    """One of a formula, one with labels, in every format that can be read."""
+    image = folder / "labels.mha"
+    image.write_bytes(mha((3, 3, 3), bytes([1] * 9 + [2] * 18)))
+    for source, name in ((["--shape", "box:1,1,1", "--size", "1"], "box"),
+                         ([str(image), "--size", "1.5"], "labels")):
+        for choice, form in ((0, "vtu"), (0, "vtu-zlib"), (1, "medit"), (2, "meditb"),
+                             (3, "msh"), (3, "msh22")):
+            file = folder / (name + (".vtu", ".mesh", ".meshb", ".msh")[choice])
+            subprocess.run([certet, "mesh", *source, "--format", form, "-o", file],
+                           check=True, stdout=subprocess.DEVNULL)
+            put("mesh_file", f"{name}.{form}", file.read_bytes(), choice)
+
+
+def mha(size, voxels, compressed=False):
+    data = zlib.compress(voxels) if compressed else voxels
+    header = ("ObjectType = Image\nNDims = 3\nBinaryData = True\n"
+              "BinaryDataByteOrderMSB = False\n"
+              + (f"CompressedData = True\nCompressedDataSize = {len(data)}\n" if compressed else "")
+              + "TransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = 0 0 0\n"
+              "ElementSpacing = 1 1 1\nDimSize = %d %d %d\n"
+              "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n" % size)
+    return header.encode() + data
+
+
+def nifti(size, voxels, datatype, bits):
+    head = bytearray(352)
+    struct.pack_into("<i", head, 0, 348)
+    struct.pack_into("<8h", head, 40, 3, *size, 1, 1, 1, 1)
+    struct.pack_into("<2h", head, 70, datatype, bits)
+    struct.pack_into("<8f", head, 76, 1, 1, 1, 1, 0, 0, 0, 0)
+    struct.pack_into("<f", head, 108, 352)
+    struct.pack_into("<2f", head, 112, 1, 0)
+    struct.pack_into("<2h", head, 252, 1, 0)  # a quaternion
+    head[344:348] = b"n+1\0"
+    return bytes(head) + voxels
+
+
+def nrrd(size, voxels, encoding):
+    header = ("NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\n"
+              "sizes: %d %d %d\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n"
+              "kinds: domain domain domain\nendian: little\nencoding: " % size
+              + encoding + "\nspace origin: (0,0,0)\n\n").encode()
+    return header + (gzip.compress(voxels, mtime=0) if encoding == "gzip" else voxels)
+
+
+def tiff(width, height, pages):
+    """Pages of bytes, one strip each."""
+    out = bytearray(b"II*\0" + struct.pack("<I", 8))
+    for page in range(pages):
+        tags = [(256, 3, width), (257, 3, height), (258, 3, 8), (259, 3, 1), (262, 3, 1),
+                (273, 4, len(out) + 2 + 10 * 12 + 4), (277, 3, 1), (278, 3, height),
+                (279, 4, width * height), (339, 3, 1)]
+        last = page == pages - 1
+        out += struct.pack("<H", len(tags))
+        for tag, kind, value in tags:
+            out += struct.pack("<HHII", tag, kind, 1, value)
+        out += struct.pack("<I", 0 if last else len(out) + 4 + width * height)
+        out += bytes([page + 1] * (width * height))
+    return bytes(out)
+
+
+def images():
+    size, voxels = (3, 4, 2), bytes(range(24))
+    floats = struct.pack("<24f", *range(24))
+    put("image", "bytes.nii", nifti(size, voxels, 2, 8), 0)
+    put("image", "floats.nii", nifti(size, floats, 16, 32), 0)
+    put("image", "bytes.nii.gz", gzip.compress(nifti(size, voxels, 2, 8), mtime=0), 1)
+    put("image", "raw.nrrd", nrrd(size, voxels, "raw"), 2)
+    put("image", "gzip.nrrd", nrrd(size, voxels, "gzip"), 2)
+    put("image", "ascii.nrrd", nrrd(size, b" ".join(b"%d" % v for v in voxels), "ascii"), 2)
+    put("image", "raw.mha", mha(size, voxels), 3)
+    put("image", "zlib.mha", mha(size, voxels, True), 3)
+    put("image", "pages.tif", tiff(4, 3, 3), 4)
+
+
+POINTS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+
+
+def words(rows, before=""):
+    return "".join(before + " ".join(map(str, row)) + "\n" for row in rows)
+
+
+def ply(form):
+    header = (f"ply\nformat {form} 1.0\ncomment small\nelement vertex 4\nproperty float x\n"
+              "property float y\nproperty float z\nelement face 4\n"
+              "property list uchar int vertex_indices\nend_header\n")
+    if form == "ascii":
+        return (header + words(POINTS) + words(FACES, "3 ")).encode()
+    end = "<" if "little" in form else ">"
+    return (header.encode() + b"".join(struct.pack(end + "3f", *p) for p in POINTS)
+            + b"".join(struct.pack(end + "B3i", 3, *f) for f in FACES))
+
+
+def surfaces():
+    corners = [[POINTS[p] for p in face] for face in FACES]
+    binary = bytes(80) + struct.pack("<I", 4)
+    text = "solid tet\n"
+    for triangle in corners:
+        binary += struct.pack("<12fH", 0, 0, 0, *sum(triangle, ()), 0)
+        text += ("facet normal 0 0 0\nouter loop\n" + words(triangle, "vertex ")
+                 + "endloop\nendfacet\n")
+    put("surface", "binary.stl", binary, 0)
+    put("surface", "text.stl", (text + "endsolid tet\n").encode(), 0)
+    ones = [tuple(p + 1 for p in face) for face in FACES]
+    put("surface", "tet.obj", (words(POINTS, "v ") + words(ones, "f ")).encode(), 1)
+    put("surface", "groups.obj", ("o a\n" + words(POINTS, "v ") + "vn 0 0 1\nvt 0 0\ng b\ns 1\n"
+        + "f 1/1/1 3/1/1 2/1/1\nf -4//1 -3//1 -1//1\n" + words(ones[2:], "f ")).encode(), 1)
+    for form in ("ascii", "binary_little_endian", "binary_big_endian"):
+        put("surface", form + ".ply", ply(form), 2)
+    put("surface", "tet.off", ("OFF\n# small\n4 4 6\n" + words(POINTS)
+                               + words(FACES, "3 ")).encode(), 3)
+
+
+def texts():
+    for number, formula in enumerate([
+            "x^2+y^2+z^2-0.64", "-log(exp(-8*(x-1))+exp(-8*y))/8", "min(max(x,-y),z^-2)",
+            "x<0.5 && y>=z || not(x==y) ? -1 : sqrt(x)", "clamp(x,-1,1)+mix(x,y,z)-if(x,pi,e)",
+            "sum(x,y,z)*avg(x,y)/hypot(x,y,z)-fmod(x,0.3)+atan2(y,x)-pow(x,3)",
+            "floor(x*3)+tan(y)*acosh(z+2)-rint(1e300*x)", "abs(sin(7*x))+1e-3"]):
+        put("expression", f"{number}.txt", formula.encode())
+    put("label_names", "snap.txt", b'# labels\n 7 255 0 0 1 1 1 "Left thalamus"\n'
+        b'-8 0 0 0 0 0 0 "b"\n')
+    put("label_names", "colours.ctbl", b"# Color\n7 Left_thalamus 255 0 0 255\n8 b 1 2 3 0\n")
+    put("label_names", "names.txt", b"1 Left thalamus\r\n2 Precentral_L 2001\r\n\n3\tc\n")
+    lines = {
+        "image": "mesh a.nii --labels 1,5-9,-3--1 --spacing 1,1,0.5 --smooth 0.5 --crop "
+                 "0,0,0,1e1,2,3 --max-memory 1.5G --size .5 -o b.vtu --compress --label-names c",
+        "shape": "mesh --shape gyroid:1,0.1,2 --bounds -1,-1,-1,1,1,1 --rel-size 0.1 --dry-run "
+                 "--cuts midpoint --guarantee embedding --margin 3 --json -",
+        "torus": "mesh --shape torus:1,0.4 --target-tets 1000 --format tetgen -o a.node",
+        "formula": "mesh --expr x^2-1 --bounds -2,-2,-2,2,2,2 -o a.msh --threads 1",
+        "iso": "mesh v.vdb --grid density --iso 0.5 -o a.inp",
+        "check": "check a.vtu --json -", "convert": "convert a.vtu -o b.msh --format msh22",
+        "picture": "picture a.vtu -o b.png", "report": "report a.vtu --run a.json -o a.html",
+        "help": "mesh --help", "version": "--version"}
+    for name, line in lines.items():
+        put("options", name + ".txt", line.replace(" ", "\n").encode())
+
+
+def cores():
+    """Every choice of options; cells of 3 to 5 along the axes."""
+    for number in range(8):
+        content = bytes([number, 0b100100 ^ number * 9])
+        content += bytes((number * 37 + i * i * 11 + i // 3) % 256 for i in range(60 + 7 * number))
+        put("core", f"{number}.bin", content)
+
+
+with tempfile.TemporaryDirectory() as name:
+    meshes(pathlib.Path(name))
+images()
+surfaces()
+texts()
+cores()
+put("planted_reader", "seed.txt", b"L1")

@@ -1,0 +1,46 @@
+#include "certet/image.hpp"
+
+#include <variant>
+
+#include "reader.hpp"
+#include "targets.hpp"
+
+namespace fuzz {
+namespace {
+
+constexpr std::uint64_t most_voxel_bytes = 64 << 20;
+/// Larger ones are read, but no solid is looked for in them.
+constexpr std::int64_t most_voxels = 1 << 18;
+
+std::int64_t voxel_count(const certet::Image& image) {
+  const std::size_t count =
+      std::visit([](const auto& voxels) { return voxels.size(); }, image.voxels);
+  return static_cast<std::int64_t>(count);
+}
+
+void place(certet::Image image) {
+  const auto shared = std::make_shared<const certet::Image>(std::move(image));
+  if (shared->integral())
+    certet::label_domain(shared, {}, {});
+  else
+    certet::level_domain(shared, 0.5, {});
+}
+
+}  // namespace
+
+void image(Bytes bytes) {
+  if (bytes.empty()) return;
+  static constexpr std::array<std::string_view, 5> extensions{".nii", ".nii.gz", ".nrrd", ".mha",
+                                                              ".tif"};
+  const InputFile file = chosen_file(bytes, extensions);
+  read_or_refuse([&] {
+    certet::Image image = certet::read_image(file.path(), most_voxel_bytes);
+    const auto& [a, b, c] = image.size;
+    const std::int64_t voxels = voxel_count(image);
+    if (a < 1 || b < 1 || c < 1 || a * b * c != voxels)
+      throw Finding("an image does not have the voxels that its size says");
+    if (voxels <= most_voxels) place(std::move(image));
+  });
+}
+
+}  // namespace fuzz

@@ -1,0 +1,28 @@
+// Mesh files: what `certet check` does with one, and the survey that `certet
+// convert` begins with.
+
+#include "certet/check.hpp"
+#include "certet/formats.hpp"
+#include "reader.hpp"
+#include "targets.hpp"
+
+namespace fuzz {
+
+void mesh_file(Bytes bytes) {
+  if (bytes.empty()) return;
+  static constexpr std::array<std::string_view, 4> extensions{".vtu", ".mesh", ".meshb", ".msh"};
+  const InputFile file = chosen_file(bytes, extensions);
+  certet::Context context;
+  context.threads = 1;
+  read_or_refuse([&] {
+    const certet::FileMesh mesh = certet::read_mesh(file.path(), context);
+    if (!mesh.labels.empty() && mesh.labels.size() != mesh.tets.size())
+      throw Finding("there are labels, but not one for each tetrahedron");
+    const std::span<const certet::Tet<std::uint64_t>> tets(mesh.tets);
+    certet::check(mesh.points, tets, context);
+    certet::survey(mesh.points.size(), tets, mesh.labels, context);
+    certet::checksum(mesh);
+  });
+}
+
+}  // namespace fuzz

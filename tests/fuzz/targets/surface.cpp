@@ -1,0 +1,24 @@
+#include "certet/surface.hpp"
+
+#include "reader.hpp"
+#include "targets.hpp"
+
+namespace fuzz {
+
+void surface(Bytes bytes) {
+  if (bytes.empty()) return;
+  static constexpr std::array<std::string_view, 4> extensions{".stl", ".obj", ".ply", ".off"};
+  const InputFile file = chosen_file(bytes, extensions);
+  read_or_refuse([&] {
+    const certet::TriangleSurface read = certet::read_surface(file.path());
+    for (const auto& triangle : read.triangles)
+      for (const std::uint32_t point : triangle)
+        if (point >= read.points.size()) throw Finding("a triangle has a point that is not there");
+    certet::inspect(read);
+    const auto domain = certet::surface_domain(read, {});
+    std::array<certet::Sign, 8> signs;
+    domain->row(domain->lattice().origin, signs);
+  });
+}
+
+}  // namespace fuzz

@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// Every target, each in the file of its name.
+
+#include "target.hpp"
+
+namespace fuzz {
+
+void mesh_file(Bytes bytes);    ///< first byte: the format; then the file
+void label_names(Bytes bytes);  ///< the file
+void image(Bytes bytes);        ///< first byte: the format; then the file
+void surface(Bytes bytes);      ///< first byte: the format; then the file
+void expression(Bytes bytes);   ///< the formula
+void options(Bytes bytes);      ///< the words of a command line, a line each
+void core(Bytes bytes);         ///< lattice and options; then signs and cuts
+
+void planted_reader(Bytes bytes);  ///< throws what no reader may throw
+void planted_core(Bytes bytes);    ///< spoils the mesh before it is judged
+
+}  // namespace fuzz
