@@ -34,7 +34,8 @@ class Ears {
       if (std::fabs(normal[a]) > std::fabs(normal[axis])) axis = a;
     std::size_t x = (axis + 1) % 3, y = (axis + 2) % 3;
     if (normal[axis] < 0) std::swap(x, y);
-    for (const std::uint32_t corner : corners) seen_.push_back({points[corner][x], points[corner][y]});
+    for (const std::uint32_t corner : corners)
+      seen_.push_back({points[corner][x], points[corner][y]});
   }
 
   void cut(TriangleSurface& surface) {
