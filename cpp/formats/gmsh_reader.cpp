@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "certet/survey.hpp"
 #include "cursor.hpp"
 #include "registry.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 constexpr std::array<std::uint8_t, 32> corners_of{0, 2, 3, 4, 4, 8, 6, 5, 3, 6, 9, 10, 27, 18, 14, 1,
                                                   8, 20, 15, 13, 9, 10, 12, 15, 15, 21, 4, 5, 6, 20,
                                                   35, 56};
-constexpr std::int32_t tetrahedron = 4;
+constexpr std::int32_t triangle = 2, tetrahedron = 4;
 
 /// Types that fill space.
 constexpr bool is_solid(std::int32_t type) {
@@ -42,6 +43,9 @@ class GmshReader {
   void read_element_block_22(std::int32_t type, std::uint64_t count, std::uint64_t tags);
   void take_tet(std::uint64_t tag, std::int32_t label);
   void judge_type(std::int32_t type) const;
+  [[nodiscard]] bool is_border(std::int32_t type, std::int32_t group) const {
+    return type == triangle && border_group_ == group;
+  }
   std::int32_t read_entity(std::uint64_t coordinates);
 
   void order_points();
@@ -77,7 +81,8 @@ class GmshReader {
   Cursor cursor_;
   bool binary_ = false, version_22_ = false;
   bool has_nodes_ = false, has_elements_ = false;
-  std::map<std::int32_t, std::int32_t> group_of_volume_;
+  std::map<std::int32_t, std::int32_t> group_of_volume_, group_of_surface_;
+  std::optional<std::int32_t> border_group_;  ///< of surfaces
   std::vector<std::uint64_t> point_tags_, tet_tags_;
   FileMesh mesh_;
 };
@@ -118,7 +123,7 @@ void GmshReader::read_format() {
   cursor_.skip_past("$EndMeshFormat");
 }
 
-/// Always in words; those of volumes are kept.
+/// Always in words; those of volumes are kept, and which surfaces are the border.
 void GmshReader::read_names() {
   const auto count =
       cursor_.judged(cursor_.number<std::uint64_t>("a number"), 6, "physical names");
@@ -128,7 +133,10 @@ void GmshReader::read_names() {
     const std::string_view line = cursor_.line();
     const std::size_t begin = line.find('"'), end = line.rfind('"');
     if (begin == line.npos || end == begin) file_.fail("it has a physical name without quotes");
-    if (dimension == 3) mesh_.names[tag] = line.substr(begin + 1, end - begin - 1);
+    const std::string_view name = line.substr(begin + 1, end - begin - 1);
+    if (dimension == 3) mesh_.names[tag] = name;
+    if (dimension == 2 && name == patch_names[static_cast<std::size_t>(Patch::border)])
+      border_group_ = tag;
   }
 }
 
@@ -158,6 +166,7 @@ void GmshReader::read_entities() {
       const std::int32_t tag = integer();
       const std::int32_t group = read_entity(dimension == 0 ? 3 : 6);
       if (dimension == 3 && group != 0) group_of_volume_[tag] = group;
+      if (dimension == 2 && group != 0) group_of_surface_[tag] = group;
     }
 }
 
@@ -216,13 +225,16 @@ void GmshReader::read_elements() {
     judge_type(type);
     const auto corners = corners_of[static_cast<std::size_t>(type)];
     const std::uint64_t count = judged(size(), 1u + corners, 8u * (1u + corners), "elements");
-    const auto group = group_of_volume_.find(entity);
-    const std::int32_t label = group == group_of_volume_.end() ? entity : group->second;
+    const auto& groups = type == triangle ? group_of_surface_ : group_of_volume_;
+    const auto group = groups.find(entity);
+    const std::int32_t label = group == groups.end() ? entity : group->second;
     for (std::uint64_t i = 0; i < count; ++i) {
       const std::uint64_t tag = size();
       if (type == tetrahedron) {
         take_tet(tag, label);
         for (std::uint64_t& point : mesh_.tets.back()) point = size();
+      } else if (is_border(type, label)) {
+        for (std::uint64_t& point : mesh_.border.emplace_back()) point = size();
       } else {
         for (int c = 0; c < corners; ++c) size();
       }
@@ -266,10 +278,13 @@ void GmshReader::read_element_block_22(std::int32_t type, std::uint64_t count,
       const std::int32_t tag = integer();
       if (t < 2 && label == 0) label = tag;
     }
+    const bool border = is_border(type, label);
     if (type == tetrahedron) take_tet(number, label);
+    if (border) mesh_.border.emplace_back();
     for (int c = 0; c < corners_of[static_cast<std::size_t>(type)]; ++c) {
       const std::uint64_t point = tag_22();
       if (type == tetrahedron) mesh_.tets.back()[static_cast<std::size_t>(c)] = point;
+      if (border) mesh_.border.back()[static_cast<std::size_t>(c)] = point;
     }
   }
 }
@@ -324,6 +339,8 @@ void GmshReader::order_tets() {
   }
   for (Tet<std::uint64_t>& tet : mesh_.tets)
     for (std::uint64_t& point : tet) point = index_of(point);
+  for (auto& face : mesh_.border)
+    for (std::uint64_t& point : face) point = index_of(point);
 }
 
 void GmshReader::finish_labels() {

@@ -3,6 +3,7 @@
 
 #include "cursor.hpp"
 #include "medit_binary.hpp"
+#include "numbered_patches.hpp"
 #include "registry.hpp"
 
 namespace certet::formats {
@@ -22,6 +23,8 @@ class MeditBinaryReader {
   void read_block(std::int32_t keyword);
   void read_points();
   void read_tets();
+  void read_triangles();
+  std::uint64_t vertex();
   std::uint64_t place() { return whole(version_ >= 3); }
   std::uint64_t index() { return whole(version_ >= 4); }
   /// A negative number becomes one that is too large for anything.
@@ -38,6 +41,7 @@ class MeditBinaryReader {
   std::int32_t version_ = 0;
   bool has_points_ = false, has_tets_ = false;
   FileMesh mesh_;
+  NumberedPatches patches_;
 };
 
 void MeditBinaryReader::read_heading() {
@@ -65,6 +69,7 @@ FileMesh MeditBinaryReader::read() {
     cursor_.go_to(next);
   }
   if (!has_points_ || !has_tets_) file_.fail("it has no vertices or no tetrahedra");
+  mesh_.border = patches_.take();
   return std::move(mesh_);
 }
 
@@ -75,6 +80,7 @@ void MeditBinaryReader::read_block(std::int32_t keyword) {
   if (keyword == dimension && cursor_.binary<std::int32_t>() != 3)
     file_.fail("its dimension is not 3");
   if (keyword == vertices && !std::exchange(has_points_, true)) read_points();
+  if (keyword == triangles) read_triangles();
   if (keyword == tetrahedra && !std::exchange(has_tets_, true)) read_tets();
 }
 
@@ -87,16 +93,28 @@ void MeditBinaryReader::read_points() {
   }
 }
 
+std::uint64_t MeditBinaryReader::vertex() {
+  const std::uint64_t number = index();
+  if (number == 0) file_.fail("it names vertex 0, but vertices are counted from 1");
+  return number - 1;
+}
+
+void MeditBinaryReader::read_triangles() {
+  const std::uint64_t triangles = cursor_.judged(place(), 4 * index_bytes(), "triangles");
+  for (std::uint64_t i = 0; i < triangles; ++i) {
+    std::array<std::uint64_t, 3> face;
+    for (std::uint64_t& point : face) point = vertex();
+    patches_.add(face, static_cast<std::int64_t>(index()));
+  }
+}
+
 void MeditBinaryReader::read_tets() {
   const std::uint64_t tets = cursor_.judged(place(), 5 * index_bytes(), "tetrahedra");
   mesh_.tets.resize(tets);
   mesh_.labels.resize(tets);
   bool labelled = false;
   for (std::uint64_t i = 0; i < tets; ++i) {
-    for (std::uint64_t& point : mesh_.tets[i]) {
-      point = index();
-      if (point-- == 0) file_.fail("it names vertex 0, but vertices are counted from 1");
-    }
+    for (std::uint64_t& point : mesh_.tets[i]) point = vertex();
     mesh_.labels[i] = reference();
     labelled = labelled || mesh_.labels[i] != 0;
   }

@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "medit_binary.hpp"
+#include "numbered_patches.hpp"
 #include "registry.hpp"
 #include "section.hpp"
 #include "streamed_writer.hpp"
@@ -98,7 +99,7 @@ class MeditBinaryWriter final : public StreamedWriter {
   void close() override {
     open(triangles, layout_.end_at, survey().boundary.size());
     for (const BoundaryFace& face : survey().boundary)
-      put_element(face.points, static_cast<std::int32_t>(face.patch) + 1);
+      put_element(face.points, NumberedPatches::number_of(face.patch));
     put(std::int32_t{end});
     put_place(0);
     out_.flush();

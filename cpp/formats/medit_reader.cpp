@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cursor.hpp"
+#include "numbered_patches.hpp"
 #include "registry.hpp"
 
 namespace certet::formats {
@@ -13,7 +14,7 @@ namespace {
 constexpr std::pair<std::string_view, int> other_sections[] = {
     {"Edges", 3},   {"Corners", 1},  {"RequiredVertices", 1},  {"RequiredEdges", 1},
     {"Ridges", 1},  {"Normals", 3},  {"RequiredTriangles", 1}, {"NormalAtVertices", 2},
-    {"Tangents", 3}, {"TangentAtVertices", 2}, {"Triangles", 4}, {"Quadrilaterals", 5},
+    {"Tangents", 3}, {"TangentAtVertices", 2}, {"Quadrilaterals", 5},
 };
 
 class MeditReader {
@@ -33,12 +34,15 @@ class MeditReader {
       } else if (word == "Tetrahedra" && !has_tets) {
         read_tets();
         has_tets = true;
+      } else if (word == "Triangles") {
+        read_triangles();
       } else if (!pass_over(word)) {
         refuse(word);
       }
     }
     if (!has_points || !has_tets) file_.fail("it has no vertices or no tetrahedra");
     if (!words_.word().empty()) file_.fail("it goes on behind its end");
+    mesh_.border = patches_.take();
     return std::move(mesh_);
   }
 
@@ -46,6 +50,8 @@ class MeditReader {
   void read_heading();
   void read_points();
   void read_tets();
+  void read_triangles();
+  std::uint64_t vertex();
   std::uint64_t count(std::uint64_t shortest_line);
   bool pass_over(std::string_view section);
   [[noreturn]] void refuse(std::string_view word) const;
@@ -53,6 +59,7 @@ class MeditReader {
   InputFile file_;
   Cursor words_;
   FileMesh mesh_;
+  NumberedPatches patches_;
 };
 
 void MeditReader::read_heading() {
@@ -86,16 +93,28 @@ void MeditReader::read_points() {
   }
 }
 
+std::uint64_t MeditReader::vertex() {
+  const auto number = words_.number<std::uint64_t>("the number of a vertex");
+  if (number == 0) file_.fail("it names vertex 0, but vertices are counted from 1");
+  return number - 1;
+}
+
+void MeditReader::read_triangles() {
+  const std::uint64_t triangles = count(std::string_view("1 1 1 0\n").size());
+  for (std::uint64_t i = 0; i < triangles; ++i) {
+    std::array<std::uint64_t, 3> face;
+    for (std::uint64_t& point : face) point = vertex();
+    patches_.add(face, words_.number<std::int64_t>("a reference"));
+  }
+}
+
 void MeditReader::read_tets() {
   const std::uint64_t tets = count(std::string_view("1 1 1 1 0\n").size());
   mesh_.tets.resize(tets);
   mesh_.labels.resize(tets);
   bool labelled = false;
   for (std::uint64_t i = 0; i < tets; ++i) {
-    for (std::uint64_t& index : mesh_.tets[i]) {
-      index = words_.number<std::uint64_t>("the number of a vertex");
-      if (index-- == 0) file_.fail("it names vertex 0, but vertices are counted from 1");
-    }
+    for (std::uint64_t& index : mesh_.tets[i]) index = vertex();
     mesh_.labels[i] = words_.number<std::int32_t>("a reference");
     labelled = labelled || mesh_.labels[i] != 0;
   }

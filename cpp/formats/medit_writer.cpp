@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "line.hpp"
+#include "numbered_patches.hpp"
 #include "registry.hpp"
 #include "section.hpp"
 #include "streamed_writer.hpp"
@@ -9,7 +10,6 @@ namespace certet::formats {
 namespace {
 
 /// The reference of a boundary triangle.
-int reference(Patch patch) { return static_cast<int>(patch) + 1; }
 
 class MeditWriter final : public StreamedWriter {
  public:
@@ -49,7 +49,7 @@ class MeditWriter final : public StreamedWriter {
     open("Triangles", survey().boundary.size());
     for (const BoundaryFace& face : survey().boundary) {
       const auto& [a, b, c] = face.points;
-      append(Line() << a + 1 << ' ' << b + 1 << ' ' << c + 1 << ' ' << reference(face.patch)
+      append(Line() << a + 1 << ' ' << b + 1 << ' ' << c + 1 << ' ' << NumberedPatches::number_of(face.patch)
                     << '\n');
     }
     text_.append_text("End\n");

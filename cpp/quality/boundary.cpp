@@ -98,6 +98,16 @@ Survey survey(std::uint64_t points, std::span<const Tet<std::uint64_t>> tets,
   return {counts.regions(), quality::boundary(points, tets, context)};
 }
 
+void set_border(Survey& survey, std::vector<std::array<std::uint64_t, 3>> faces) {
+  for (auto& face : faces) std::ranges::sort(face);
+  std::ranges::sort(faces);
+  for (BoundaryFace& face : survey.boundary) {
+    std::array<std::uint64_t, 3> points = face.points;
+    std::ranges::sort(points);
+    if (std::ranges::binary_search(faces, points)) face.patch = Patch::border;
+  }
+}
+
 void name_regions(Survey& survey, const LabelNames& names) {
   for (Region& region : survey.regions) {
     const auto named = names.find(region.label);

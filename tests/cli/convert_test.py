@@ -54,6 +54,37 @@ class Convert(ProgramTest):
             self.assertEqual((self.folder / name).read_bytes(),
                              (self.folder / ("c" + name)).read_bytes(), name)
 
+    def test_patches_are_kept(self):
+        sphere = ("--expr", "x^2+y^2+z^2-1", "--bounds", "-0.7,-2,-2,2,2,2", "--size", "0.3")
+        for name in ("b.inp", "b.feb", "b.mesh", "b.node", "b.msh"):
+            self.mesh(*sphere, "-o", name)
+        for format, source in READABLE.items():
+            if "vtu" in format:
+                continue  # has no patches
+            self.mesh(*sphere, "-o", source, "--format", format)
+            for name in ("b.inp", "b.feb", "b.mesh", "b.node", "b.msh"):
+                with self.subTest(source=format, target=name):
+                    self.convert(source, "c" + name)
+                    for file in (name, name.replace("node", "face")):
+                        self.assertEqual((self.folder / ("c" + file)).read_bytes(),
+                                         (self.folder / file).read_bytes())
+        self.convert("b.mesh", "d.mesh")
+        text = (self.folder / "d.mesh").read_text()
+        rows = text[text.index("Triangles"):].split("\n")[2:-1]
+        patches = {row.split()[-1] for row in rows if len(row.split()) == 4}
+        self.assertEqual(patches, {"1", "2"})
+
+    def test_other_numbers_are_no_patches(self):
+        self.mesh("--expr", "x^2+y^2+z^2-1", "--bounds", "-0.7,-2,-2,2,2,2", "--size", "0.3",
+                  "-o", "b.mesh")
+        text = (self.folder / "b.mesh").read_text()
+        at = text.index("Triangles")
+        first = text[at:].split("\n")[2]
+        (self.folder / "e.mesh").write_text(
+            text[:at] + text[at:].replace(first, first[:-1] + "7", 1))
+        self.convert("e.mesh", "e.inp")
+        self.assertNotIn("border", (self.folder / "e.inp").read_text())
+
     def test_names_are_kept(self):
         (self.folder / "names.txt").write_text("1 Liver\n2 Spleen\n3 Gut\n")
         self.convert("a.vtu", "n.msh", "--label-names", "names.txt")

@@ -17,8 +17,8 @@ namespace certet::command {
 namespace {
 
 constexpr const char* footer = R"(
-Labels are kept, and their names where the format has them; the boundary is found
-anew.
+Labels are kept, and their names and the patches of the boundary where the formats
+have them (.vtu has neither); the boundary is found anew.
 
 Keys of the JSON: certet, command, input, output {file, format, bytes}, mesh
 {points, tets, regions, boundary_faces, checksum}, seconds.)";
@@ -121,6 +121,7 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
   judge_indices(options, mesh);
   if (!options.label_names.empty()) mesh.names = read_label_names(options.label_names);
   auto found = std::make_shared<Survey>(survey(mesh.points.size(), mesh.tets, mesh.labels, context));
+  set_border(*found, std::move(mesh.border));
   name_regions(*found, mesh.names);
   stop_if_cancelled(context);
   const MeshSize size{mesh.points.size(), mesh.tets.size(), !mesh.labels.empty(), found};

@@ -92,6 +92,8 @@ struct FileMesh {
   std::vector<std::int32_t> labels;  ///< empty, or one for each tetrahedron; zeros
                                      ///< alone are none in formats that must have some
   LabelNames names;                  ///< where the format has them
+  /// The points of faces of the patch `border`, in any order; where the format has them.
+  std::vector<std::array<std::uint64_t, 3>> border;
 };
 
 /// Reads .vtu, .mesh, .meshb and .msh files, by their extension.  Looks at

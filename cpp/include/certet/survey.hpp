@@ -87,6 +87,10 @@ Survey survey(const Stuffing& stuffing, const Labeller& labeller, const BorderTe
 Survey survey(std::uint64_t points, std::span<const Tet<std::uint64_t>> tets,
               std::span<const std::int32_t> labels, Context& context);
 
+/// Puts those faces of the boundary that have the points of one of `faces`, in any
+/// order, into the patch `border`.
+void set_border(Survey& survey, std::vector<std::array<std::uint64_t, 3>> faces);
+
 /// Gives regions their names.
 void name_regions(Survey& survey, const LabelNames& names);
 
