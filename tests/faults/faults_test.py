@@ -151,14 +151,14 @@ class Targets(FaultTest):
 class Memory(FaultTest):
     """The address space, from too little to start with to enough."""
 
-    STEPS = 16
+    STEPS = 24
 
     def test_sweep(self):
         self.make_mesh()
         for name, arguments in self.runs.items():
             truth, statuses = self.truth(arguments), set()
             for step in range(self.STEPS):
-                # Below some 100 MiB the loader of libraries gives up, before the program.
+                # Below some 150 MB the libraries of images give up before the program begins.
                 space = int(100 * MEBI * 20 ** (step / (self.STEPS - 1)))
                 if self.guarded("--version", prepare=limits(address_space=space)).status:
                     continue
