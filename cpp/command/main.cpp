@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <new>
 #include <string>
+#include <system_error>
 
 #include "command_line.hpp"
 #include "signals.hpp"
@@ -30,6 +31,11 @@ int main(int argc, char** argv) {
     return static_cast<int>(say(status_of(error.code()), error.what()));
   } catch (const std::bad_alloc&) {
     return static_cast<int>(say(Status::too_large, "out of memory"));
+  } catch (const std::system_error& error) {
+    // What a thread that finds no room for its stack throws.
+    if (error.code() == std::errc::resource_unavailable_try_again)
+      return static_cast<int>(say(Status::too_large, "out of memory for another thread"));
+    return static_cast<int>(say(Status::bad_input, error.what()));
   } catch (const std::exception& error) {
     return static_cast<int>(say(Status::bad_input, error.what()));
   }

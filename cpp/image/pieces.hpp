@@ -8,6 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "certet/context.hpp"
+#include "certet/error.hpp"
+
 namespace certet {
 
 /// Neighbouring elements of a row that belong to the same region.
@@ -83,16 +86,22 @@ class PieceCounter {
   std::vector<std::uint64_t> pieces_;
 };
 
+/// \throws Error `cancelled`.
+inline void stop_if_cancelled(const Context& context) {
+  if (context.cancelled) throw Error(ErrorCode::cancelled, "the run was interrupted");
+}
+
 /// Of each region, the pieces of a grid of layers of rows.  `make(row, layer, runs)`
 /// appends the runs of a row in order; `links(row)` gives the rows before it that it
-/// touches.
+/// touches.  \throws Error `cancelled`.
 template <class Make, class Links>
 std::vector<std::uint64_t> count_pieces(std::int32_t rows, std::int32_t layers,
                                         std::size_t regions, const Make& make,
-                                        const Links& links) {
+                                        const Links& links, const Context& context) {
   PieceCounter counter(regions);
   std::vector<Row> before(static_cast<std::size_t>(rows)), current(before);
   for (std::int32_t layer = 0; layer < layers; ++layer) {
+    stop_if_cancelled(context);
     for (std::int32_t r = 0; r < rows; ++r) {
       Row& row = current[static_cast<std::size_t>(r)];
       row.clear();

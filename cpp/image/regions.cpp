@@ -81,7 +81,8 @@ constexpr std::array<Link, 4> by_corners{
     {{false, -1, 1, 1}, {true, -1, 1, 1}, {true, 0, 1, 1}, {true, 1, 1, 1}}};
 
 std::vector<std::uint64_t> image_pieces(const Image& image, std::size_t regions,
-                                        std::span<const Link> links, VoxelRegion region_of) {
+                                        std::span<const Link> links, VoxelRegion region_of,
+                                        const Context& context) {
   return std::visit(
       [&](const auto& voxels) {
         return certet::count_pieces(
@@ -90,7 +91,7 @@ std::vector<std::uint64_t> image_pieces(const Image& image, std::size_t regions,
             [&](std::int32_t y, std::int32_t z, Row& row) {
               append_runs(voxel_row(image, voxels, y, z), region_of, row);
             },
-            [&](std::int32_t) { return links; });
+            [&](std::int32_t) { return links; }, context);
       },
       image.voxels);
 }
@@ -235,8 +236,9 @@ std::vector<ImageRegion> regions_of_level(const Image& image, double level) {
 }
 
 void count_pieces(const Image& image, std::optional<double> level, const ImageDomain& domain,
-                  std::vector<ImageRegion>& regions) {
-  const auto faces = image_pieces(image, regions.size(), by_faces, {regions, level});
+                  std::vector<ImageRegion>& regions, const Context& context) {
+  const auto faces = image_pieces(image, regions.size(), by_faces, {regions, level},
+                                  context);
   const Lattice& lattice = domain.lattice();
   LatticeRows rows(domain, regions);
   const auto found = count_pieces(
@@ -244,10 +246,11 @@ void count_pieces(const Image& image, std::optional<double> level, const ImageDo
       [&rows](std::int32_t r, std::int32_t k, Row& row) { rows(r, k, row); },
       [](std::int32_t r) {
         return r % 2 == 0 ? std::span<const Link>(of_even) : std::span<const Link>(of_odd);
-      });
+      },
+      context);
   const auto corners =
       faces == found ? faces
-                     : image_pieces(image, regions.size(), by_corners, {regions, level});
+                     : image_pieces(image, regions.size(), by_corners, {regions, level}, context);
   for (std::size_t r = 0; r < regions.size(); ++r) {
     ImageRegion& region = regions[r];
     region.pieces_by_faces = faces[r];

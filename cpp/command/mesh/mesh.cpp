@@ -202,7 +202,7 @@ MeshReport run(const MeshOptions& options, Context& context) {
   const MeshSize size = announce(options, names, counted, context);
   report.output_bytes = file_bytes(options.format, size);
   const Slabs slabs = plan(counted, size, report);
-  RegionWatch watch(source, counted.source);
+  RegionWatch watch(source, counted.source, context);
   if (!options.dry_run) write(options, counted, slabs, size, watch, context, progress, report);
   describe(watch, report);
   report.total_seconds = clock.seconds();

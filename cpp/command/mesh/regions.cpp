@@ -27,7 +27,8 @@ std::string at_most(double size) { return fmt::format("{:.4g}", size * (1 - 5e-4
 
 }  // namespace
 
-RegionWatch::RegionWatch(const Source& source, const PlacedSource& placed)
+RegionWatch::RegionWatch(const Source& source, const PlacedSource& placed,
+                         const Context& context)
     : source_(source), size_(placed.frame.size) {
   if (!source.voxels) return;
   const SolidVoxels& solid = *source.voxels;
@@ -36,7 +37,7 @@ RegionWatch::RegionWatch(const Source& source, const PlacedSource& placed)
                          : regions_of_labels(*solid.image, solid.labels);
   tets_ = std::make_unique<std::atomic<std::uint64_t>[]>(regions_.size() + 1);
   if (solid.cropped || (size_ <= finest_ && !solid.smoothed)) return;
-  count_pieces(*solid.image, solid.level, *placed.image, regions_);
+  count_pieces(*solid.image, solid.level, *placed.image, regions_, context);
   counted_pieces_ = true;
 }
 

@@ -22,7 +22,8 @@ struct MeshedRegion {
 class RegionWatch {
  public:
   /// Counts pieces where the lattice is coarse enough to lose some.
-  RegionWatch(const Source& source, const PlacedSource& placed);
+  /// \throws Error `cancelled`.
+  RegionWatch(const Source& source, const PlacedSource& placed, const Context& context);
 
   /// A labeller that counts what it labels.  Lives as long as the watch.
   [[nodiscard]] Labeller watch(const Labeller& labeller) const;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "certet/buffer.hpp"
+#include "certet/context.hpp"
 #include "certet/placed_domain.hpp"
 
 namespace certet {
@@ -172,8 +173,9 @@ std::vector<ImageRegion> regions_of_level(const Image& image, double level);
 /// even lattice, those of voxels that share a face hang together, and an edge is
 /// too short to skip a voxel; such a region always `keeps_pieces`.
 /// `level` is that of a level's solid.  Regions without a point stay so.
+/// \throws Error `cancelled`, at the next layer.
 void count_pieces(const Image& image, std::optional<double> level, const ImageDomain& domain,
-                  std::vector<ImageRegion>& regions);
+                  std::vector<ImageRegion>& regions, const Context& context = {});
 
 /// Finds the `certain_size` of one region.
 void find_certain_size(const Image& image, std::optional<double> level,

@@ -1,0 +1,212 @@
+"""Files made to hurt: one sentence, a documented status, little memory, nothing left."""
+
+import gzip
+import itertools
+import struct
+import unittest
+import zlib
+
+from guarded import BAD_INPUT, EMPTY, TOO_LARGE, USAGE, GuardedTest, fake_program, limits
+from images import IDENTITY, voxels, write_meta, write_nifti, write_nrrd
+
+SIZE = (5, 5, 5)
+ONES = [1] * 125
+MEBI = 2 ** 20
+
+
+class HostileTest(GuardedTest):
+    def refused(self, file, *options, statuses=(BAD_INPUT, TOO_LARGE), command="mesh"):
+        output = [] if command in ("check", "report") else ["-o", "out.msh"]
+        arguments = [file, "out.msh"] if command == "convert" else [file, *options, *output]
+        run = self.assert_clean_failure(statuses, command, *arguments,
+                                        prepare=limits(address_space=4096 * MEBI))
+        self.assertLess(run.peak, 400 * MEBI, arguments)
+
+
+class Promises(HostileTest):
+    """Headers of more voxels than any file holds, or than 64 bits can count."""
+
+    SIZES = ((10 ** 6,) * 3, (2 ** 21,) * 3, (2 ** 32, 2 ** 32, 1), (2 ** 63, 2, 2),
+             (-5, 5, 5), (0, 5, 5))
+
+    def test_nrrd_and_meta(self):
+        for size, packed in itertools.product(self.SIZES, (False, True)):
+            with self.subTest(size=size, packed=packed):
+                write_nrrd(self.folder / "a.nrrd", size, ONES, packed=packed)
+                self.refused("a.nrrd")
+                write_meta(self.folder / "a.mha", size, ONES, packed=packed)
+                self.refused("a.mha")
+
+    def test_nifti(self):
+        for name in ("a.nii", "a.nii.gz"):
+            for size in ((32767,) * 3, (-5, 5, 5), (0, 5, 5)):
+                with self.subTest(name, size=size):
+                    write_nifti(self.folder / name, size, ONES)
+                    self.refused(name)
+
+
+class Geometry(HostileTest):
+    """Numbers that place no voxel anywhere."""
+
+    def test_spacing(self):
+        for number in ("nan", "inf", "0", "-inf"):
+            with self.subTest(number):
+                write_meta(self.folder / "a.mha", SIZE, ONES, spacing=(1, number, 1))
+                self.refused("a.mha")
+                write_nrrd(self.folder / "a.nrrd", SIZE, ONES,
+                           directions=((1, 0, 0), (0, number, 0), (0, 0, 1)))
+                self.refused("a.nrrd")
+
+    def test_origin(self):
+        for number in ("nan", "inf", "-inf"):
+            with self.subTest(number):
+                write_nrrd(self.folder / "a.nrrd", SIZE, ONES, origin=(0, number, 0))
+                self.refused("a.nrrd")
+
+    def test_direction(self):
+        rows = list(map(list, IDENTITY))
+        for number, place in itertools.product(("nan", "inf", "1e308"), range(3)):
+            rows[1] = [0, 1, 0]
+            rows[1][place] = number
+            with self.subTest(number, place=place):
+                write_meta(self.folder / "a.mha", SIZE, ONES, matrix=rows)
+                self.refused("a.mha")
+        for matrix in (((0, 0, 0),) * 3, ((1, 1, 1),) * 3, ((1, 0, 0), (1, 1, 0), (0, 0, 1))):
+            with self.subTest(matrix):
+                write_meta(self.folder / "a.mha", SIZE, ONES, matrix=matrix)
+                self.refused("a.mha")
+
+
+class Bombs(HostileTest):
+    """Small files that unpack to gigabytes."""
+
+    @staticmethod
+    def zeros(members):
+        """A gzip stream of so many members, each 64 MiB of zeros."""
+        packer = zlib.compressobj(9, zlib.DEFLATED, 31)
+        block = bytes(MEBI)
+        member = b"".join([packer.compress(block) for _ in range(64)] + [packer.flush()])
+        return member * members
+
+    def test_gzip(self):
+        bomb = self.zeros(32)
+        for size in (SIZE, (30000, 30000, 30000)):
+            with self.subTest(size):
+                path = self.folder / "a.nrrd"
+                write_nrrd(path, size, [], packed=True)
+                header = path.read_bytes().split(b"\n\n")[0] + b"\n\n"
+                path.write_bytes(header + bomb)
+                self.refused("a.nrrd", statuses=(BAD_INPUT, TOO_LARGE, EMPTY))
+                path.unlink()
+        (self.folder / "a.nii.gz").write_bytes(bomb)
+        self.refused("a.nii.gz")
+        write_nifti(self.folder / "a.nii", (32767,) * 3, [])
+        head = (self.folder / "a.nii").read_bytes()
+        (self.folder / "a.nii").unlink()
+        (self.folder / "a.nii.gz").write_bytes(gzip.compress(head) + bomb)
+        self.refused("a.nii.gz")
+
+
+class Truncated(HostileTest):
+    def test_at_many_places(self):
+        noise = voxels((9, 9, 9), lambda i, j, k: (i * 7919 + j * 104729 + k * 31) % 30011)
+        write_nrrd(self.folder / "b.nrrd", (9, 9, 9), noise, packed=True)
+        write_nifti(self.folder / "b.nii.gz", (9, 9, 9), noise)
+        write_meta(self.folder / "b.mha", (9, 9, 9), noise, packed=True)
+        for name in ("b.nrrd", "b.nii.gz", "b.mha"):
+            data = (self.folder / name).read_bytes()
+            for n in range(12):
+                keep = len(data) * n // 12
+                with self.subTest(name, keep=keep):
+                    (self.folder / name).write_bytes(data[:keep])
+                    self.refused(name)
+            (self.folder / name).unlink()
+
+
+class Labels(HostileTest):
+    def test_outside_the_type(self):
+        write_nrrd(self.folder / "a.nrrd", SIZE, ONES, kind="B")
+        for labels in ("300", "-7", "2147483647"):
+            self.refused("a.nrrd", f"--labels={labels}", statuses=(EMPTY,))
+        for labels in ("2147483648", "99999999999999999999"):
+            self.refused("a.nrrd", f"--labels={labels}", statuses=(USAGE, EMPTY))
+
+
+class Meshes(HostileTest):
+    """Meshes that promise 10^18 tets."""
+
+    MANY = 10 ** 18
+    FILES = {
+        "a.mesh": f"MeshVersionFormatted 2\nDimension 3\nVertices\n{MANY}\n0 0 0 0\n"
+                  f"Tetrahedra\n{MANY}\n1 2 3 4 0\nEnd\n",
+        "b.mesh": f"MeshVersionFormatted 2\nDimension 3\nVertices\n1\n0 0 0 0\n"
+                  f"Tetrahedra\n{MANY}\n1 1 1 1 0\nEnd\n",
+        "a.msh": f"$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 {MANY} 1 {MANY}\n"
+                 f"3 1 0 {MANY}\n1\n",
+        "b.msh": f"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{MANY}\n1 0 0 0\n",
+        "a.vtu": '<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="1.0" '
+                 'byte_order="LittleEndian" header_type="UInt64">\n<UnstructuredGrid>\n'
+                 f'<Piece NumberOfPoints="{MANY}" NumberOfCells="{MANY}">\n</Piece>\n'
+                 '</UnstructuredGrid>\n</VTKFile>\n',
+    }
+
+    def test_promises(self):
+        for name, text in self.FILES.items():
+            (self.folder / name).write_text(text)
+            for command in ("check", "convert"):
+                with self.subTest(name, command=command):
+                    self.refused(name, command=command)
+
+    def test_packed_block(self):
+        """The header of the first compressed block, with a size of 2^60."""
+        run = self.guarded("mesh", "--shape", "sphere:1", "--compress", "-o", "a.vtu")
+        self.assertEqual(run.status, 0, run.err)
+        path = self.folder / "a.vtu"
+        data = path.read_bytes()
+        at = data.index(b"_", data.index(b"<AppendedData")) + 1
+        for word in range(4):
+            for value in (2 ** 60, 2 ** 64 - 1, 0):
+                damaged = bytearray(data)
+                struct.pack_into("<Q", damaged, at + 8 * word, value)
+                if damaged == data:
+                    continue
+                path.write_bytes(damaged)
+                with self.subTest(word=word, value=value):
+                    self.refused("a.vtu", command="check")
+
+
+class HostileNotices(HostileTest):
+    """A program with each of the faults is refused."""
+
+    def planted(self, script, words):
+        self.folder.joinpath("bin").mkdir()
+        self.program = fake_program(self.folder / "bin", script)
+        (self.folder / "a.nrrd").write_text("input")
+        with self.assertRaisesRegex(AssertionError, words):
+            self.refused("a.nrrd")
+
+    def test_two_lines(self):
+        self.planted("echo 'certet: a.' >&2; echo b >&2; exit 3\n", "Regex didn't match")
+
+    def test_status(self):
+        self.planted("echo 'certet: a.' >&2; exit 1\n", "1 not found")
+
+    def test_signal(self):
+        self.planted("echo 'certet: a.' >&2; kill -SEGV $$\n", "-11 not found")
+
+    def test_partial_file(self):
+        self.planted("echo x > out.msh; echo 'certet: a.' >&2; exit 3\n", "out.msh")
+
+    def test_leftover(self):
+        self.planted("echo x > .out.tmp; echo 'certet: a.' >&2; exit 3\n", "out.tmp")
+
+    def test_input_touched(self):
+        self.planted("echo x >> a.nrrd; echo 'certet: a.' >&2; exit 3\n", "a.nrrd")
+
+    def test_memory(self):
+        self.planted("python3 -c 'bytes(range(256)) * 2000000'; "
+                     "echo 'certet: a.' >&2; exit 3\n", "not less than")
+
+
+if __name__ == "__main__":
+    unittest.main()
