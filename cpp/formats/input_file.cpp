@@ -31,8 +31,7 @@ InputFile::~InputFile() {
 void InputFile::read_at(std::uint64_t offset, std::span<std::byte> bytes) const {
   constexpr std::size_t at_once = std::size_t{1} << 26;
   while (!bytes.empty()) {
-    if (context_ != nullptr && context_->cancelled)
-      throw Error(ErrorCode::cancelled, "the run was interrupted");
+    if (context_ != nullptr) stop_if_cancelled(*context_);
     const ssize_t got = ::pread(descriptor_, bytes.data(), std::min(bytes.size(), at_once),
                                 static_cast<off_t>(offset));
     if (got < 0) {

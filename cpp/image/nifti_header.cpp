@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <string_view>
 
 #include "image_file.hpp"
 
@@ -28,10 +29,17 @@ class Header {
     const int got =
         gzread(stream.get(), bytes_.data(), static_cast<unsigned>(bytes_.size()));
     complete_ = got == static_cast<int>(bytes_.size());
-    swapped_ = number<std::int32_t>(0) != size && number<std::int32_t>(0, true) == size;
+    swapped_ = !is_rank(number<std::int16_t>(rank)) && is_rank(number<std::int16_t>(rank, true));
   }
 
+  /// Whether it is one of NIfTI, and not of ANALYZE, which knows of no matrix.
   [[nodiscard]] bool is_nifti() const {
+    const std::string_view word(reinterpret_cast<const char*>(bytes_.data()) + magic, 4);
+    using namespace std::string_view_literals;
+    return complete_ && (word == "n+1\0"sv || word == "ni1\0"sv);
+  }
+  /// Whether its own length is right, in the byte order of the rest.
+  [[nodiscard]] bool has_length() const {
     return complete_ && number<std::int32_t>(0, swapped_) == size;
   }
   [[nodiscard]] std::int16_t whole(std::size_t at) const {
@@ -41,6 +49,10 @@ class Header {
 
  private:
   static constexpr std::int32_t size = 348;
+  static constexpr std::size_t rank = 40, magic = 344;
+
+  /// By the number of dimensions the reader tells the byte order, so we do too.
+  static bool is_rank(std::int16_t number) { return number >= 1 && number <= 7; }
 
   template <class Number>
   [[nodiscard]] Number number(std::size_t at, bool swapped = false) const {
@@ -72,11 +84,14 @@ bool are_possible(const Header& header, std::size_t begin, std::size_t count) {
 void judge_nifti_header(const fs::path& file) {
   const bool detached = file.extension() == ".img";
   const Header header(detached ? fs::path(file).replace_extension(".hdr") : file);
-  if (!header.is_nifti()) return;
+  const bool is_nifti = header.is_nifti();
+  if (!is_nifti && !header.has_length()) return;
+  if (!header.has_length()) refuse(file, "has a header of two byte orders");
   // What has no code is not looked at by anybody.
+  const auto has = [&](std::size_t code) { return is_nifti && header.whole(code) != 0; };
   if (!are_possible(header, pixdim, 4) ||
-      (header.whole(qform_code) != 0 && !are_possible(header, quaternion, 6)) ||
-      (header.whole(sform_code) != 0 && !are_possible(header, matrix, 12)))
+      (has(qform_code) && !are_possible(header, quaternion, 6)) ||
+      (has(sform_code) && !are_possible(header, matrix, 12)))
     refuse(file, "has a header with impossible coordinates");
 }
 

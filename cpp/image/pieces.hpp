@@ -86,11 +86,6 @@ class PieceCounter {
   std::vector<std::uint64_t> pieces_;
 };
 
-/// \throws Error `cancelled`.
-inline void stop_if_cancelled(const Context& context) {
-  if (context.cancelled) throw Error(ErrorCode::cancelled, "the run was interrupted");
-}
-
 /// Of each region, the pieces of a grid of layers of rows.  `make(row, layer, runs)`
 /// appends the runs of a row in order; `links(row)` gives the rows before it that it
 /// touches.  \throws Error `cancelled`.

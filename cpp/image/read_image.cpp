@@ -18,6 +18,7 @@
 #include "itk_voxels.hpp"
 #include "meta_header.hpp"
 #include "nifti_header.hpp"
+#include "nrrd_header.hpp"
 
 namespace certet {
 namespace {
@@ -94,6 +95,7 @@ Image read(const fs::path& file, std::uint64_t max_bytes) {
   itk::Object::SetGlobalWarningDisplay(false);
   judge_meta_header(file);
   judge_nifti_header(file);
+  judge_nrrd_header(file);
   const Reader::Pointer reader = reader_for(file);
   reader->ReadImageInformation();
   judge_shape(file, *reader);

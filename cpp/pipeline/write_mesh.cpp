@@ -130,10 +130,6 @@ Quality in_world(Quality lattice, const Frame& frame) {
   return lattice;
 }
 
-void stop_if_cancelled(const Context& context) {
-  if (context.cancelled) throw Error(ErrorCode::cancelled, "the run was interrupted");
-}
-
 void write_points(Source& source, const Slabs& slabs, MeshWriter& writer, Context& context) {
   std::array<PointSlab, 2> points{PointSlab(slabs.points, true), PointSlab(slabs.points, true)};
   write_points(source, slabs, points, writer, context);

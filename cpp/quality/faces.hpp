@@ -78,8 +78,7 @@ struct FaceFindings {
 
 /// Looks at a context in the middle of long loops.  \throws Error `cancelled`.
 inline void stop_now_and_then(std::size_t turn, const Context& context) {
-  if (turn % (std::size_t{1} << 16) == 0 && context.cancelled)
-    throw Error(ErrorCode::cancelled, "the run was interrupted");
+  if (turn % (std::size_t{1} << 16) == 0) stop_if_cancelled(context);
 }
 
 /// What there is to be said of the edges of the boundary.

@@ -30,15 +30,16 @@ void note(SurfaceDefect& defect, const TriangleSurface& surface, const SurfaceEd
 
 }  // namespace
 
-SurfaceDefects inspect(const TriangleSurface& surface) {
+SurfaceDefects inspect(const TriangleSurface& surface, const Context& context) {
   refuse_malformed(surface);
   SurfaceDefects defects;
+  stop_if_cancelled(context);
   for (const SurfaceEdge& edge : edges_of(surface)) {
     if (edge.open()) note(defects.open_edges, surface, edge);
     if (edge.overfull()) note(defects.overfull_edges, surface, edge);
     if (edge.misoriented()) note(defects.misoriented_edges, surface, edge);
   }
-  defects.self_intersections = find_self_intersections(surface);
+  defects.self_intersections = find_self_intersections(surface, context);
   defects.inside_out = defects.closed() && defects.misoriented_edges.count == 0 &&
                        enclosed(surface) < 0;
   return defects;

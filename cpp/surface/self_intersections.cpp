@@ -63,7 +63,8 @@ std::optional<double> passes(Coord3 a, Coord3 b, const Corners& t, const exact::
 
 class Search {
  public:
-  explicit Search(const TriangleSurface& surface) : surface_(surface), round_(surface) {}
+  Search(const TriangleSurface& surface, const Context& context)
+      : surface_(surface), context_(context), round_(surface) {}
 
   SurfaceDefect run() {
     std::vector<IntegerBox> boxes;
@@ -76,6 +77,7 @@ class Search {
       boxes.push_back(box);
     }
     BoxTree(std::move(boxes)).for_each_pair([&](std::uint32_t a, std::uint32_t b) {
+      if (seen_++ % 0x10000 == 0) stop_if_cancelled(context_);
       if (!share_edge(a, b)) judge(a, b);
     });
     return found_;
@@ -119,14 +121,16 @@ class Search {
   }
 
   const TriangleSurface& surface_;
+  const Context& context_;
+  std::uint64_t seen_ = 0;  // pairs whose boxes meet
   Rounding round_;
   SurfaceDefect found_;
 };
 
 }  // namespace
 
-SurfaceDefect find_self_intersections(const TriangleSurface& surface) {
-  return Search(surface).run();
+SurfaceDefect find_self_intersections(const TriangleSurface& surface, const Context& context) {
+  return Search(surface, context).run();
 }
 
 }  // namespace certet

@@ -56,18 +56,18 @@ def write_meta(path, size, values, kind="h", spacing=(1, 1, 1), matrix=IDENTITY,
     path.write_bytes(header.encode() + data[:len(data) - cut])
 
 
-def write_nifti(path, size, values, spacing=(1, 1, 1), cut=0):
+def write_nifti(path, size, values, spacing=(1, 1, 1), cut=0, order="<"):
     """int16 voxels; axes along the world's (RAS, so x and y turn round in LPS)."""
     header = bytearray(352)
-    struct.pack_into("<i", header, 0, 348)
-    struct.pack_into("<8h", header, 40, 3, *size, 1, 1, 1, 1)
-    struct.pack_into("<2h", header, 70, 4, 16)
-    struct.pack_into("<8f", header, 76, 1, *spacing, 0, 0, 0, 0)
-    struct.pack_into("<2f", header, 108, 352, 1)
-    struct.pack_into("<2h", header, 252, 1, 0)
+    struct.pack_into(f"{order}i", header, 0, 348)
+    struct.pack_into(f"{order}8h", header, 40, 3, *size, 1, 1, 1, 1)
+    struct.pack_into(f"{order}2h", header, 70, 4, 16)
+    struct.pack_into(f"{order}8f", header, 76, 1, *spacing, 0, 0, 0, 0)
+    struct.pack_into(f"{order}2f", header, 108, 352, 1)
+    struct.pack_into(f"{order}2h", header, 252, 1, 0)
     header[123] = 2  # millimetres
     header[344:348] = b"n+1\0"
-    data = bytes(header) + struct.pack(f"<{len(values)}h", *values)
+    data = bytes(header) + struct.pack(f"{order}{len(values)}h", *values)
     if path.name.endswith(".gz"):
         data = gzip.compress(data)
     path.write_bytes(data[:len(data) - cut])

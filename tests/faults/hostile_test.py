@@ -37,6 +37,11 @@ class Promises(HostileTest):
                 write_meta(self.folder / "a.mha", size, ONES, packed=packed)
                 self.refused("a.mha")
 
+    def test_wraps_to_five(self):
+        """2^64 + 5 is 5 to whoever keeps 64 bits."""
+        write_nrrd(self.folder / "a.nrrd", (2 ** 64 + 5, 5, 5), ONES)
+        self.refused("a.nrrd")
+
     def test_nifti(self):
         for name in ("a.nii", "a.nii.gz"):
             for size in ((32767,) * 3, (-5, 5, 5), (0, 5, 5)):
@@ -56,6 +61,35 @@ class Geometry(HostileTest):
                 write_nrrd(self.folder / "a.nrrd", SIZE, ONES,
                            directions=((1, 0, 0), (0, number, 0), (0, 0, 1)))
                 self.refused("a.nrrd")
+
+    def test_nifti(self):
+        """Spacings; and the rotation and offset, at bytes 256 to 279."""
+        for number, at in itertools.product(("nan", "inf", "-inf", "1e30"), (80, 84, 88)):
+            with self.subTest(number, at=at):
+                self.damaged_nifti("<f", at, float(number))
+        for number, at in itertools.product(("nan", "inf"), range(256, 280, 4)):
+            with self.subTest(number, at=at):
+                self.damaged_nifti("<f", at, float(number))
+
+    def damaged_nifti(self, kind, at, number):
+        path = self.folder / "a.nii"
+        write_nifti(path, SIZE, ONES)
+        data = bytearray(path.read_bytes())
+        struct.pack_into(kind, data, at, number)
+        path.write_bytes(data)
+        self.refused("a.nii")
+
+    def test_byte_orders(self):
+        """A header whose length is in another byte order than the rest."""
+        self.damaged_nifti(">i", 0, 348)
+        write_nifti(self.folder / "a.nii", SIZE, ONES, order=">")
+        data = bytearray((self.folder / "a.nii").read_bytes())
+        struct.pack_into(">f", data, 80, float("nan"))
+        (self.folder / "a.nii").write_bytes(data)
+        self.refused("a.nii")
+        data[0:4] = struct.pack("<i", 348)
+        (self.folder / "a.nii").write_bytes(data)
+        self.refused("a.nii")
 
     def test_origin(self):
         for number in ("nan", "inf", "-inf"):

@@ -32,6 +32,7 @@ TABLE_LINES = re.compile(
 EQUIVALENT = [
     (r"buffer\.cpp$", r"huge_page|MADV|alignment", "how memory is aligned, never what is in it"),
     (r"parallel\.hpp$", r"tbb|threads|relaxed", "which thread does the work"),
+    (r"shared_loop\.hpp$", r"reserve|\(own|arrived|others", "which thread takes which turn"),
     (r"count\.cpp$", r"any_plus", "a shortcut around cells without tetrahedra"),
     (r"row_ranks\.cpp$", r"if \(any_plus == 0 \|\| any_minus == 0\)", "a shortcut around words without cuts"),
     (r"row_ranks\.hpp$", r"= 0;$", "overwritten by compute before it is read"),

@@ -298,7 +298,7 @@ TEST(Engine, ProgressIsReportedStageByStage) {
   EXPECT_EQ(order, (std::vector{Stage::sample, Stage::cut, Stage::warp, Stage::count, Stage::emit}));
 }
 
-#ifdef CERTET_PLAIN_THREADS
+#ifdef CERTET_THREAD_SANITIZER
 /// The thread sanitizer is there and looks: tasks that count in one place are seen.
 TEST(EngineDeathTest, ARaceBetweenTasksIsSeen) {
   EXPECT_DEATH(

@@ -93,10 +93,6 @@ void judge_indices(const ConvertOptions& options, const FileMesh& mesh) {
                         "': a tetrahedron names a point that is not there");
 }
 
-void stop_if_cancelled(const Context& context) {
-  if (context.cancelled) throw Error(ErrorCode::cancelled, "the run was interrupted");
-}
-
 void write(const ConvertOptions& options, Format format, const FileMesh& mesh,
            const MeshSize& size, const Context& context) {
   const auto writer = open_writer(options.output, format, size);

@@ -188,7 +188,7 @@ MeshReport run(const MeshOptions& options, Context& context) {
   judge_outputs(options);
   LabelNames names;
   if (!options.label_names.empty()) names = read_label_names(options.label_names);
-  const Source source = open_source(options, report.memory_limit);
+  const Source source = open_source(options, report.memory_limit, context);
   report.read_seconds = clock.seconds();
   describe(options, source, report);
   Progress progress(context);

@@ -48,8 +48,8 @@ Source from_shape(const MeshOptions& options) {
   return {"shape", options.shape, place};
 }
 
-Source from_surface(const MeshOptions& options) {
-  JudgedSurface judged = open_surface(options.input);
+Source from_surface(const MeshOptions& options, const Context& context) {
+  JudgedSurface judged = open_surface(options.input, context);
   const auto surface = std::make_shared<const TriangleSurface>(std::move(judged.surface));
   const auto place = [surface, margin = options.margin](double size) {
     return placed(surface_domain(*surface, {size, margin}));
@@ -149,10 +149,10 @@ Source from_image(const MeshOptions& options, std::uint64_t max_bytes) {
 
 }  // namespace
 
-Source open_source(const MeshOptions& options, std::uint64_t max_bytes) {
+Source open_source(const MeshOptions& options, std::uint64_t max_bytes, const Context& context) {
   if (!options.formula.empty()) return from_formula(options);
   if (!options.shape.empty()) return from_shape(options);
-  if (is_surface_file(options.input)) return from_surface(options);
+  if (is_surface_file(options.input)) return from_surface(options, context);
   if (is_volume_file(options.input)) return from_volume(options);
   return from_image(options, max_bytes);
 }

@@ -51,7 +51,7 @@ struct Source {
   std::optional<Smoothing> smoothing = {};
 };
 
-/// Reads the image, surface, volume, formula or shape.  \throws Error.
-Source open_source(const MeshOptions& options, std::uint64_t max_bytes);
+/// Reads the image, surface, volume, formula or shape.  \throws Error, `cancelled` too.
+Source open_source(const MeshOptions& options, std::uint64_t max_bytes, const Context& context);
 
 }  // namespace certet::command

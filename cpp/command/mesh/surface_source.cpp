@@ -52,13 +52,13 @@ std::vector<std::string> notes_on(const TriangleSurface& surface,
 
 }  // namespace
 
-JudgedSurface open_surface(const std::filesystem::path& file) {
+JudgedSurface open_surface(const std::filesystem::path& file, const Context& context) {
   JudgedSurface result;
   {
     const Silence silence;
     result.surface = read_surface(file);
   }
-  const SurfaceDefects defects = inspect(result.surface);
+  const SurfaceDefects defects = inspect(result.surface, context);
   refuse_open(result.surface, defects);
   result.notes = notes_on(result.surface, defects);
   return result;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "certet/context.hpp"
 #include "certet/surface.hpp"
 
 namespace certet::command {
@@ -16,7 +17,7 @@ struct JudgedSurface {
   std::vector<std::string> notes;
 };
 
-/// Reads a closed surface.  \throws Error `bad_input`, for an open one too.
-JudgedSurface open_surface(const std::filesystem::path& file);
+/// Reads a closed surface.  \throws Error `bad_input`, for an open one too; `cancelled`.
+JudgedSurface open_surface(const std::filesystem::path& file, const Context& context);
 
 }  // namespace certet::command

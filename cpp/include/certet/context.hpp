@@ -7,6 +7,8 @@
 #include <functional>
 #include <string_view>
 
+#include "certet/error.hpp"
+
 namespace certet {
 
 /// The stages of the engine, in the order in which data flows through them.
@@ -30,5 +32,10 @@ struct Context {
   /// Worker threads to use; 0 means as many as the machine has.
   int threads = 0;
 };
+
+/// What a long loop asks now and then.  \throws Error `cancelled`.
+inline void stop_if_cancelled(const Context& context) {
+  if (context.cancelled) throw Error(ErrorCode::cancelled, "the run was interrupted");
+}
 
 }  // namespace certet

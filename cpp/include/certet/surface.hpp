@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "certet/context.hpp"
 #include "certet/placed_domain.hpp"
 
 namespace certet {
@@ -68,8 +69,8 @@ struct SurfaceDefects {
 /// Edges are counted exactly; intersections are decided exactly for the points
 /// rounded to 2^-30 of the longest half side.
 /// \throws Error `bad_input` (no triangles, points that are NaN or infinite,
-/// numbers of points out of range).
-SurfaceDefects inspect(const TriangleSurface& surface);
+/// numbers of points out of range), `cancelled`.
+SurfaceDefects inspect(const TriangleSurface& surface, const Context& context = {});
 
 /// How finely a surface is meshed.
 struct SurfaceLattice {
