@@ -18,6 +18,7 @@
 #   make checksums        write the table of checksums anew, after a change of what they are
 #   make tidy             clang-tidy over all sources (.clang-tidy says what it looks for)
 #   make sanitize         the tests under the address and undefined-behaviour sanitizers
+#   make leaks            the tests under the leak sanitizer
 #   make tsan             the engine's tests under the thread sanitizer
 #   make valgrind         the bridge to OCaml under valgrind
 #   make mutation         single defects seeded into the core, and how many the tests catch
@@ -27,7 +28,7 @@
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
 .PHONY: demo test deps proofs audit check-extracted conformance build bench certified-tables clean \
-  install package repeatability checksums tidy sanitize tsan valgrind mutation soak fuzz
+  install package repeatability checksums tidy sanitize leaks tsan valgrind mutation soak fuzz
 .NOTPARALLEL:
 
 JOBS ?= $(shell nproc)
@@ -121,16 +122,18 @@ checksums: build
 tidy: build
 	run-clang-tidy -quiet -p $(BUILD) -j $(JOBS) '$(CURDIR)/(cpp|bridge|tests)/'
 
-sanitize tsan: deps
+sanitize leaks tsan: deps
 	cmake --preset $@
 	cmake --build --preset $@ -j $(JOBS)
 	ctest --preset $@ -j $(JOBS)
 
 # OCaml scans its stack and heap as it pleases; leaks are its own to keep.
-valgrind: build
+valgrind: deps
+	cmake --preset valgrind
+	cmake --build --preset valgrind -j $(JOBS)
 	OCAMLRUNPARAM=b valgrind --error-exitcode=1 --leak-check=no --undef-value-errors=yes \
 	  --suppressions=tests/differential/valgrind.supp \
-	  $(BUILD)/bin/certet_differential_test --gtest_filter='Bridge*'
+	  build-valgrind/bin/certet_differential_test --gtest_filter='Bridge*'
 
 # Some 25 minutes; results in build/mutation.
 mutation: build

@@ -8,7 +8,7 @@ import subprocess
 from pathlib import Path
 
 FLAGS = ["-std=c++20", "-ffp-contract=off", "-fno-math-errno", "-march=x86-64-v2", "-w",
-         "-D_GLIBCXX_ASSERTIONS", "-Icpp/include", "-Icpp/core", "-Itests", "-Ibridge",
+         "-D_GLIBCXX_ASSERTIONS", "-Icpp/include", "-Icpp", "-Icpp/core", "-Itests", "-Ibridge",
          "-Itests/differential", "-Itests/property"]
 OPTIMIZED = ["-O1"]   # the engine
 QUICK = ["-O0"]       # the tests, which are compiled more often than they are run
