@@ -32,11 +32,12 @@ class Header {
     swapped_ = !is_rank(number<std::int16_t>(rank)) && is_rank(number<std::int16_t>(rank, true));
   }
 
-  /// Whether it is one of NIfTI, and not of ANALYZE, which knows of no matrix.
+  /// Whether it is one of NIfTI, and not of ANALYZE, which knows of no matrix.  The
+  /// reader takes every version's for one of version 1, so we do too.
   [[nodiscard]] bool is_nifti() const {
     const std::string_view word(reinterpret_cast<const char*>(bytes_.data()) + magic, 4);
-    using namespace std::string_view_literals;
-    return complete_ && (word == "n+1\0"sv || word == "ni1\0"sv);
+    return complete_ && word[0] == 'n' && (word[1] == '+' || word[1] == 'i') &&
+           word[2] >= '1' && word[2] <= '9' && word[3] == '\0';
   }
   /// Whether its own length is right, in the byte order of the rest.
   [[nodiscard]] bool has_length() const {

@@ -1,14 +1,12 @@
 #include "nrrd_header.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <string_view>
 
+#include "header_lines.hpp"
 #include "image_file.hpp"
 
 namespace certet {
@@ -24,14 +22,6 @@ bool is_size(const std::string& word) {
   return failure == std::errc() && stop == end && size >= 1 && size <= std::uint64_t{1} << 31;
 }
 
-constexpr std::string_view key = "sizes:";
-
-/// Names of fields are read in capitals too.
-bool is_sizes(const std::string& line) {
-  return line.size() > key.size() && std::equal(key.begin(), key.end(), line.begin(),
-    [](char k, char c) { return k == std::tolower(static_cast<unsigned char>(c)); });
-}
-
 }  // namespace
 
 void judge_nrrd_header(const fs::path& file) {
@@ -41,10 +31,10 @@ void judge_nrrd_header(const fs::path& file) {
   stream.read(line.data(), 4);
   if (line != "NRRD") return;
   while (std::getline(stream, line) && line.size() < longest) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (line.empty()) return;  // the voxels begin
-    if (!is_sizes(line)) continue;
-    std::istringstream words(line.substr(key.size()));
+    if (line.empty() || line == "\r") return;  // the voxels begin
+    const auto [key, value] = split_line(line, ":");
+    if (lower(key) != "sizes") continue;
+    std::istringstream words(value);
     for (std::string word; words >> word;)
       if (!is_size(word)) refuse(file, "has impossible dimensions");
   }

@@ -100,6 +100,7 @@ Image read(const fs::path& file, std::uint64_t max_bytes) {
   reader->ReadImageInformation();
   judge_shape(file, *reader);
   const std::uint64_t bytes = judge_bytes(file, *reader, max_bytes);
+  judge_meta_packed_size(file, bytes);
   // At the same time as the voxels are read, for unpacking is what takes long.
   auto complete = std::async(std::launch::async, is_complete, file, bytes);
   Image image;

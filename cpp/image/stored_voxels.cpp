@@ -2,13 +2,14 @@
 
 #include <zlib.h>
 
-#include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
 #include <fstream>
 #include <memory>
 #include <string>
+
+#include "header_lines.hpp"
+#include "meta_header.hpp"
 
 namespace certet {
 namespace {
@@ -45,34 +46,13 @@ std::optional<StoredVoxels> in_nifti(const fs::path& file, bool packed) {
   return StoredVoxels{file, 0, nifti_offset(header), packed};
 }
 
-struct HeaderLine {
-  std::string key, value;  ///< the value in lower case, but for file names
-};
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-HeaderLine split(const std::string& line, char separator) {
-  const std::size_t at = line.find(separator);
-  if (at == std::string::npos) return {trimmed(line), ""};
-  return {trimmed(line.substr(0, at)), trimmed(line.substr(at + 1))};
-}
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 /// The voxels begin behind the first empty line.
 std::optional<StoredVoxels> in_nrrd(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string line, encoding;
-  while (std::getline(stream, line) && !trimmed(line).empty()) {
-    const auto [key, value] = split(line, ':');
+  while (std::getline(stream, line)) {
+    const auto [key, value] = split_line(line, ":");
+    if (key.empty() && value.empty()) break;
     if (key == "encoding") encoding = lower(value);
     if (key == "data file" || key == "datafile" || key == "line skip" || key == "byte skip")
       return {};
@@ -84,23 +64,20 @@ std::optional<StoredVoxels> in_nrrd(const fs::path& file) {
 
 /// The voxels begin behind the line ElementDataFile, or in the file it names.
 std::optional<StoredVoxels> in_meta(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string line;
+  const auto header = meta_header(file);
+  if (!header) return {};
   bool packed = false;
-  while (std::getline(stream, line)) {
-    const auto [key, value] = split(line, '=');
+  for (const auto& [key, value] : header->fields) {
     if (key == "CompressedData") packed = lower(value) == "true";
     if (key == "BinaryData" && lower(value) == "false") return {};
     if (key == "HeaderSize") return {};
-    if (key != "ElementDataFile") continue;
-    if (lower(value) == "local")
-      return StoredVoxels{file, static_cast<std::uint64_t>(stream.tellg()), 0, packed};
-    std::error_code failure;
-    const fs::path other = file.parent_path() / value;
-    if (!fs::is_regular_file(other, failure)) return {};  // a list or a pattern of files
-    return StoredVoxels{other, 0, 0, packed};
   }
-  return {};
+  const std::string& place = header->fields.back().value;
+  if (lower(place) == "local") return StoredVoxels{file, header->length, 0, packed};
+  std::error_code failure;
+  const fs::path other = file.parent_path() / place;
+  if (!fs::is_regular_file(other, failure)) return {};  // a list or a pattern of files
+  return StoredVoxels{other, 0, 0, packed};
 }
 
 }  // namespace
@@ -111,8 +88,7 @@ std::optional<StoredVoxels> stored_voxels(const fs::path& file) {
   if (extension == ".gz" && lower(file.stem().extension().string()) == ".nii")
     return in_nifti(file, true);
   if (extension == ".nrrd") return in_nrrd(file);
-  if (extension == ".mha" || extension == ".mhd") return in_meta(file);
-  return {};
+  return in_meta(file);
 }
 
 }  // namespace certet

@@ -50,6 +50,42 @@ class Promises(HostileTest):
                     self.refused(name)
 
 
+class MetaHeaders(HostileTest):
+    """Headers that ITK would follow into a long loop or a large allocation."""
+
+    def changed(self, before, after):
+        path = self.folder / "a.mha"
+        write_meta(path, SIZE, ONES, packed=True)
+        data = path.read_bytes()
+        self.assertIn(before, data)
+        path.write_bytes(data.replace(before, after, 1))
+        self.refused("a.mha")
+
+    def test_packed_size(self):
+        for size in (b"-1", b"18446744073709551615", b"1e18", b"nan", b"inf", b"1e400", b"x"):
+            with self.subTest(size):
+                self.changed(b"ElementDataFile",
+                             b"CompressedDataSize = " + size + b"\nElementDataFile")
+
+    def test_dimensions(self):
+        for number in (b"4294967295", b"-3", b"nan", b"11"):
+            with self.subTest(number):
+                self.changed(b"NDims = 3", b"NDims = " + number)
+
+    def test_not_lines(self):
+        self.changed(b"ObjectType", b"word\nObjectType")
+        self.changed(b"ObjectType", b"word = \0\nObjectType")
+
+    def test_no_place(self):
+        path = self.folder / "a.mha"
+        write_meta(path, SIZE, ONES, packed=True)
+        head = path.read_bytes().split(b" LOCAL")[0]
+        for end in (b"", b" ", b" LOCAL", b" \n", b"\x17"):
+            with self.subTest(end):
+                path.write_bytes(head + end)
+                self.refused("a.mha")
+
+
 class Geometry(HostileTest):
     """Numbers that place no voxel anywhere."""
 
@@ -78,6 +114,30 @@ class Geometry(HostileTest):
         struct.pack_into(kind, data, at, number)
         path.write_bytes(data)
         self.refused("a.nii")
+
+    def test_other_versions(self):
+        """A reader of version 1 takes every version's header for its own."""
+        path = self.folder / "a.nii"
+        for version in range(1, 10):
+            write_nifti(path, SIZE, ONES)
+            data = bytearray(path.read_bytes())
+            struct.pack_into("<f", data, 84, float("nan"))
+            data[344:348] = f"n+{version}\0".encode()
+            path.write_bytes(data)
+            with self.subTest(version):
+                self.refused("a.nii")
+
+    def test_big_endian_is_read(self):
+        """The mesh of the same voxels, whatever their byte order."""
+        cube = voxels(SIZE, lambda *place: int(all(1 <= x <= 3 for x in place)))
+        meshes = []
+        for order in "<>":
+            write_nifti(self.folder / "a.nii", SIZE, cube, (1, 2, 3), order=order)
+            run = self.guarded("mesh", "a.nii", "-o", "a.mesh")
+            self.assertEqual(run.status, 0, run.err)
+            meshes.append((self.folder / "a.mesh").read_bytes())
+        self.assertGreater(len(meshes[0]), 1000)
+        self.assertEqual(*meshes)
 
     def test_byte_orders(self):
         """A header whose length is in another byte order than the rest."""
