@@ -1,19 +1,21 @@
 #include "definitions.hpp"
 
 #include <CLI/CLI.hpp>
-#include <regex>
 #include <sstream>
+#include <string_view>
 
 namespace certet::command {
 namespace {
 
 /// CLI11 describes a choice among words as {word->number,...}.
 std::vector<std::string> choices(const CLI::Option& option) {
-  static const std::regex word(R"(([A-Za-z][A-Za-z0-9-]*)->)");
+  constexpr std::string_view arrow = "->";
   const std::string type = option.get_type_name();
   std::vector<std::string> found;
-  for (std::sregex_iterator i(type.begin(), type.end(), word), end; i != end; ++i)
-    found.push_back((*i)[1]);
+  for (std::size_t at = type.find(arrow); at != type.npos; at = type.find(arrow, at + 1)) {
+    const std::size_t before = type.find_last_of("{, ", at) + 1;  // 0 at the beginning
+    found.push_back(type.substr(before, at - before));
+  }
   return found;
 }
 
