@@ -269,6 +269,148 @@ class Meshes(HostileTest):
                     self.refused("a.vtu", command="check")
 
 
+class Surfaces(HostileTest):
+    """Triangles that are promised, that are nowhere, or that name no vertex.  Each file is a
+    closed tetrahedron but for one number."""
+
+    MANY = 10 ** 18
+    PLY = ("ply\nformat {kind} 1.0\nelement vertex {vertices}\nproperty float x\n"
+           "property float y\nproperty float z\nelement face {faces}\n"
+           "property list uchar int vertex_indices\nend_header\n")
+    CORNERS = ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))
+    FACES = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3))
+
+    @classmethod
+    def lines(cls, before, z, last, first=0, corners="3"):
+        """Vertices and faces as text; `z` is the last coordinate, `last` the last index."""
+        places = [*map(list, cls.CORNERS)]
+        places[3][2] = z
+        faces = [[corners, *(i + first for i in face)] for face in cls.FACES]
+        faces[3][3] = last
+        vertex, face = before
+        return "".join(kind + " ".join(map(str, row)) + "\n" for kind, rows in
+                       ((vertex, places), (face, faces)) for row in rows)
+
+    def off(self, vertices=4, faces=4, z=1, last=3, corners="3"):
+        return f"OFF\n{vertices} {faces} 0\n{self.lines(('', ''), z, last, corners=corners)}".encode()
+
+    def obj(self, z=1, last=4):
+        return self.lines(("v ", "f "), z, last, first=1, corners="").encode()
+
+    def ply(self, kind="ascii", vertices=4, faces=4):
+        head = self.PLY.format(kind=kind, vertices=vertices, faces=faces).encode()
+        if kind == "ascii":
+            return head + self.lines(("", ""), 1, 3).encode()
+        order = "<" if "little" in kind else ">"
+        return (head + b"".join(struct.pack(order + "3f", *p) for p in self.CORNERS) +
+                b"".join(struct.pack(order + "B3i", 3, *f) for f in self.FACES))
+
+    def stl(self, count=4, z=1.0):
+        places = [*map(list, self.CORNERS)]
+        places[3][2] = z
+        triangles = (struct.pack("<12fH", 0, 0, 0, *places[a], *places[b], *places[c], 0)
+                     for a, b, c in self.FACES)
+        return bytes(80) + struct.pack("<I", count) + b"".join(triangles)
+
+    def meshed(self, name, data):
+        (self.folder / name).write_bytes(data)
+        run = self.guarded("mesh", name, "--size", "0.2", "-o", "out.msh")
+        self.assertEqual(run.status, 0, run.err)
+        (self.folder / "out.msh").unlink()
+        (self.folder / name).unlink()
+
+    def refused_as(self, name, data):
+        (self.folder / name).write_bytes(data)
+        with self.subTest(name, data=data[:80]):
+            self.refused(name, "--size", "0.2")
+        (self.folder / name).unlink()
+
+    KINDS = ("ascii", "binary_little_endian", "binary_big_endian")
+
+    def test_without_fault(self):
+        self.meshed("a.off", self.off())
+        self.meshed("a.obj", self.obj())
+        self.meshed("a.stl", self.stl())
+        for kind in self.KINDS:
+            self.meshed("a.ply", self.ply(kind))
+
+    def test_promises(self):
+        for count in (2 ** 32 - 1, 10 ** 6, 5):
+            self.refused_as("a.stl", self.stl(count))
+        for number in (self.MANY, 2 ** 64 - 1, 2 ** 64 + 4, -4, "nan"):
+            for kind in self.KINDS:
+                self.refused_as("a.ply", self.ply(kind, vertices=number))
+                self.refused_as("a.ply", self.ply(kind, faces=number))
+            self.refused_as("a.off", self.off(vertices=number))
+            self.refused_as("a.off", self.off(faces=number))
+
+    def test_polygon_of_many_corners(self):
+        for corners in (self.MANY, 2 ** 31, 2 ** 32 + 3, 4):
+            self.refused_as("a.off", self.off(corners=corners))
+
+    def test_nowhere(self):
+        for number in ("nan", "inf", "-inf"):
+            self.refused_as("a.off", self.off(z=number))
+            self.refused_as("a.obj", self.obj(z=number))
+            self.refused_as("a.stl", self.stl(z=float(number)))
+        for number in ("1e300", "1e400"):
+            self.refused_as("a.off", self.off(z=number))
+            self.refused_as("a.obj", self.obj(z=number))
+
+    def test_no_such_vertex(self):
+        for number in (4, -1, 2 ** 31, 2 ** 32 + 3, self.MANY):
+            self.refused_as("a.off", self.off(last=number))
+        for number in (5, 0, 2 ** 31, 2 ** 32 + 4, self.MANY):
+            self.refused_as("a.obj", self.obj(last=number))
+
+
+class Pages(HostileTest):
+    """TIFF stacks, one page after another."""
+
+    @staticmethod
+    def page(width, height, bits, next_page, data=b"x" * 64):
+        """A little-endian file with one page, whose voxels lie at its end."""
+        entries = ((256, width), (257, height), (258, bits), (259, 1), (262, 1), (273, 122),
+                   (277, 1), (278, height), (279, min(len(data), 2 ** 32 - 1)))
+        listed = b"".join(struct.pack("<HHII", tag, 4, 1, value) for tag, value in entries)
+        directory = struct.pack("<H", len(entries)) + listed + struct.pack("<I", next_page)
+        return b"II*\0" + struct.pack("<I", 8) + directory + data
+
+    def refused_page(self, *fields):
+        (self.folder / "a.tif").write_bytes(self.page(*fields))
+        with self.subTest(fields=fields):
+            self.refused("a.tif")
+
+    def test_promises(self):
+        for width, height in ((2 ** 32 - 1, 2 ** 32 - 1), (2 ** 31, 2 ** 31), (2 ** 20, 2 ** 20),
+                              (0, 8), (8, 0)):
+            for bits in (8, 16, 32):
+                self.refused_page(width, height, bits, 0)
+        for bits in (0, 7, 2 ** 31):
+            self.refused_page(8, 8, bits, 0)
+
+    def test_pages_without_end(self):
+        """The page that follows is the same, or lies outside the file."""
+        for next_page in (8, 2 ** 32 - 1, 60):
+            self.refused_page(8, 8, 8, next_page)
+
+    def test_without_fault(self):
+        (self.folder / "a.tif").write_bytes(self.page(8, 8, 8, 0))
+        run = self.guarded("mesh", "a.tif", "-o", "out.msh")
+        self.assertEqual(run.status, 0, run.err)
+
+
+class Grids(HostileTest):
+    """OpenVDB grids, cut short or with a word changed."""
+
+    def test_damaged(self):
+        path = self.folder / "a.vdb"
+        for data in (b"", b" BDV", b" BDV" + bytes(4), b" BDV" + bytes(5000), b"\xff" * 5000):
+            path.write_bytes(data)
+            with self.subTest(data[:8], size=len(data)):
+                self.refused("a.vdb")
+
+
 class HostileNotices(HostileTest):
     """A program with each of the faults is refused."""
 

@@ -39,6 +39,8 @@ EQUIVALENT = [
     (r"sample\.cpp$", r"any|int block = |blocks_in|return planes", "how much is skipped or sampled at a time"),
     (r"stuffing\.cpp$", r"rows_per_task|pieces|j_begin = ", "how the work is divided among threads"),
     (r"cuts\.cpp$", r"batch|reserve", "how many edges are bisected in lockstep"),
+    (r"warped_lattice\.hpp$", r"direction = 0", "whoever writes a distance writes the direction"),
+    (r"emit_points\.cpp$", r"w < planes\.words", "the word after a row's last is empty"),
     (r"sign_planes\.hpp$", r"stride_\(|bytes|resize|\(cells", "room around the planes, or what it takes"),
     (r"\.hpp$|\.cpp$", r"array<[^;]*> \w+\{\{|= default|~\w+\(\);", "the size of an array that is written out, a declaration"),
     (r".", r"static_assert|#|std::min\(cells, 1e18\)|throw Error", "a check of the source, or a sentence"),

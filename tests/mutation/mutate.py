@@ -1,17 +1,19 @@
 #!/usr/bin/env python3
 """Seeds single defects into a copy of the core and counts those that the tests catch.
 
-usage: mutate.py BUILD [--count N] [--seed S] [--only N] [--self-test]
+usage: mutate.py BUILD [--count N] [--seed S] [--jobs J] [--only N] [--self-test]
 
 BUILD is a build folder with the bridge to the certified functions.  Everything else happens in
 BUILD/mutation; the results are BUILD/mutation/mutation.json and mutation.md.
 """
 
 import argparse
-import json
+import os
+import queue
 import shutil
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from killers import OTHERWISE, Workshop, programs_for
@@ -76,42 +78,63 @@ def self_test(root, ocaml_object):
     return wrong
 
 
-def run(root, ocaml_object, arguments):
-    print(f"seed {arguments.seed}", flush=True)
-    mutants = choose(SOURCE, core_files(), arguments.count, arguments.seed)
-    workshop = Workshop(root, ocaml_object, arguments.seconds)
+def open_workshop(root, ocaml_object, seconds):
+    copy_tree(root)
+    workshop = Workshop(root, ocaml_object, seconds)
     workshop.prepare(OTHERWISE)
     workshop.restore()
     outcome, by = workshop.verdict(OTHERWISE)
     if outcome != "survived":
         sys.exit(f"mutate.py: the tests fail without any defect: {outcome} {by}")
+    return workshop
+
+
+def run(root, ocaml_object, arguments):
+    print(f"seed {arguments.seed}", flush=True)
+    mutants = choose(SOURCE, core_files(), arguments.count, arguments.seed)
     numbered = [(n, m) for n, m in enumerate(mutants) if arguments.only in (None, n)]
+    free = queue.SimpleQueue()
     results = []
-    for number, mutant in numbered:
-        results.append(examine(workshop, number, mutant))
-        write_report(root, arguments.seed, results, len(numbered))
+
+    def examine_next(task):
+        workshop = free.get()
+        try:
+            return examine(workshop, *task)
+        finally:
+            free.put(workshop)
+
+    with ThreadPoolExecutor(arguments.jobs) as pool:
+        for workshop in pool.map(lambda n: open_workshop(root / f"workshop-{n}", ocaml_object,
+                                                         arguments.seconds), range(arguments.jobs)):
+            free.put(workshop)
+        for result in pool.map(examine_next, numbered):
+            results.append(result)
+            write_report(root, arguments.seed, results, len(numbered))
     return results
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("build", type=Path)
-    parser.add_argument("--count", type=int, default=210)
+    parser.add_argument("--count", type=int, default=250)
     parser.add_argument("--seed", type=int, default=2007)
-    parser.add_argument("--seconds", type=float, default=40, help="at most, for each program of tests")
+    parser.add_argument("--seconds", type=float, default=60, help="at most, for each program of tests")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--only", type=int, help="the number of one mutant")
     parser.add_argument("--self-test", action="store_true")
     arguments = parser.parse_args()
     root = (arguments.build / ("mutation_self_test" if arguments.self_test else "mutation")).resolve()
     ocaml_object = (arguments.build / "bridge/ocaml/certified_complete.o").resolve()
-    copy_tree(root)
+    shutil.rmtree(root, ignore_errors=True)
     if arguments.self_test:
+        copy_tree(root)
         wrong = self_test(root, ocaml_object)
         shutil.rmtree(root)
         sys.exit("\n".join(wrong) if wrong else 0)
     results = run(root, ocaml_object, arguments)
     survivors = [r for r in results if r["outcome"] == "survived"]
-    print(f"{len(results) - len(survivors)} of {len(results)} caught; see {root / 'mutation.md'}")
+    compiled = [r for r in results if r["outcome"] != "compiler"]
+    print(f"{len(compiled) - len(survivors)} of {len(compiled)} caught; see {root / 'mutation.md'}")
 
 
 if __name__ == "__main__":

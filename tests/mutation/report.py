@@ -31,13 +31,15 @@ def _table(results):
 def page(seed, results, planned):
     count = {outcome: sum(r["outcome"] == outcome for r in results)
              for outcome in ("test", "timeout", "compiler", "survived")}
+    refused = count["compiler"]
+    compiled = [r for r in results if r["outcome"] != "compiler"]
     lines = ["# Mutants of the core", "",
-             f"Seed {seed}. Of {planned} planned, {len(results)} were examined: {count['test']} caught "
-             f"by a test, {count['timeout']} by the time limit, {count['compiler']} refused by the "
-             f"compiler, {count['survived']} survived. In tables and lattice: "
-             f"{_share([r for r in results if in_tables(r)])}. Without those that the compiler "
-             f"refused: {_share([r for r in results if r['outcome'] != 'compiler'])}.", ""]
-    lines += _table(results) + ["", "## Survivors", ""]
+             f"Seed {seed}. Of {planned} planned, {len(results)} were examined; the compiler refused {refused}. "
+             f"Of the others, {_share(compiled)} were caught: {count['test']} by a test that failed, "
+             f"{count['timeout']} by the time limit. In tables and lattice: "
+             f"{_share([r for r in compiled if in_tables(r)])}.", "",
+             "The table counts those that compile.", ""]
+    lines += _table(compiled) + ["", "## Survivors", ""]
     for r in results:
         if r["outcome"] == "survived":
             lines += [f"Number {r['number']}, {r['operator']}, {r['file']}:{r['line']}", "", "```diff",

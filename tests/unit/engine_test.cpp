@@ -13,6 +13,7 @@
 #include "certet/structured_tet.hpp"
 #include "certet/stuffing.hpp"
 #include "core/parallel.hpp"
+#include "core/sign_planes.hpp"
 #include "domains.hpp"
 
 namespace certet {
@@ -91,6 +92,66 @@ TEST(Engine, TetrahedraOfALayerUseItsPointsAndTheNextLayersOnly) {
         EXPECT_LT(point, stuffing.first_point(std::min(k + 2, layers)));
       }
   }
+}
+
+std::vector<std::uint8_t> surface_marks(const Stuffing& stuffing, Context& context) {
+  std::vector<std::uint8_t> marks(stuffing.point_count());
+  stuffing.mark_surface(0, stuffing.layers(), marks, context);
+  return marks;
+}
+
+bool is_lattice_point(Coord3 position) {
+  const auto odd = [](std::int32_t c) { return (c / steps) % 2 != 0; };
+  return position.x % steps == 0 && position.y % steps == 0 && position.z % steps == 0 &&
+         odd(position.x) == odd(position.y) && odd(position.y) == odd(position.z);
+}
+
+/// A point is off the surface if and only if it is a lattice point that is plus.
+TEST(Engine, PointsOnTheSurfaceAreMarked) {
+  const auto domain = domains::noise(5, 16);
+  for (const Lattice& lattice : {around_origin(8), Lattice{{-20, 4, 6}, {70, 3, 3}}}) {
+    Context context;
+    const Stuffing stuffing(domain, lattice, {}, context);
+    const std::vector<std::uint8_t> marks = surface_marks(stuffing, context);
+    const Mesh mesh = emit(stuffing, {}, context);
+    std::size_t inner = 0;
+    for (std::size_t p = 0; p < marks.size(); ++p) {
+      const bool plus = is_lattice_point(mesh.points[p]) && domain.sign_at(mesh.points[p]) == Sign::plus;
+      EXPECT_EQ(marks[p], plus ? 0 : 1) << "point " << p;
+      inner += plus;
+    }
+    EXPECT_GT(inner, 0u);
+    EXPECT_LT(inner, marks.size());
+  }
+}
+
+/// A cube between even planes: the surface passes through even vertices, and
+/// through the middle of the long edges between odd ones.
+TEST(Engine, ItTellsTheBytesThatItHolds) {
+  const domains::Positional cube([](Coord3 p) {
+    const std::int32_t far = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    return far < 12 * steps ? Sign::plus : far == 12 * steps ? Sign::on_surface : Sign::minus;
+  });
+  const domains::Positional nowhere([](Coord3) { return Sign::minus; });
+  const Lattice lattice = around_origin(16);
+  Context context;
+  const Stuffing empty(nowhere, lattice, {}, context);
+  const Stuffing stuffing(cube, lattice, {}, context);
+  std::uint64_t cuts = 0;
+  std::uint64_t zeros = 0;
+  const std::vector<std::uint8_t> marks = surface_marks(stuffing, context);
+  const Mesh mesh = emit(stuffing, {}, context);
+  for (std::size_t p = 0; p < marks.size(); ++p)
+    if (marks[p] == 1) ++(is_lattice_point(mesh.points[p]) ? zeros : cuts);
+  EXPECT_GT(cuts, 500u);
+  EXPECT_GT(zeros, 500u);
+  EXPECT_EQ(stuffing.bytes() - empty.bytes(), 2 * cuts + 4 * zeros);
+
+  const auto rows = static_cast<std::uint64_t>(empty.layers()) * static_cast<std::uint64_t>(empty.layers());
+  const std::int32_t points = empty.layers();
+  EXPECT_EQ(empty.bytes(), core::SignPlanes::bytes_for({points, points, points}) +
+                               rows * (8 + 4)            // where a row's cuts and zeros begin
+                               + 2 * 8 * (rows + 1));    // its first point and tetrahedron
 }
 
 TEST(Engine, SixtyFourBitIndicesAreTheSameNumbers) {
@@ -290,8 +351,11 @@ TEST(Engine, ItStopsWhereverItIsCancelled) {
 TEST(Engine, ProgressIsReportedStageByStage) {
   Context context;
   std::vector<Stage> order;
+  std::int64_t expected = 0;
   context.progress = [&](Stage stage, std::int64_t done, std::int64_t total) {
     EXPECT_LE(done, total);
+    if (done == 0) expected = 0;
+    EXPECT_EQ(done, expected++) << name(stage);
     if (order.empty() || order.back() != stage) order.push_back(stage);
   };
   stuff(ball(10), around_origin(8), {}, {}, context);

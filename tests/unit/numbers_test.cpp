@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -104,6 +105,28 @@ TEST(Checksums, DependOnEveryBit) {
   EXPECT_NE(checksum(some_points, {some_tets[1], some_tets[0]}), whole);
   EXPECT_NE(checksum(some_points, some_tets, 1), whole);
   EXPECT_NE(checksum(some_points, some_tets, 0, 1), whole);
+}
+
+/// The same of points as files have them.
+TEST(Checksums, DependOnEveryBitOfAFilesPoints) {
+  const auto sum_of = [](const std::vector<Point3>& points) {
+    Checksum sum;
+    sum.points(0, points);
+    return sum.value();
+  };
+  const std::vector<Point3> given{{0.1, -2.5, 3e10}, {4, 5e-7, -6}};
+  EXPECT_EQ(sum_of(given), 6563412520085952888U);
+  for (std::size_t p = 0; p < given.size(); ++p)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (int bit = 0; bit < 64; ++bit) {
+        std::vector<Point3> points = given;
+        points[p][axis] = std::bit_cast<double>(std::bit_cast<std::uint64_t>(points[p][axis]) ^
+                                                std::uint64_t{1} << bit);
+        EXPECT_NE(sum_of(points), sum_of(given));
+      }
+  EXPECT_NE(sum_of({given[1], given[0]}), sum_of(given));
+  for (const Point3& turned : {Point3{-2.5, 0.1, 3e10}, {3e10, -2.5, 0.1}, {0.1, 3e10, -2.5}})
+    EXPECT_NE(sum_of({turned, given[1]}), sum_of(given));
 }
 
 TEST(Checksums, AddUpInAnyOrderAndWidth) {
