@@ -202,49 +202,120 @@ TEST(Engine, TheWordsOfTheBitPlanesDoNotShow) {
         << shift;
 }
 
-/// A direction for each corner of a structured tetrahedron.
-using Moves = std::array<std::size_t, 4>;
+/// How a corner of a structured tetrahedron moves, by a distance in steps.
+struct Move {
+  std::size_t direction = 0;
+  std::int32_t distance = 0;
 
-/// The four moves, by just less than the thresholds of `angles`, that invert a
-/// structured tetrahedron the most; no corner moves towards another one.
+  [[nodiscard]] Coord3 from(Coord3 vertex) const {
+    return steps * vertex + distance * direction_offset[direction];
+  }
+};
+using Moves = std::array<Move, 4>;
+
+std::int64_t six_volume_after(const StructuredTet& tet, const Moves& moves) {
+  std::array<Coord3, 4> corner;
+  for (std::size_t n = 0; n < 4; ++n) corner[n] = moves[n].from(tet.vertices[n]);
+  return six_volume(corner[0], corner[1], corner[2], corner[3]);
+}
+
+/// All fourfold directions in which no corner moves towards another one, by just
+/// less than the thresholds of `angles`.
+template <class Visit>
+void for_each_moves(const StructuredTet& tet, Visit visit) {
+  for (std::size_t code = 0; code < 14 * 14 * 14 * 14; ++code) {
+    Moves moves;
+    std::size_t rest = code;
+    bool leaves = true;
+    for (std::size_t n = 0; n < 4; ++n, rest /= 14) {
+      const std::size_t d = rest % 14;
+      moves[n] = {d, angle_thresholds.in_steps(static_cast<int>(d)) - 1};
+      leaves = leaves && std::ranges::find(tet.vertices, tet.vertices[n] + direction_offset[d]) ==
+                             tet.vertices.end();
+    }
+    if (leaves && !visit(moves)) return;
+  }
+}
+
 Moves most_inverting_moves(const StructuredTet& tet) {
   Moves best{};
   std::int64_t least = 0;
-  const auto corner = [&](std::size_t n, std::size_t d) {
-    return steps * tet.vertices[n] + (angle_thresholds.in_steps(static_cast<int>(d)) - 1) * direction_offset[d];
-  };
-  const auto leaves = [&](std::size_t n, std::size_t d) {
-    return std::ranges::find(tet.vertices, tet.vertices[n] + direction_offset[d]) ==
-           tet.vertices.end();
-  };
-  for (std::size_t code = 0; code < 14 * 14 * 14 * 14; ++code) {
-    const Moves d{code % 14, code / 14 % 14, code / 196 % 14, code / 2744};
-    if (!leaves(0, d[0]) || !leaves(1, d[1]) || !leaves(2, d[2]) || !leaves(3, d[3])) continue;
-    const std::int64_t v = six_volume(corner(0, d[0]), corner(1, d[1]), corner(2, d[2]), corner(3, d[3]));
-    if (v >= least) continue;
-    least = v;
-    best = d;
-  }
+  for_each_moves(tet, [&](const Moves& moves) {
+    const std::int64_t v = six_volume_after(tet, moves);
+    if (v < least) best = moves;
+    least = std::min(v, least);
+    return true;
+  });
   EXPECT_LT(least, 0) << "these thresholds invert nothing: the test shows nothing";
   return best;
 }
 
+/// Makes the last move such that the volume, which is linear in its distance,
+/// is nothing; false if no whole distance within the threshold does so.
+bool flatten(const StructuredTet& tet, Moves& moves) {
+  const std::int32_t limit = moves[3].distance;
+  moves[3].distance = 0;
+  const std::int64_t without = six_volume_after(tet, moves);
+  moves[3].distance = 1;
+  const std::int64_t slope = six_volume_after(tet, moves) - without;
+  if (slope == 0 || without % slope != 0) return false;
+  const std::int64_t distance = -without / slope;
+  if (distance <= 0 || distance > limit) return false;
+  moves[3].distance = static_cast<std::int32_t>(distance);
+  return six_volume_after(tet, moves) == 0;
+}
+
+Moves flattening_moves(const StructuredTet& tet) {
+  constexpr std::int32_t coarse = 1024;
+  Moves found{};
+  for_each_moves(tet, [&](const Moves& moves) {
+    Moves flat = moves;
+    for (std::size_t n = 0; n < 3; ++n) flat[n].distance -= flat[n].distance % coarse;
+    if (flatten(tet, flat)) found = flat;
+    return found[3].distance == 0;
+  });
+  EXPECT_GT(found[3].distance, 0) << "nothing flattens it: the test shows nothing";
+  return found;
+}
+
 /// Inside everywhere but around the neighbours that the moves lead to; there,
-/// the surface is just near enough to violate the corner.
+/// the surface is where the corner moves to.
 Sign sign_around(const StructuredTet& tet, const Moves& moves, Coord3 p) {
   for (std::size_t n = 0; n < 4; ++n) {
-    const Coord3 e = direction_offset[moves[n]];
+    const Coord3 e = direction_offset[moves[n].direction];
     const Coord3 from = p - steps * tet.vertices[n];
     const std::int32_t t = e.x != 0 ? from.x / e.x : e.y != 0 ? from.y / e.y : from.z / e.z;
     if (t >= 0 && t <= steps && from == t * e)
-      return t < angle_thresholds.in_steps(static_cast<int>(moves[n])) - 2 ? Sign::plus : Sign::minus;
+      return t < moves[n].distance ? Sign::plus : t == moves[n].distance ? Sign::on_surface : Sign::minus;
   }
   for (std::size_t n = 0; n < 4; ++n) {
-    const Coord3 from = p - steps * (tet.vertices[n] + direction_offset[moves[n]]);
+    const Coord3 from = p - steps * (tet.vertices[n] + direction_offset[moves[n].direction]);
     const double distance = std::hypot(from.x, from.y, from.z) / steps;
     if (distance < 0.8) return Sign::minus;
   }
   return Sign::plus;
+}
+
+std::uint64_t inverted_tets(const StructuredTet& tet, const Moves& moves, Guarantee guarantee) {
+  const domains::Positional domain([&](Coord3 p) { return sign_around(tet, moves, p); });
+  Context context;
+  return Stuffing(domain, around_origin(8), {Cuts::bisect, guarantee}, context).inverted_tets();
+}
+
+/// A flat one is as bad as one turned over, in either orientation.  No vertex but
+/// its corners moves, so that it is the only one.
+TEST(Engine, AFlatZeroTetrahedronCountsAsInverted) {
+  for (std::size_t c = 0; c < case_count; ++c) {
+    const StructuredTet tet = structured_tet({{0, 0, 0}, static_cast<StructuredTetCase>(c)});
+    const Moves moves = flattening_moves(tet);
+    EXPECT_EQ(inverted_tets(tet, moves, Guarantee::angles), 1u) << case_names[c];
+    Moves less = moves;
+    --less[3].distance;
+    Moves more = moves;
+    ++more[3].distance;
+    EXPECT_EQ(inverted_tets(tet, less, Guarantee::angles) + inverted_tets(tet, more, Guarantee::angles), 1u)
+        << case_names[c];
+  }
 }
 
 TEST(Engine, AnInvertedZeroTetrahedronMakesItFallBack) {
