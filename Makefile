@@ -135,14 +135,15 @@ valgrind: deps
 	  --suppressions=tests/differential/valgrind.supp \
 	  build-valgrind/bin/certet_differential_test --gtest_filter='Bridge*'
 
-# Some 25 minutes; results in build/mutation.
+# Some 25 minutes on two cores; results in build/mutation.
 mutation: build
 	$(PYTHON) -B tests/mutation/mutate.py $(BUILD)
 
-# Some minutes; results in build/soak.
+# Some minutes; results in build/soak; the seed may be given.
+SOAK_SEED ?=
 soak: build
 	mkdir -p $(BUILD)/soak
-	$(BUILD)/bin/certet_soak --count 10000 --report $(BUILD)/soak/soak
+	$(BUILD)/bin/certet_soak --count 10000 $(if $(SOAK_SEED),--seed $(SOAK_SEED)) --report $(BUILD)/soak/soak
 
 # A minute for each target; findings in build-fuzz/findings, the seed may be given.
 FUZZ_SECONDS ?= 60

@@ -48,7 +48,8 @@ std::string quoted(const std::string& text) {
 void json_row(std::ostream& out, std::string_view name, const Row& row) {
   out << "  {\"kind\": \"" << name << "\", \"domains\": " << row.domains
       << ", \"empty\": " << row.empty << ", \"tets\": " << row.tets
-      << ", \"fell_back\": " << row.fell_back << ", \"min_dihedral\": " << row.min_dihedral
+      << ", \"fell_back\": " << row.fell_back << ", \"volumes\": " << row.volumes
+      << ", \"min_dihedral\": " << row.min_dihedral
       << ", \"max_dihedral\": " << row.max_dihedral << ", \"faulty\": " << row.faulty << "}";
 }
 
