@@ -3,6 +3,9 @@
 #include <array>
 #include <fstream>
 #include <string_view>
+#include <vector>
+
+#include "dicom_runs.hpp"
 
 namespace certet {
 namespace {
@@ -11,6 +14,12 @@ namespace fs = std::filesystem;
 
 constexpr std::uint32_t undefined = 0xffffffff;
 constexpr std::uint32_t item = 0xfffee000, item_end = 0xfffee00d, sequence_end = 0xfffee0dd;
+constexpr std::uint32_t meta_length = 0x00020000, pixels = 0x7fe00010;
+
+/// Types of values by whether 16 or 32 bits hold their length.
+constexpr std::string_view short_types =
+    "AE AS AT CS DA DS DT FL FD IS LO LT PN SH SL SS ST TM UI UL US";
+constexpr std::string_view long_types = "OB OW OF OD OL OV SQ UC UR UT UN SV UV";
 
 struct Element {
   std::uint32_t tag = 0, length = 0;
@@ -59,14 +68,13 @@ class Walker {
     char type[3] = "";
     if (!stream_.read(type, 2)) return false;
     const std::string_view name(type, 2);
-    for (const char letter : name)
-      if (letter < 'A' || letter > 'Z') return false;
+    if (name[0] < 'A' || name[0] > 'Z') return false;
     element.sequence = name == "SQ";
     element.unknown = name == "UN";
-    constexpr std::string_view long_types = "OB OW OF OD OL OV SQ UC UR UT UN SV UV";
-    if (long_types.find(name) == std::string_view::npos) return number(2, element.length);
+    if (short_types.find(name) != name.npos) return number(2, element.length);
     std::uint32_t reserved = 0;
-    return number(2, reserved) && number(4, element.length);
+    return long_types.find(name) != name.npos && number(2, reserved) && reserved == 0 &&
+           number(4, element.length);
   }
 
   bool skip(const Element& element, std::uint64_t end) {
@@ -104,22 +112,30 @@ class Walker {
       case 0x00280010: return keep_number(header_.rows);
       case 0x00280011: return keep_number(header_.columns);
       case 0x00280100: return keep_number(header_.bits);
+      case 0x00280101: return keep_number(header_.bits_stored);
+      case 0x00280102: return keep_number(header_.high_bit);
+      case 0x00280103: return keep_number(header_.is_signed);
       default: return true;
     }
   }
 
-  /// The elements of group 2, which are explicit whatever follows.
+  /// The elements of group 2, which are explicit whatever follows; the first one
+  /// says how long the others are.
   bool walk_meta() {
-    for (;;) {
-      const std::uint64_t at = here();
+    Element first;
+    std::uint32_t length = 0;
+    if (!head(first) || first.tag != meta_length || first.length != 4 || !number(4, length) ||
+        length > end_ - here())
+      return false;
+    const std::uint64_t end = here() + length;
+    for (std::uint32_t before = first.tag; here() < end;) {
       Element element;
-      if (!head(element)) return false;
-      if (element.tag >> 16 != 2) {
-        stream_.seekg(static_cast<std::streamoff>(at));
-        return true;
-      }
-      if (element.length > end_ - here() || !keep(element) || !skip(element, end_)) return false;
+      if (!head(element) || element.tag <= before || element.tag >> 16 != 2 || here() > end ||
+          element.length > end - here() || !keep(element) || !skip(element, end))
+        return false;
+      before = element.tag;
     }
+    return here() == end;
   }
 
   [[nodiscard]] bool syntax_is_known() const {
@@ -129,14 +145,16 @@ class Walker {
            syntax_ != deflated;
   }
 
-  /// Up to `end`, to the mark that ends an item, or to the end of the voxels.
+  /// Up to `end`, or to the mark that ends an item; their tags ascend.
   bool elements(std::uint64_t end, int depth) {
-    while (here() < end) {
+    for (std::uint32_t before = 0x0002ffff; here() < end;) {
       Element element;
       if (!head(element)) return false;
       if (element.tag == item_end) return depth > 0 && element.length == 0;
-      if (element.tag == 0x7fe00010 && depth == 0) return voxels(element);
-      if (!value(element, end, depth)) return false;
+      if (element.tag <= before) return false;
+      before = element.tag;
+      const bool are_voxels = element.tag == pixels && depth == 0;
+      if (!(are_voxels ? voxels(element) : value(element, end, depth))) return false;
     }
     return here() == end;
   }
@@ -176,14 +194,23 @@ class Walker {
   bool voxels(const Element& element) {
     header_.packed = element.length == undefined;
     header_.pixel_bytes = header_.packed ? 0 : element.length;
-    if (!header_.packed) return element.length <= end_ - here();
-    while (here() < end_) {
+    if (!header_.packed) return skip(element, end_);
+    const bool in_runs = syntax_ == "1.2.840.10008.1.2.5";
+    for (int number = 0; here() < end_; ++number) {
       Element fragment;
       if (!head(fragment)) return false;
-      if (fragment.tag == sequence_end) return true;
-      if (fragment.tag != item || !skip(fragment, end_)) return false;
+      if (fragment.tag == sequence_end) return fragment.length == 0 && (!in_runs || number == 2);
+      if (fragment.tag != item || fragment.length > end_ - here()) return false;
+      // The first one says where frames begin.
+      if (in_runs && number == 1 ? !runs(fragment) : !skip(fragment, end_)) return false;
     }
     return false;
+  }
+
+  bool runs(const Element& fragment) {
+    std::vector<unsigned char> packed(fragment.length);
+    return stream_.read(reinterpret_cast<char*>(packed.data()), fragment.length) &&
+           whole_runs(packed, header_.samples * (header_.bits / 8), header_.rows * header_.columns);
   }
 
   std::ifstream stream_;
@@ -194,6 +221,14 @@ class Walker {
 };
 
 }  // namespace
+
+bool DicomHeader::holds_voxels() const {
+  if (rows == 0) return true;
+  const bool whole_bytes = bits == 8 || bits == 16 || bits == 32 || bits == 64;
+  return whole_bytes && bits_stored > 0 && bits_stored <= bits && high_bit + 1 == bits_stored &&
+         is_signed <= 1 && samples >= 1 && samples <= 4 &&
+         (packed || pixel_bytes >= rows * columns * samples * (bits / 8));
+}
 
 std::optional<DicomHeader> read_dicom_header(const fs::path& file) {
   return Walker(file).walk();

@@ -15,12 +15,12 @@ struct DicomHeader {
   std::string series;             ///< UID; empty where there is none
   std::uint64_t pixel_bytes = 0;  ///< of voxels that are not packed
   bool packed = false;
-  std::uint64_t rows = 0, columns = 0, bits = 0, samples = 1;
+  std::uint64_t rows = 0, columns = 0, samples = 1;
+  std::uint64_t bits = 0, bits_stored = 0, high_bit = 0, is_signed = 0;
 
-  /// Whether there is as much as the header announces, as far as this is known.
-  [[nodiscard]] bool holds_voxels() const {
-    return packed || pixel_bytes >= rows * columns * samples * (bits / 8);
-  }
+  /// Whether there is as much as the header announces, as far as this is known,
+  /// and of a kind that numbers have.  Reports have no voxels, and are whole.
+  [[nodiscard]] bool holds_voxels() const;
 };
 
 /// Nothing for a file whose elements do not fit into each other and the file, or

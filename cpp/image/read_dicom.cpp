@@ -95,6 +95,7 @@ std::vector<Slice> read_slices(const std::vector<fs::path>& files, Form& form) {
     if (slices.empty()) form = own;
     judge_same(slice, own, form);
     slice.along = dot(slice.origin, form.axes[2]);
+    if (!std::isfinite(slice.along)) refuse(file, "lies nowhere: its position is not finite");
     slices.push_back(std::move(slice));
   }
   std::sort(slices.begin(), slices.end(), [](const Slice& a, const Slice& b) {

@@ -8,7 +8,7 @@ from program import ProgramTest
 
 try:
     import numpy
-    from scans import (AXIAL, volume, write_imagej, write_series, write_slice, write_tiff)
+    from scans import (AXIAL, ImplicitVRLittleEndian, RLELossless, volume, write_imagej, write_series, write_slice, write_tiff)
 except ImportError as missing:  # libraries that only these tests need
     raise unittest.SkipTest(str(missing)) from missing
 
@@ -58,6 +58,27 @@ class Dicom(ScanTest):
         self.series()
         (self.folder / "scan" / "notes.txt").write_text("no image " * 100)
         self.assert_same_mesh(self.mesh("scan", "-o", "scan.vtu"))
+
+    def test_transfer_syntaxes(self):
+        self.nrrd()
+        for syntax in (ImplicitVRLittleEndian, RLELossless):
+            with self.subTest(syntax):
+                self.series(syntax=syntax)
+                self.assert_same_mesh(self.mesh("scan", "-o", "scan.vtu"))
+
+    def test_runs_that_do_not_fit(self):
+        """A byte changed at a time of the voxels of one slice, packed in runs: another mesh, or
+        a sentence; GDCM ends the program where runs are not whole."""
+        self.series(syntax=RLELossless)
+        path = sorted((self.folder / "scan").iterdir())[2]
+        data = path.read_bytes()
+        refused = 0
+        for at in range(data.rindex(b"\xe0\x7f\x10\x00"), len(data)):
+            path.write_bytes(data[:at] + bytes([data[at] ^ 0xff]) + data[at + 1:])
+            run = self.run_certet("mesh", "scan", "-o", "a.vtu", "--dry-run")
+            self.assertIn(run.returncode, (0, BAD_INPUT), (at, run.stderr))
+            refused += run.returncode == BAD_INPUT
+        self.assertGreater(refused, 64)
 
     def test_turned_frame(self):
         turned = (0.6, 0.8, 0, 0, 0, -1)

@@ -5,7 +5,8 @@ import numpy
 import pydicom
 import tifffile
 from pydicom.dataset import FileDataset, FileMetaDataset
-from pydicom.uid import CTImageStorage, ExplicitVRLittleEndian
+from pydicom.uid import (CTImageStorage, ExplicitVRLittleEndian, ImplicitVRLittleEndian,
+                         RLELossless)
 
 AXIAL = (1, 0, 0, 0, 1, 0)
 
@@ -22,14 +23,15 @@ def slice_position(origin, orientation, along):
 
 
 def write_slice(path, pixels, position, series="1.2.3", spacing=(1, 1), thickness=1,
-                orientation=AXIAL, number=1, samples=1):
+                orientation=AXIAL, number=1, samples=1, syntax=ExplicitVRLittleEndian):
     """`spacing` is along i and j; DICOM has it the other way round."""
     meta = FileMetaDataset()
     meta.MediaStorageSOPClassUID = CTImageStorage
     meta.MediaStorageSOPInstanceUID = f"{series}.{number}"
-    meta.TransferSyntaxUID = ExplicitVRLittleEndian
+    implicit = syntax == ImplicitVRLittleEndian
+    meta.TransferSyntaxUID = syntax if implicit else ExplicitVRLittleEndian
     data = FileDataset(str(path), {}, file_meta=meta, preamble=b"\0" * 128)
-    data.is_little_endian, data.is_implicit_VR = True, False
+    data.is_little_endian, data.is_implicit_VR = True, implicit
     data.SOPClassUID = CTImageStorage
     data.SOPInstanceUID = meta.MediaStorageSOPInstanceUID
     data.StudyInstanceUID, data.SeriesInstanceUID = "1.2", series
@@ -49,11 +51,13 @@ def write_slice(path, pixels, position, series="1.2.3", spacing=(1, 1), thicknes
     if samples == 1:
         data.RescaleSlope, data.RescaleIntercept = 1, 0
     data.PixelData = pixels.tobytes()
+    if syntax == RLELossless:
+        data.compress(RLELossless)
     data.save_as(str(path), write_like_original=False)
 
 
 def write_series(folder, voxels, spacing=(1, 1, 1), origin=(0, 0, 0), orientation=AXIAL,
-                 series="1.2.3", positions=None, skip=()):
+                 series="1.2.3", positions=None, skip=(), syntax=ExplicitVRLittleEndian):
     """Names and instance numbers run against the slices' positions."""
     folder.mkdir(exist_ok=True)
     count = len(voxels)
@@ -63,7 +67,7 @@ def write_series(folder, voxels, spacing=(1, 1, 1), origin=(0, 0, 0), orientatio
         along = positions[k] if positions else k * spacing[2]
         write_slice(folder / f"{series}-{5 * k % count:03}.dcm", pixels.astype("int16"),
                     slice_position(origin, orientation, along), series, spacing,
-                    spacing[2], orientation, number=count - k)
+                    spacing[2], orientation, number=count - k, syntax=syntax)
 
 
 def write_tiff(path, voxels, **settings):
@@ -76,5 +80,5 @@ def write_imagej(path, voxels, spacing, unit="mm"):
                      metadata={"spacing": spacing[2], "unit": unit, "axes": "ZYX"})
 
 
-__all__ = ["AXIAL", "pydicom", "volume", "write_imagej", "write_series", "write_slice",
+__all__ = ["AXIAL", "ImplicitVRLittleEndian", "RLELossless", "pydicom", "volume", "write_imagej", "write_series", "write_slice",
            "write_tiff"]

@@ -86,7 +86,53 @@ def tiff(width, height, pages):
     return bytes(out)
 
 
+def dicom_slice(along, implicit=False, packed=False):
+    """4 x 3 voxels of 16 bits; a sequence of one item among the elements."""
+    def element(group, number, kind, value, implicit=implicit):
+        value = value.encode() if isinstance(value, str) else value
+        value += (b"\0" if kind in ("UI", "OB") else b" ") * (len(value) % 2)
+        head = struct.pack("<HH", group, number)
+        if implicit:
+            return head + struct.pack("<I", len(value)) + value
+        if kind in ("OB", "OW", "SQ"):
+            return head + kind.encode() + struct.pack("<HI", 0, len(value)) + value
+        return head + kind.encode() + struct.pack("<H", len(value)) + value
+
+    def short(number):
+        return struct.pack("<H", number)
+
+    image = "1.2.840.10008.5.1.4.1.1.2"  # CT
+    syntax = "1.2.840.10008.1.2" + ("" if implicit else ".5" if packed else ".1")
+    meta = b"".join(element(2, number, "UI", value, False) for number, value in
+                    ((2, image), (3, f"1.2.3.{along}"), (0x10, syntax)))
+    item = element(8, 0x1150, "UI", image)
+    body = [(8, 0x16, "UI", image), (8, 0x18, "UI", f"1.2.3.{along}"), (8, 0x60, "CS", "CT"),
+            (8, 0x1140, "SQ", struct.pack("<HHI", 0xfffe, 0xe000, len(item)) + item),
+            (0x18, 0x50, "DS", "2"), (0x20, 0xd, "UI", "1.2"), (0x20, 0xe, "UI", "1.2.3"),
+            (0x20, 0x13, "IS", str(along)), (0x20, 0x32, "DS", f"0\\0\\{2 * along}"),
+            (0x20, 0x37, "DS", "1\\0\\0\\0\\1\\0"), (0x28, 2, "US", short(1)),
+            (0x28, 4, "CS", "MONOCHROME2"), (0x28, 0x10, "US", short(3)), (0x28, 0x11, "US", short(4)),
+            (0x28, 0x30, "DS", "1\\1"), (0x28, 0x100, "US", short(16)), (0x28, 0x101, "US", short(16)),
+            (0x28, 0x102, "US", short(15)), (0x28, 0x103, "US", short(1)),
+            (0x28, 0x1052, "DS", "0"), (0x28, 0x1053, "DS", "1")]
+    voxels = struct.pack("<12h", *range(12))
+    if packed:  # runs, the high bytes before the low ones, behind an empty table of offsets
+        rows = b"".join(bytes([11]) + voxels[half::2] + b"\0" for half in (1, 0))
+        runs = struct.pack("<16I", 2, 64, 78, *[0] * 13) + rows
+        fragment = struct.pack("<HHI", 0xfffe, 0xe000, len(runs)) + runs
+        voxels = (struct.pack("<HHI", 0xfffe, 0xe000, 0) + fragment +
+                  struct.pack("<HHI", 0xfffe, 0xe0dd, 0))
+        last = struct.pack("<HH2sHI", 0x7fe0, 0x10, b"OB", 0, 0xffffffff) + voxels
+    else:
+        last = element(0x7fe0, 0x10, "OW", voxels)
+    return (bytes(128) + b"DICM" + element(2, 0, "UL", struct.pack("<I", len(meta)), False) + meta
+            + b"".join(element(*e) for e in body) + last)
+
+
 def images():
+    for name, settings in (("explicit", {}), ("implicit", {"implicit": True}),
+                           ("packed", {"packed": True})):
+        put("dicom", name, dicom_slice(1, **settings) + dicom_slice(2, **settings))
     size, voxels = (3, 4, 2), bytes(range(24))
     floats = struct.pack("<24f", *range(24))
     put("image", "bytes.nii", nifti(size, voxels, 2, 8), 0)

@@ -9,6 +9,7 @@ const std::vector<Target>& targets() {
       {"mesh_file", mesh_file},
       {"label_names", label_names},
       {"image", image},
+      {"dicom", dicom},
       {"surface", surface},
       {"expression", expression},
       {"core", core},

@@ -26,21 +26,31 @@ void place(certet::Image image) {
     certet::level_domain(shared, 0.5, {});
 }
 
-}  // namespace
-
-void image(Bytes bytes) {
-  if (bytes.empty()) return;
-  static constexpr std::array<std::string_view, 5> extensions{".nii", ".nii.gz", ".nrrd", ".mha",
-                                                              ".tif"};
-  const InputFile file = chosen_file(bytes, extensions);
+void read_and_place(const std::filesystem::path& path) {
   read_or_refuse([&] {
-    certet::Image image = certet::read_image(file.path(), most_voxel_bytes);
+    certet::Image image = certet::read_image(path, most_voxel_bytes);
     const auto& [a, b, c] = image.size;
     const std::int64_t voxels = voxel_count(image);
     if (a < 1 || b < 1 || c < 1 || a * b * c != voxels)
       throw Finding("an image does not have the voxels that its size says");
     if (voxels <= most_voxels) place(std::move(image));
   });
+}
+
+}  // namespace
+
+void image(Bytes bytes) {
+  if (bytes.empty()) return;
+  static constexpr std::array<std::string_view, 5> extensions{".nii", ".nii.gz", ".nrrd", ".mha",
+                                                              ".tif"};
+  read_and_place(chosen_file(bytes, extensions).path());
+}
+
+void dicom(Bytes bytes) {
+  const InputFolder folder;
+  folder.put("1", bytes.first(bytes.size() / 2));
+  folder.put("2", bytes.subspan(bytes.size() / 2));
+  read_and_place(folder.path());
 }
 
 }  // namespace fuzz

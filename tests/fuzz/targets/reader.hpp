@@ -26,6 +26,21 @@ class InputFile {
   std::filesystem::path path_;
 };
 
+/// A folder that is there, with its files, while the object lives.
+class InputFolder {
+ public:
+  InputFolder();
+  ~InputFolder();
+  InputFolder(const InputFolder&) = delete;
+  InputFolder& operator=(const InputFolder&) = delete;
+
+  void put(std::string_view name, Bytes bytes) const;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 /// The first byte chooses; the rest is the file.
 template <std::size_t count>
 InputFile chosen_file(Bytes bytes, const std::array<std::string_view, count>& extensions) {

@@ -9,6 +9,7 @@ namespace fuzz {
 void mesh_file(Bytes bytes);    ///< first byte: the format; then the file
 void label_names(Bytes bytes);  ///< the file
 void image(Bytes bytes);        ///< first byte: the format; then the file
+void dicom(Bytes bytes);        ///< two slices of one length, one behind the other
 void surface(Bytes bytes);      ///< first byte: the format; then the file
 void expression(Bytes bytes);   ///< the formula
 void options(Bytes bytes);      ///< the words of a command line, a line each
