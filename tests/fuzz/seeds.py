@@ -14,7 +14,7 @@ import sys
 import tempfile
 import zlib
 
-certet, corpus = sys.argv[1], pathlib.Path(sys.argv[2])
+certet, corpus = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
 
 
 def put(target, name, content, choice=None):
@@ -36,6 +36,10 @@ def meshes(folder):
             subprocess.run([certet, "mesh", *source, "--format", form, "-o", file],
                            check=True, stdout=subprocess.DEVNULL)
             put("mesh_file", f"{name}.{form}", file.read_bytes(), choice)
+    run = folder / "run.json"
+    subprocess.run([certet, "mesh", "--shape", "box:1,1,1", "--size", "1", "-o", "a.vtu",
+                    "--json", run], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    put("run_file", "box.json", run.read_bytes())
 
 
 def mha(size, voxels, compressed=False):

@@ -13,8 +13,9 @@ const std::vector<Target>& targets() {
       {"surface", surface},
       {"expression", expression},
       {"core", core},
-#ifdef CERTET_FUZZ_OPTIONS
+#ifdef CERTET_FUZZ_COMMAND
       {"options", options},
+      {"run_file", run_file},
 #endif
       {"planted_reader", planted_reader, true},
       {"planted_core", planted_core, true},

@@ -13,6 +13,7 @@ void dicom(Bytes bytes);        ///< two slices of one length, one behind the ot
 void surface(Bytes bytes);      ///< first byte: the format; then the file
 void expression(Bytes bytes);   ///< the formula
 void options(Bytes bytes);      ///< the words of a command line, a line each
+void run_file(Bytes bytes);     ///< what `certet mesh --json` says
 void core(Bytes bytes);         ///< lattice and options; then signs and cuts
 
 void planted_reader(Bytes bytes);  ///< throws what no reader may throw
