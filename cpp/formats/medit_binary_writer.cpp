@@ -38,7 +38,7 @@ struct Layout {
     const std::uint64_t index = wide_indices() ? 8 : 4;
     const std::uint64_t head = 4 + place + place;  // keyword, next place, count
     vertices_at = 8 + (4 + place + 4);             // the dimension is always of 32 bits
-    tets_at = vertices_at + head + size.points * (3 * 8 + index);
+    tets_at = vertices_at + head + size.points * (24 + index);
     faces_at = tets_at + head + size.tets * 5 * index;
     end_at = faces_at + head + faces * 4 * index;
     bytes = end_at + 4 + place;

@@ -237,31 +237,31 @@ class LabelDomain final : public ImageDomain {
 
 }  // namespace
 
-std::unique_ptr<ImageDomain> label_domain(std::shared_ptr<const Image> shared,
+std::unique_ptr<ImageDomain> label_domain(std::shared_ptr<const Image> image,
                                           std::vector<LabelRange> labels,
                                           const ImageLattice& lattice) {
-  const Image& image = *shared;
-  judge_geometry(image);
+  const Image& scan = *image;
+  judge_geometry(scan);
   const bool all = labels.empty();
   const LabelSet set(std::move(labels));
   return std::visit(
       [&]<class T>(const Buffer<T>& voxels) -> std::unique_ptr<ImageDomain> {
         if constexpr (std::is_floating_point_v<T>) {
           throw Error(ErrorCode::bad_input,
-                      "the voxels of '" + image.name +
+                      "the voxels of '" + scan.name +
                           "' are not whole numbers, so they are no labels; choose a level");
         } else {
-          refuse_wide_labels(image, voxels, set);
-          VoxelMask mask = mark(image, voxels, set);
+          refuse_wide_labels(scan, voxels, set);
+          VoxelMask mask = mark(scan, voxels, set);
           if (mask.bounds().high[0] < 0)
             throw Error(ErrorCode::empty_domain,
-                        "no voxel of '" + image.name + "' has " +
+                        "no voxel of '" + scan.name + "' has " +
                             (all ? "a label other than 0" : "one of the chosen labels"));
-          const Placement placement = place(image, mask.bounds(), lattice);
-          return std::make_unique<LabelDomain<T>>(shared, std::move(mask), placement);
+          const Placement placement = place(scan, mask.bounds(), lattice);
+          return std::make_unique<LabelDomain<T>>(image, std::move(mask), placement);
         }
       },
-      image.voxels);
+      scan.voxels);
 }
 
 }  // namespace certet

@@ -21,7 +21,7 @@ class AngleBins {
 
   /// The cell of a value in [-1, 1].
   static std::int32_t cell(double signed_square) {
-    return static_cast<std::int32_t>((signed_square + 1) * (cells / 2));
+    return static_cast<std::int32_t>((signed_square + 1) * (0.5 * cells));
   }
   /// The bin of a value and its cell.  An edge belongs to the bin above it.
   [[nodiscard]] std::size_t bin(double signed_square, std::int32_t cell) const {

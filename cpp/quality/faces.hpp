@@ -40,6 +40,7 @@ class NarrowFace {
   [[nodiscard]] bool same_points(const NarrowFace& other) const {
     return bits_ >> 1 == other.bits_ >> 1;
   }
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy takes the comparison with 0 for a pointer's
   friend auto operator<=>(const NarrowFace&, const NarrowFace&) = default;
 
  private:
@@ -59,6 +60,7 @@ class WideFace {
   [[nodiscard]] bool same_points(const WideFace& other) const {
     return middle_ == other.middle_ && rest_ >> 1 == other.rest_ >> 1;
   }
+  // NOLINTNEXTLINE(modernize-use-nullptr): the same
   friend auto operator<=>(const WideFace&, const WideFace&) = default;
 
  private:

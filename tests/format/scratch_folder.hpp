@@ -2,8 +2,7 @@
 /// \file
 /// A folder for one test.
 
-#include <stdlib.h>
-
+#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <string>

@@ -40,7 +40,7 @@ std::string found_with(double declared, int& decided) {
     certet::BoxLattice lattice = certet::lattice_around(around, real(0.05, 0.12), 2);
     if (i % 2 == 1) lattice.frame.axes = {{{0.6, -0.8, 0}, {0.8, 0.6, 0}, {0, 0, 1}}};
     const FunctionDomain domain(ball, lattice.frame, declared * ball.slope);
-    const std::string found =
+    std::string found =
         extents::first_contradiction(random, domain, lattice.lattice, 100, decided);
     if (!found.empty()) return found;
   }

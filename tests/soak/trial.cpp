@@ -61,7 +61,7 @@ certet::Point3 place(Random& random, double reach) {
 /// Sums of waves, tori, gyroids, ellipsoids: within a ball that the lattice holds.
 Level smooth(Random& random, const std::array<double, 3>& center, double radius) {
   const auto [x0, y0, z0] = center;
-  const Level ball = domains::sphere(x0, y0, z0, radius);
+  Level ball = domains::sphere(x0, y0, z0, radius);
   const int shape = between(random, 0, 3);
   if (shape == 0) return ball;
   if (shape == 1) {

@@ -27,8 +27,10 @@ struct Block {
 Block block(std::uint32_t n) {
   Block block;
   const std::uint32_t m = n + 1;
-  for (std::uint32_t i = 0; i < m * m * m; ++i)
-    block.points.push_back({double{1} * (i % m), double{1} * (i / m % m), double{1} * (i / m / m)});
+  for (std::uint32_t k = 0; k < m; ++k)
+    for (std::uint32_t j = 0; j < m; ++j)
+      for (std::uint32_t i = 0; i < m; ++i)
+        block.points.push_back({double{1} * i, double{1} * j, double{1} * k});
   const std::uint32_t step[3] = {1, m, m * m};
   constexpr int around[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
   for (std::uint32_t i = 0; i < n * n * n; ++i) {
