@@ -118,9 +118,11 @@ checksums: build
 	$(BUILD)/bin/certet_checksums > $(BUILD)/checksums.txt
 	cp $(BUILD)/checksums.txt tests/repeatability/checksums.txt
 
-# Our own sources alone, as they are compiled in the build.
-tidy: build
-	run-clang-tidy -quiet -p $(BUILD) -j $(JOBS) -extra-arg=-Wno-unknown-warning-option '$(CURDIR)/(cpp|bridge|tests)/'
+# Our own sources alone, as clang compiles them.
+tidy: deps
+	cmake --preset clang
+	cmake --build --preset clang -j $(JOBS)
+	run-clang-tidy -quiet -p build-clang -j $(JOBS) '$(CURDIR)/(cpp|bridge|tests)/'
 
 sanitize leaks tsan: deps
 	cmake --preset $@

@@ -69,8 +69,8 @@ class TetEmitter {
 
   /// The number of a point `kind` whose owner is `owner` away from bit b.
   [[nodiscard]] Index point(std::size_t kind, Shift owner, int w, int b) const {
-    const auto y = static_cast<std::size_t>(owner.y);
-    const auto z = static_cast<std::size_t>(owner.z);
+    const auto y = static_cast<std::size_t>(int{owner.y});
+    const auto z = static_cast<std::size_t>(int{owner.z});
     const WordBit at = WordBit{w, b}.moved(owner.x);
     return static_cast<Index>(first_point_[y][z] +
                               window_.row(y, z).rank(kind, at.w, at.b));

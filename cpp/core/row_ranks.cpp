@@ -50,12 +50,12 @@ std::array<std::uint64_t, family_count> cut_masks(const SignRows& rows, int w) {
 
 void RowRanks::compute(const SignPlanes& planes, int j, int k) {
   words_ = planes.words();
-  entries_.assign(static_cast<std::size_t>(words_ * kind_count), {});
+  entries_.assign(static_cast<std::size_t>(words_) * kind_count, {});
   count_ = corners_ = 0;
   if (j < 0 || k < 0 || j >= planes.cells()[1] || k >= planes.cells()[2]) return;
   const SignRows rows(planes, j, k);
   for (int w = 0; w < words_; ++w) {
-    Entry* const entry = &entries_[static_cast<std::size_t>(w * kind_count)];
+    Entry* const entry = &entries_[static_cast<std::size_t>(w) * kind_count];
     for (const Grid grid : {even, odd}) {
       const SignWord own = rows.at({grid, {}}, w);
       entry[grid].mask = own.plus | own.zero;

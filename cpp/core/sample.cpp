@@ -28,13 +28,13 @@ static_assert(static_cast<int>(Sign::on_surface) == 1 && static_cast<int>(Sign::
 /// Packs 64 signs into a word of each plane.
 SignWord pack(const Sign* signs) {
   SignWord word{0, 0};
-  for (int group = 0; group < 8; ++group) {
+  for (std::size_t group = 0; group < 8; ++group) {
     std::uint64_t bytes;
     if constexpr (std::endian::native == std::endian::little) {
       std::memcpy(&bytes, signs + 8 * group, 8);
     } else {
       bytes = 0;
-      for (int i = 0; i < 8; ++i)
+      for (std::size_t i = 0; i < 8; ++i)
         bytes |= std::uint64_t{static_cast<std::uint8_t>(signs[8 * group + i])} << 8 * i;
     }
     word.zero |= gather_low_bits(bytes) << 8 * group;

@@ -125,9 +125,9 @@ BatchFormula::BatchFormula(const Tape& tape, NodeId root, Batch kind) {
   slots_ = planner.slots.count();
 }
 
-void BatchFormula::take(const Step& step, const std::array<Operand, 3>& of, double* out,
+void BatchFormula::take(const Step& step, const std::array<Operand, 3>& operands, double* out,
                         std::size_t count) {
-  const Operand &a = of[0], &b = of[1], &c = of[2];
+  const Operand &a = operands[0], &b = operands[1], &c = operands[2];
   with_function(step.operation, [&]<class Function>(const Function& function) {
     if constexpr (std::is_invocable_v<Function, double>)
       map(function, a.values, out, count);

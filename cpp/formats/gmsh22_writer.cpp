@@ -75,7 +75,7 @@ std::unique_ptr<MeshWriter> open_gmsh22(const std::filesystem::path& file,
 std::uint64_t gmsh22_bytes(const MeshSize& size) {
   const std::uint64_t digits = digits_of(size.points);
   const std::uint64_t faces = size.survey == nullptr ? 0 : size.survey->boundary.size();
-  return 200 + size.points * (digits + 3 * 20 + 2) +
+  return 200 + size.points * (digits + 60 + 2) +
          size.tets * (digits_of(size.tets) + 11 + 4 * (digits + 1)) +
          faces * (digits_of(size.tets) + 9 + 3 * (digits + 1));
 }

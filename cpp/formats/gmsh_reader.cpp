@@ -224,7 +224,8 @@ void GmshReader::read_elements() {
     const std::int32_t type = integer();
     judge_type(type);
     const auto corners = corners_of[static_cast<std::size_t>(type)];
-    const std::uint64_t count = judged(size(), 1u + corners, 8u * (1u + corners), "elements");
+    const std::uint64_t words = 1 + std::uint64_t{corners};
+    const std::uint64_t count = judged(size(), words, 8 * words, "elements");
     const auto& groups = type == triangle ? group_of_surface_ : group_of_volume_;
     const auto group = groups.find(entity);
     const std::int32_t label = group == groups.end() ? entity : group->second;

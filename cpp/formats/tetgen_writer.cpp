@@ -76,7 +76,7 @@ std::unique_ptr<MeshWriter> open_tetgen(const std::filesystem::path& file,
 std::uint64_t tetgen_bytes(const MeshSize& size) {
   const std::uint64_t digits = digits_of(size.points), tet_digits = digits_of(size.tets);
   const std::uint64_t faces = size.survey == nullptr ? 0 : size.survey->boundary.size();
-  return 100 + size.points * (digits + 3 * 20 + 1) +
+  return 100 + size.points * (digits + 60 + 1) +
          size.tets * (tet_digits + 4 * (digits + 1) + 4) +
          faces * (digits_of(faces) + 3 * (digits + 1) + 3);
 }

@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint32_t undefined = 0xffffffff;
 constexpr std::uint32_t item = 0xfffee000, item_end = 0xfffee00d, sequence_end = 0xfffee0dd;
+constexpr std::uint32_t recognition_code = 0x00080010;  // of what was before DICOM
 constexpr std::uint32_t meta_length = 0x00020000, pixels = 0x7fe00010;
 
 /// Types of values by whether 16 or 32 bits hold their length.
@@ -135,6 +136,7 @@ class Walker {
 
   bool keep(const Element& element) {
     switch (element.tag) {
+      case recognition_code: return false;
       case 0x00020010: syntax_ = text(element); return true;
       case 0x0020000e: header_.series = text(element); return true;
       case 0x00280002: return keep_number(header_.samples);

@@ -232,20 +232,19 @@ class LevelDomain final : public ImageDomain {
 
 }  // namespace
 
-std::unique_ptr<ImageDomain> level_domain(std::shared_ptr<const Image> shared, double level,
+std::unique_ptr<ImageDomain> level_domain(std::shared_ptr<const Image> image, double level,
                                           const ImageLattice& lattice) {
-  const Image& image = *shared;
-  judge_geometry(image);
+  const Image& scan = *image;
+  judge_geometry(scan);
   if (!std::isfinite(level))
     throw Error(ErrorCode::bad_option, "the level must be a finite number");
   return std::visit(
       [&]<class T>(const Buffer<T>& voxels) -> std::unique_ptr<ImageDomain> {
-        refuse_nonfinite(image, voxels);
-        const Placement placement =
-            place(image, reach_above(image, voxels, level), lattice);
-        return std::make_unique<LevelDomain<T>>(shared, level, placement);
+        refuse_nonfinite(scan, voxels);
+        const Placement placement = place(scan, reach_above(scan, voxels, level), lattice);
+        return std::make_unique<LevelDomain<T>>(image, level, placement);
       },
-      image.voxels);
+      scan.voxels);
 }
 
 }  // namespace certet

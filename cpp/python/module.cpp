@@ -61,7 +61,7 @@ Buffer<std::int32_t> labels_of(const Mesh& mesh, const Labels& label) {
 
 /// `place` makes the domain; it runs, like all the rest, without Python's lock.
 struct Placed {
-  std::shared_ptr<Domain> domain;
+  std::shared_ptr<const Domain> domain;
   Lattice lattice;
   Frame frame;
   Labels label;  ///< empty where there are no labels
@@ -86,7 +86,7 @@ std::shared_ptr<PythonMesh> mesh_of(const std::function<Placed()>& place, const 
   return result;
 }
 
-Placed placed(std::shared_ptr<ImageDomain> domain, bool labels) {
+Placed placed(const std::shared_ptr<ImageDomain>& domain, bool labels) {
   Placed result{domain, domain->lattice(), domain->frame(), {}};
   if (labels)
     result.label = [domain](std::span<const std::array<Coord3, 4>> tets,
@@ -108,6 +108,7 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
   image.axes = direction;
   image.voxels = voxels(array, image.size);
   std::vector<LabelRange> ranges;
+  ranges.reserve(labels.size());
   for (const auto& [first, last] : labels) ranges.push_back({first, last});
   return mesh_of(
       [&] {
@@ -126,9 +127,8 @@ std::shared_ptr<PythonMesh> mesh_function(py::object function, const Point3& low
   const PythonDomain domain(std::move(function), box.frame, {low, high});
   return mesh_of(
       [&] {
-        return Placed{std::shared_ptr<Domain>(std::shared_ptr<void>(),
-                                              const_cast<PythonDomain*>(&domain)),
-                      box.lattice, box.frame, {}};
+        return Placed{std::shared_ptr<const Domain>(std::shared_ptr<void>(), &domain), box.lattice,
+                      box.frame, {}};
       },
       options);
 }
@@ -229,7 +229,8 @@ py::array positions_of(const py::object& self) {
                    self);
 }
 
-/// What Python raises for an error of the library.
+/// What Python raises for an error of the library; pybind11 wants it to take a value.
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 void translate(std::exception_ptr pointer) {
   try {
     if (pointer) std::rethrow_exception(pointer);

@@ -68,7 +68,8 @@ void SurfaceBlocks::add(const exact::Corners& t) {
     for (std::int64_t y = range.low[1]; y <= range.high[1]; ++y)
       for (std::int64_t x = range.low[0]; x <= range.high[0]; ++x) {
         const auto middle = [&](std::size_t axis, std::int64_t i) {
-          return static_cast<double>(origin_[axis] + i * side_ + side_ / 2);
+          const std::int64_t half = side_ / 2;
+          return static_cast<double>(origin_[axis] + i * side_ + half);
         };
         if (slab.meets({middle(0, x), middle(1, y), middle(2, z)})) marked_[block(x, y, z)] = true;
       }

@@ -195,7 +195,7 @@ class SurfaceDomain final : public PlacedDomain {
       const bool whole = distance * n.x == -height;
       if (!whole && (height > 0) == (n.x > 0)) --distance;
       const auto bounded = static_cast<std::int64_t>(
-          std::clamp<exact::Wide>(distance, -1, stride * static_cast<std::int64_t>(out_.size())));
+          std::clamp<exact::Wide>(distance, -1, exact::Wide{stride} * out_.size()));
       add_passing(t, n, points_before(whole ? bounded : bounded + 1));
     }
 

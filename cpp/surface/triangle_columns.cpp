@@ -53,9 +53,9 @@ void TriangleColumns::choose_width() {
 }
 
 template <class Visit>
-void TriangleColumns::for_each_column(const Entry& box, const Visit& visit) const {
-  for (std::int64_t k = (box.low_z - low_z_) >> shift_; k <= (box.high_z - low_z_) >> shift_; ++k)
-    for (std::int64_t j = (box.low_y - low_y_) >> shift_; j <= (box.high_y - low_y_) >> shift_;
+void TriangleColumns::for_each_column(const Entry& entry, const Visit& visit) const {
+  for (std::int64_t k = (entry.low_z - low_z_) >> shift_; k <= (entry.high_z - low_z_) >> shift_; ++k)
+    for (std::int64_t j = (entry.low_y - low_y_) >> shift_; j <= (entry.high_y - low_y_) >> shift_;
          ++j)
       visit(static_cast<std::size_t>(k * across_y_ + j));
 }

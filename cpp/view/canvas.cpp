@@ -119,8 +119,8 @@ Picture Canvas::develop() const {
     const float near_deep = std::max(close[i] - pixels.nearness[i], 0.0F);
     const float wide_deep = std::max(wide[i] - pixels.nearness[i], 0.0F);
     const float shade = std::exp(-28 * near_deep - 7 * wide_deep);
-    const float y = static_cast<float>(i / static_cast<std::size_t>(width_)) /
-                    static_cast<float>(height_);
+    const std::size_t row = i / static_cast<std::size_t>(width_);
+    const float y = static_cast<float>(row) / static_cast<float>(height_);
     const Light ground = std::exp(-0.9F * wide_deep) *
                          mix({0.98F, 0.985F, 0.99F}, {0.84F, 0.86F, 0.89F}, y * y);
     const Light light = shade * pixels.light[i] + (1 - pixels.cover[i]) * ground;

@@ -13,6 +13,7 @@ namespace {
 /// A face of a tetrahedron in the group of its lowest point.
 struct FaceKey {
   std::uint64_t middle, highest, tet;
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy takes the comparison with 0 for a pointer's
   friend auto operator<=>(const FaceKey&, const FaceKey&) = default;
   [[nodiscard]] bool same_points(const FaceKey& other) const {
     return middle == other.middle && highest == other.highest;

@@ -76,14 +76,14 @@ bool can_read_volumes() { return true; }
 
 bool is_volume_file(const fs::path& file) { return file.extension() == ".vdb"; }
 
-Volume read_volume(const fs::path& file, const std::string& name) {
+Volume read_volume(const fs::path& file, const std::string& grid) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) refuse(file, "does not exist");
   if (!fs::is_regular_file(file, ignored)) refuse(file, "is not a file");
   openvdb::initialize();
   const auto state = std::make_shared<Volume::State>();
   try {
-    state->grid = as_floats(read(file, name));
+    state->grid = as_floats(read(file, grid));
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
