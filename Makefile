@@ -122,7 +122,7 @@ checksums: build
 tidy: deps
 	cmake --preset clang
 	cmake --build --preset clang -j $(JOBS)
-	run-clang-tidy -quiet -p build-clang -j $(JOBS) '$(CURDIR)/(cpp|bridge|tests)/'
+	run-clang-tidy -quiet -p build-clang -j $(JOBS) '$(CURDIR)/(cpp|bridge|tests)/.*\.cpp$$'
 
 sanitize leaks tsan: deps
 	cmake --preset $@

@@ -89,9 +89,9 @@ struct Warping {
 Warping warp(Thresholds thresholds, Sign sign, const std::function<Sign(int)>& neighbor_sign,
              const std::function<std::int64_t(int)>& cut);
 
-/// `WarpedSign` and `WarpedPosition` of a lattice point, in steps.
-Sign warped_sign(Sign sign, Warping warping);
-Coord3 warped_position(Coord3 lattice_point, Warping warping);
+/// `WarpedSign` and `WarpedPosition` of a lattice point v, in steps.
+Sign warped_sign(Sign sign, Warping w);
+Coord3 warped_position(Coord3 v, Warping w);
 
 /// `Bisect`; the closure gets steps from the + end.
 std::int64_t bisect(const std::function<Sign(std::int64_t)>& sign);

@@ -1,6 +1,7 @@
 #include "table.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace certet::command {
 
@@ -32,7 +33,7 @@ void add_histogram(Lines& lines, const Quality& quality) {
     const double share = static_cast<double>(bins[b]) / static_cast<double>(most);
     lines.add("", "{:>3}-{:<3}° {:>6.2f} % {}", 5 * b, 5 * b + 5,
               100.0 * static_cast<double>(bins[b]) / static_cast<double>(all),
-              std::string(static_cast<std::size_t>(40 * share + 0.5), '#'));
+              std::string(static_cast<std::size_t>(std::lround(40 * share)), '#'));
   }
 }
 

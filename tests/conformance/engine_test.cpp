@@ -122,7 +122,7 @@ Differences warp(const Implementation& production) {
     Coord3 displacement{0, 0, 0};
     if (warping.moves())
       displacement = warping.distance *
-                     certet::direction_offset[static_cast<std::size_t>(warping.direction)];
+                     certet::direction_offset[static_cast<std::size_t>(int{warping.direction})];
     expect(differences, c.dump(),
            {warping.direction, warping.distance, displacement,
             std::string(1, "-0+"[static_cast<int>(after)]), cuts_left},

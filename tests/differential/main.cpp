@@ -7,6 +7,7 @@
 
 /// The runtime never frees the stack on which it notices stack overflows.
 /// LeakSanitizer asks for this function, where it is in use.
+// NOLINTNEXTLINE(bugprone-reserved-identifier)
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:caml_setup_stack_overflow_detection\n";
 }

@@ -38,6 +38,7 @@ PlacedTets place(const Stencil& stencil, const std::array<Coord3, 4>& vertices) 
 /// The certified stencil; its vertices are handles into an arena of places.
 PlacedTets certified_tets(const CornerSigns& signs, const std::array<Coord3, 4>& vertices) {
   std::vector<Place> arena;
+  arena.reserve(vertices.size());
   for (const Coord3 v : vertices) arena.push_back({v, v});
   const auto corner = [](Handle h) -> std::size_t {
     if (h < 0 || h >= 4) throw std::logic_error("a cut was taken for a corner");

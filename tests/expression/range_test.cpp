@@ -42,7 +42,7 @@ std::string contradiction(Random& random, certet::RangeRule rule) {
 std::string first_contradiction(certet::RangeRule rule, int formulas) {
   Random random(test_seed());
   for (int i = 0; i < formulas; ++i)
-    if (const std::string found = contradiction(random, rule); !found.empty()) return found;
+    if (std::string found = contradiction(random, rule); !found.empty()) return found;
   return "";
 }
 

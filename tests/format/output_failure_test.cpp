@@ -1,11 +1,12 @@
 /// Output that cannot be written: one sentence, and no trace in the folder.
 
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include <csignal>
 
 #include "expect_error.hpp"
 #include "sample_mesh.hpp"
@@ -129,7 +130,7 @@ TEST_P(FailingOutput, TheFileIsReadableAsTheUserWants) {
 }
 
 TEST_P(FailingOutput, WhatIsWrittenMustBeWhatWasAnnounced) {
-  const auto attempt = [&](const std::string& words, MeshSize size, auto action) {
+  const auto attempt = [&](const std::string& words, const MeshSize& size, auto action) {
     expect_error(ErrorCode::write_failed, words, [&] {
       const auto writer = open_writer(file(), *format_of(file()), size);
       action(*writer);

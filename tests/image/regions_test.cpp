@@ -181,8 +181,7 @@ TEST(Regions, TheCertainSizeHoldsATetrahedron) {
       for (int n = 0; n < 12 * 12 * 12; ++n) {
         const int at[3] = {n % 12, n / 12 % 12, n / 144};
         bool cube = true;
-        for (int a = 0; a < 3; ++a)
-          cube = cube && at[a] >= 2 + shift && at[a] < 2 + shift + edge;
+        for (const int place : at) cube = cube && place >= 2 + shift && place < 2 + shift + edge;
         voxels[static_cast<std::size_t>(n)] = cube ? 7 : 1;
       }
       image.voxels = std::move(voxels);

@@ -12,7 +12,7 @@
 
 namespace exact {
 
-__extension__ typedef __int128 Wide;
+__extension__ using Wide = __int128;
 
 struct Vector {
   Wide x, y, z;

@@ -50,7 +50,7 @@ TEST(Canvas, TriangleCoversItsHalf) {
   int covered = 0;
   for (std::size_t i = 0; i < picture.rgb.size(); i += 3)
     covered += picture.rgb[i] > picture.rgb[i + 2] + 100 ? 1 : 0;
-  EXPECT_NEAR(covered, side * side / 2, side);
+  EXPECT_NEAR(covered, 0.5 * side * side, side);
 }
 
 TEST(Canvas, EdgesAreDark) {

@@ -17,6 +17,7 @@ using namespace certet;
 
 void unstructured_tets_of_all_patterns(benchmark::State& state) {
   std::vector<CornerSigns> patterns;
+  patterns.reserve(pattern_count);
   for (int i = 0; i < pattern_count; ++i) patterns.push_back(pattern_signs(i));
   for (auto _ : state)
     for (const CornerSigns& signs : patterns) {

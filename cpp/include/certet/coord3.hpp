@@ -11,6 +11,7 @@ namespace certet {
 struct Coord3 {
   std::int32_t x, y, z;
   friend constexpr bool operator==(const Coord3&, const Coord3&) = default;
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy takes the comparison with 0 for a pointer's
   friend constexpr auto operator<=>(const Coord3&, const Coord3&) = default;
 };
 

@@ -29,6 +29,7 @@ std::vector<std::string> words_of(Bytes bytes) {
 
 std::vector<char*> pointers_to(std::vector<std::string>& words) {
   std::vector<char*> pointers;
+  pointers.reserve(words.size());
   for (std::string& word : words) pointers.push_back(word.data());
   return pointers;
 }
