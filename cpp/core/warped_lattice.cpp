@@ -56,7 +56,8 @@ class ViolatedRow {
     std::array<std::int32_t, direction_count> cut;
   };
   [[nodiscard]] std::size_t word_of(Grid grid, int w) const {
-    return static_cast<std::size_t>(grid * words_ + w);
+    const int word = grid * words_ + w;
+    return static_cast<std::size_t>(word);
   }
 
   int words_;

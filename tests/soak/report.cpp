@@ -7,7 +7,7 @@ namespace soak {
 namespace {
 
 struct Row {
-  std::uint64_t domains = 0, empty = 0, tets = 0, fell_back = 0, volumes = 0, faulty = 0;
+  std::uint64_t domains = 0, empty = 0, tets = 0, fell_back = 0, volumes = 0, thin = 0, faulty = 0;
   double min_dihedral = 180, max_dihedral = 0;
 
   void add(const Verdict& v) {
@@ -16,6 +16,7 @@ struct Row {
     tets += v.tets;
     fell_back += v.fell_back;
     volumes += v.volume_compared;
+    thin += v.thin;
     faulty += !v.faults.empty();
     min_dihedral = std::min(min_dihedral, v.min_dihedral);
     max_dihedral = std::max(max_dihedral, v.max_dihedral);
@@ -31,8 +32,8 @@ Row row_of(const Summary& summary, int kind) {
 
 void write_row(std::ostream& out, std::string_view name, const Row& row) {
   out << "| " << name << " | " << row.domains << " | " << row.empty << " | " << row.tets << " | "
-      << row.fell_back << " | " << row.volumes << " | " << row.min_dihedral << " | " << row.max_dihedral << " | "
-      << row.faulty << " |\n";
+      << row.fell_back << " | " << row.volumes << " | " << row.thin << " | "
+      << row.min_dihedral << " | " << row.max_dihedral << " | " << row.faulty << " |\n";
 }
 
 /// A sentence as a JSON string; sentences have no control characters.
@@ -49,7 +50,7 @@ void json_row(std::ostream& out, std::string_view name, const Row& row) {
   out << "  {\"kind\": \"" << name << "\", \"domains\": " << row.domains
       << ", \"empty\": " << row.empty << ", \"tets\": " << row.tets
       << ", \"fell_back\": " << row.fell_back << ", \"volumes\": " << row.volumes
-      << ", \"min_dihedral\": " << row.min_dihedral
+      << ", \"thin_volumes\": " << row.thin << ", \"min_dihedral\": " << row.min_dihedral
       << ", \"max_dihedral\": " << row.max_dihedral << ", \"faulty\": " << row.faulty << "}";
 }
 
@@ -61,8 +62,8 @@ std::string as_markdown(const Summary& summary) {
   constexpr int shown = 20;
   std::ostringstream out;
   out << "# Random domains, each mesh verified\n\nSeed " << summary.seed << ".\n\n"
-      << "| kind | domains | empty | tetrahedra | fell back | volumes compared | smallest angle | largest angle | with faults |\n"
-      << "|---|---|---|---|---|---|---|---|---|\n";
+      << "| kind | domains | empty | tetrahedra | fell back | volumes compared | of thin shapes | smallest angle | largest angle | with faults |\n"
+      << "|---|---|---|---|---|---|---|---|---|---|\n";
   for (int kind = 0; kind < kind_count; ++kind)
     write_row(out, kind_names[static_cast<std::size_t>(kind)], row_of(summary, kind));
   write_row(out, "all", row_of(summary, -1));

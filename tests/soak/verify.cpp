@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <random>
 
 #include "certet/check.hpp"
 #include "certet/checksum.hpp"
 #include "certet/direction.hpp"
 #include "certet/quality.hpp"
 #include "certet/write_mesh.hpp"
+#include "volume_estimate.hpp"
 
 namespace soak {
 namespace {
@@ -152,33 +152,37 @@ class Judge {
   }
 
   /// The volume against random points, in lattice units cubed, give or take some of
-  /// what lies half an edge from the surface.  Shapes of which this is the better
-  /// half are let off, for between two layers of the lattice's points, at most
-  /// sqrt(2) units apart, a sheet may vanish.
+  /// what lies near the surface, that is within half an edge of it.  Shapes of which
+  /// this is the better half need only have what lies deeper: between two layers of
+  /// the lattice's points, at most sqrt(2) units apart, a sheet may vanish.
   void check_volume() {
-    if (trial_.kind != Kind::smooth || trial_.options.cuts != certet::Cuts::bisect) return;
-    constexpr int count = 6000;
-    std::mt19937_64 random(trial_.seed);
-    int inside = 0, near = 0, deep = 0;
-    double box = 1;
-    for (const std::int32_t n : trial_.lattice.cells) box *= 2 * n;
-    for (int i = 0; i < count; ++i) {
-      const Star around = star(random);
-      std::array<Sign, std::tuple_size_v<Star>> signs;
-      trial_.domain->at(around, signs);
-      inside += signs[0] == Sign::plus;
-      const bool is_near = std::ranges::any_of(signs, [&](Sign s) { return s != signs[0]; });
-      near += is_near;
-      deep += !is_near && signs[0] == Sign::plus;
-    }
-    if (2 * deep < inside) return;
+    if (trial_.kind != Kind::smooth) return;
     verdict_.volume_compared = true;
-    const double share = double(inside) / count;
-    const double deviation = box * std::sqrt(share * (1 - share) / count);
-    const double allowed = 5 * deviation + 0.1 * box * near / count;
-    if (std::abs(volume_ - box * share) > allowed)
-      fault("the volume is " + std::to_string(volume_) + " where " + std::to_string(box * share) +
-            " were estimated, give or take " + std::to_string(allowed));
+    const VolumeEstimate estimate = estimate_volume(trial_);
+    const double some = 0.1 * estimate.near, chance = 5 * estimate.deviation;
+    verdict_.thin = 2 * estimate.deep < estimate.inside;
+    const double least = (verdict_.thin ? estimate.deep : estimate.inside - some) - chance;
+    const double most = estimate.inside + some + chance;
+    if (!(least <= volume_ && volume_ <= most))
+      fault("the volume is " + std::to_string(volume_) + " where " + std::to_string(estimate.inside) +
+            " were estimated, and at least " + std::to_string(least) + " and at most " +
+            std::to_string(most) + " are allowed");
+  }
+
+  /// A mesh may be empty only where no lattice point is inside with all its
+  /// neighbours; those at the border of the lattice count as outside.
+  void check_emptiness() {
+    const auto& n = trial_.lattice.cells;
+    const Coord3 odd{1, 1, 1};
+    for (std::int32_t k = 2; k < n[2] - 2; ++k)
+      for (std::int32_t j = 2; j < n[1] - 2; ++j)
+        for (std::int32_t i = 2; i < n[0] - 2; ++i)
+          for (const Coord3 parity : {Coord3{}, odd}) {
+            const Coord3 point = trial_.lattice.origin + 2 * Coord3{i, j, k} + parity;
+            if (!all_inside(star(certet::steps * point, certet::steps))) continue;
+            fault("the mesh is empty where the domain is not");
+            return;
+          }
   }
 
   /// Written slab by slab the mesh is the same, down to its checksum.
@@ -232,36 +236,19 @@ class Judge {
       if ((index[axis] & 1) != (index[0] & 1)) return false;
       if (index[axis] / 2 < 1 || index[axis] / 2 > trial_.lattice.cells[axis] - 2) return false;
     }
-    std::array<Coord3, 1 + certet::direction_count> positions;
-    positions[0] = position;
-    for (std::size_t i = 0; i < certet::direction_offset.size(); ++i)
-      positions[i + 1] = position + certet::direction_offset[i];
-    std::array<Sign, positions.size()> signs;
+    return all_inside(star(position, 1));
+  }
+
+  [[nodiscard]] bool all_inside(const Star& positions) const {
+    std::array<Sign, std::tuple_size_v<Star>> signs;
     trial_.domain->at(positions, signs);
-    return signs[0] == Sign::plus &&
-           std::find(signs.begin(), signs.end(), Sign::minus) == signs.end();
+    return std::ranges::count(signs, Sign::minus) == 0 && signs[0] == Sign::plus;
   }
 
   static std::string outside(const certet::Quality& quality, const certet::AngleBounds& bounds) {
     return std::to_string(quality.nonpositive) + " tetrahedra are not positive, angles from " +
            std::to_string(quality.min_dihedral) + " to " + std::to_string(quality.max_dihedral) +
            " degrees, outside of " + std::string(bounds.theorem);
-  }
-
-  /// A position, and half an edge away from it along each direction.
-  using Star = std::array<Coord3, 1 + certet::direction_count>;
-
-  /// Around a random position of the lattice's box.
-  Star star(std::mt19937_64& random) const {
-    const Coord3 low = certet::steps * trial_.lattice.origin;
-    const auto& n = trial_.lattice.cells;
-    const auto along = [&](std::int32_t from, std::int32_t cells) {
-      return from + static_cast<std::int32_t>(random() % static_cast<std::uint64_t>(2 * cells * certet::steps));
-    };
-    Star around{Coord3{along(low.x, n[0]), along(low.y, n[1]), along(low.z, n[2])}};
-    for (std::size_t i = 0; i < certet::direction_offset.size(); ++i)
-      around[i + 1] = around[0] + certet::steps / 2 * certet::direction_offset[i];
-    return around;
   }
 
   const Trial& trial_;
@@ -281,13 +268,19 @@ Verdict verify(const Trial& trial, Plant plant) {
   const Half half(*trial.domain, trial.lattice.origin.x + trial.lattice.cells[0]);
   const certet::Domain* meshed = trial.domain.get();
   if (plant == Plant::half_domain && trial.kind == Kind::smooth) meshed = &half;
+  const Half none(*trial.domain, trial.lattice.origin.x - 1);
+  if (plant == Plant::no_domain) meshed = &none;
   const certet::Stuffing stuffing(*meshed, trial.lattice, trial.options, context);
   verdict.tets = stuffing.tet_count();
   verdict.fell_back = stuffing.guarantee() != trial.options.guarantee;
-  if (verdict.tets == 0) return verdict;
   PlainMesh mesh = in_memory(stuffing, trial, context);
-  spoil(mesh, plant);
+  if (verdict.tets > 0) spoil(mesh, plant);
   Judge judge(trial, std::move(mesh), verdict);
+  if (verdict.tets == 0) {
+    judge.check_emptiness();
+    judge.check_volume();
+    return verdict;
+  }
   judge.check_soundness();
   if (plant != Plant::half_domain) judge.check_cracks();
   judge.check_angles(stuffing.guarantee());

@@ -20,10 +20,11 @@ enum class Plant {
   swapped_labels,
   streamed_step,  ///< the streamed mesh has one point one step off
   half_domain,    ///< a mesh that is sound in itself, but of half the domain
+  no_domain,      ///< a mesh of nothing
 };
-inline constexpr std::array<std::string_view, 8> plant_names{
+inline constexpr std::array<std::string_view, 9> plant_names{
     "nothing",     "flipped-tet",    "missing-tet",   "torn-point",
-    "moved-point", "swapped-labels", "streamed-step", "half-domain"};
+    "moved-point", "swapped-labels", "streamed-step", "half-domain", "no-domain"};
 
 /// What became of a trial.
 struct Verdict {
@@ -32,6 +33,7 @@ struct Verdict {
   double min_dihedral = 180, max_dihedral = 0;  ///< degrees
   bool fell_back = false;  ///< from the thresholds of `angles` to those of `embedding`
   bool volume_compared = false;
+  bool thin = false;  ///< compared, but half of the shape or more is near its surface
   std::vector<std::string> faults;
 };
 
