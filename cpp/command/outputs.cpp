@@ -23,6 +23,9 @@ fs::path folder_of(const fs::path& file) {
 }  // namespace
 
 void judge_output(const fs::path& file) {
+  if (file == "-")
+    throw Error(ErrorCode::bad_option,
+                "'-' is not a file: this output cannot go to the standard output");
   std::error_code failure;
   const fs::path folder = folder_of(file);
   if (!fs::is_directory(folder, failure)) refuse(file, "there is no such folder");

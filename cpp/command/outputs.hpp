@@ -8,7 +8,8 @@
 
 namespace certet::command {
 
-/// \throws Error `write_failed` where a file could not be put there.
+/// \throws Error `write_failed` where a file could not be put there, `bad_option` for
+/// `-`, which stands for stdout where a text is written.
 void judge_output(const std::filesystem::path& file);
 
 /// \throws Error `write_failed` where the disk has less room than this.

@@ -31,11 +31,9 @@ double longest_side(const Bounds& bounds) {
 
 BoxLattice lattice_around(const Bounds& bounds, double size, std::int32_t margin) {
   judge(bounds);
-  if (margin < 1) throw Error(ErrorCode::bad_option, "the margin must be at least 1");
+  checked_margin(margin);
   BoxLattice result;
-  result.frame.size = size == 0 ? longest_side(bounds) / 64 : size;
-  if (!std::isfinite(result.frame.size) || result.frame.size <= 0)
-    throw Error(ErrorCode::bad_option, "the size must be a positive number");
+  result.frame.size = checked_size(size == 0 ? longest_side(bounds) / 64 : size);
   auto& cells = result.lattice.cells;
   for (std::size_t a = 0; a < 3; ++a) {
     result.frame.origin[a] = 0.5 * (bounds.low[a] + bounds.high[a]);

@@ -51,16 +51,6 @@ auto within_memory(const Work& work) {
 
 }  // namespace
 
-std::int32_t checked_cells(double cells) {
-  if (!(cells <= cells_limit))
-    throw Error(ErrorCode::too_large,
-                "the lattice would have " +
-                    std::to_string(static_cast<std::int64_t>(std::min(cells, 1e18))) +
-                    " cells along one axis, more than " + std::to_string(cells_limit) +
-                    "; choose a larger size");
-  return static_cast<std::int32_t>(cells);
-}
-
 struct Stuffing::State {
   Lattice lattice;
   WarpedLattice warped;
@@ -219,6 +209,7 @@ std::uint64_t Stuffing::bytes() const {
 }
 
 Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context) {
+  checked_size(frame.size);
   return within_memory([&] {
     Mesh mesh;
     mesh.frame = frame;

@@ -19,12 +19,8 @@ double determinant(const Matrix& m) {
 
 double long_edge(const Image& image, const ImageLattice& choice) {
   const double finest = *std::min_element(image.spacing.begin(), image.spacing.end());
-  const double size = choice.size == 0 ? finest : choice.size;
-  if (!std::isfinite(size) || size <= 0)
-    throw Error(ErrorCode::bad_option, "the size must be a positive number");
-  if (choice.margin < 1)
-    throw Error(ErrorCode::bad_option, "the margin must be at least 1");
-  return size;
+  checked_margin(choice.margin);
+  return checked_size(choice.size == 0 ? finest : choice.size);
 }
 
 /// Places one axis; returns the cells.  Origin and shift centre the lattice's

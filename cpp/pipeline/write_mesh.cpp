@@ -178,6 +178,7 @@ Slabs cut_slabs(const Stuffing& stuffing, std::uint64_t max_bytes) {
 
 WrittenMesh write_mesh(const Stuffing& stuffing, const Frame& frame, const Slabs& slabs,
                        const Labeller& labeller, MeshWriter& writer, Context& context) {
+  checked_size(frame.size);
   try {
     Source source{stuffing, frame, labeller};
     return write_all(source, slabs, writer, context);

@@ -41,10 +41,8 @@ struct Place {
   Place(const Box& box, const SurfaceLattice& choice) : longest_side(box.longest()) {
     frame.size = choice.size == 0 ? box.longest() / 64 : choice.size;
     if (choice.size == 0 && frame.size == 0) frame.size = 1;  // one point: nothing is inside
-    if (!std::isfinite(frame.size) || frame.size <= 0)
-      throw Error(ErrorCode::bad_option, "the size must be a positive number");
-    if (choice.margin < 1)
-      throw Error(ErrorCode::bad_option, "the margin must be at least 1");
+    checked_size(frame.size);
+    checked_margin(choice.margin);
     for (std::size_t a = 0; a < 3; ++a) {
       frame.origin[a] = box.low[a] + box.side(a) / 2;
       // Even, so that lattice point (0,0,0) is in the middle.

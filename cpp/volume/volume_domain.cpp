@@ -58,11 +58,9 @@ struct Place {
       throw Error(ErrorCode::empty_domain, "'" + volume.name + "' has no active voxels");
     voxels.expand(1);  // interpolation reaches so far
     const Vec3d voxel = volume.grid->voxelSize();
-    frame.size = choice.size == 0 ? std::min({voxel[0], voxel[1], voxel[2]}) : choice.size;
-    if (!std::isfinite(frame.size) || frame.size <= 0)
-      throw Error(ErrorCode::bad_option, "the size must be a positive number");
-    if (choice.margin < 1)
-      throw Error(ErrorCode::bad_option, "the margin must be at least 1");
+    frame.size = checked_size(choice.size == 0 ? std::min({voxel[0], voxel[1], voxel[2]})
+                                               : choice.size);
+    checked_margin(choice.margin);
     const openvdb::BBoxd box = in_world(*volume.grid, voxels);
     longest_side = box.extents()[box.maxExtent()];
     for (int a = 0; a < 3; ++a) {

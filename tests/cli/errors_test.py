@@ -9,7 +9,7 @@ import unittest
 from images import voxels, write_meta, write_nifti, write_nrrd, write_plain_nrrd
 from program import CERTET, TORUS, ProgramTest
 
-CHECK_FAILED, USAGE, BAD_INPUT, EMPTY, TOO_LARGE, WRITE_FAILED = 1, 2, 3, 4, 5, 6
+CHECK_FAILED, USAGE, BAD_INPUT, EMPTY, TOO_LARGE, WRITE_FAILED, OUT_OF_BOUNDS = range(1, 8)
 INTERRUPTED = 130
 SIZE = (5, 5, 5)
 
@@ -42,6 +42,7 @@ class Usage(ProgramTest):
                 (["extension", "a.obj"], ["mesh", *TORUS, "-o", "a.obj"]),
                 (["--compress"], ["mesh", *TORUS, "-o", "a.msh", "--compress"]),
                 (["--label-names"], ["mesh", *TORUS, "-o", "a.msh", "--label-names", "n.txt"]),
+                (["'-'", "standard output"], ["mesh", *TORUS, "-o", "-", "--format", "vtu"]),
                 (["--format"], ["mesh", *TORUS, "-o", "a.vtu", "--format", "obj"])):
             with self.subTest(arguments):
                 self.assert_fails(USAGE, words, *arguments)
@@ -218,8 +219,16 @@ class Limits(ProgramTest):
     def test_coordinate_range(self):
         self.assert_fails(TOO_LARGE, ["cells", "size"], "mesh", *TORUS, "--size", "1e-5",
                           "-o", "a.vtu")
-        self.assert_fails(TOO_LARGE, ["cells", "size"], "mesh", *TORUS, "--size", "1e-300",
+        self.assert_fails(TOO_LARGE, ["1e-30"], "mesh", *TORUS, "--size", "1e-300",
                           "-o", "a.vtu")
+
+    def test_far_from_the_origin(self):
+        """Where numbers are half an edge apart, no mesh keeps its angles."""
+        near, far = "4000000000000000", "4000000000000004"
+        for cuts, theorem in ((["bisect"], "DihedralBounds"), (["midpoint"], "MidpointBounds")):
+            self.assert_fails(OUT_OF_BOUNDS, ["'a.vtu' was not written", theorem, "rounded"],
+                              "mesh", "--expr", "-1", "--bounds", f"{near},0,0,{far},4,4",
+                              "--size", "1.1", "--cuts", *cuts, "-o", "a.vtu")
 
     def test_memory(self):
         self.assert_fails(TOO_LARGE, ["memory", "size"], "mesh", *TORUS, "--size", "2e-4",

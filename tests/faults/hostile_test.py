@@ -6,7 +6,7 @@ import struct
 import unittest
 import zlib
 
-from guarded import BAD_INPUT, EMPTY, TOO_LARGE, USAGE, GuardedTest, fake_program, limits
+from guarded import BAD_INPUT, EMPTY, OK, TOO_LARGE, USAGE, GuardedTest, fake_program, limits
 from images import IDENTITY, voxels, write_meta, write_nifti, write_nrrd
 
 SIZE = (5, 5, 5)
@@ -169,6 +169,40 @@ class Geometry(HostileTest):
             with self.subTest(matrix):
                 write_meta(self.folder / "a.mha", SIZE, ONES, matrix=matrix)
                 self.refused("a.mha")
+
+
+class Scales(HostileTest):
+    """Solids so small or large that their coordinates, volumes or angles are no numbers."""
+
+    FAR = (5e-324, 1e-310, 1e-200, 1e-40, 1e40, 1e200, 1e300)
+    NEAR = (1e-27, 1e27)
+
+    def sources(self, scale):
+        """An image, a surface, a formula and a shape, all about as large as `scale`."""
+        write_meta(self.folder / "a.mha", SIZE, ONES, spacing=(scale,) * 3)
+        corners = "".join(f"v {x} {y} {z}\n" for x, y, z in
+                          ((0, 0, 0), (scale, 0, 0), (0, scale, 0), (0, 0, scale)))
+        (self.folder / "a.obj").write_text(corners + "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+        low, high = f"{-scale},{-scale},{-scale}", f"{scale},{scale},{scale}"
+        yield ("a.mha",)
+        yield ("a.obj",)
+        yield (f"--shape=sphere:{scale}",)
+        yield "--expr=x-y", f"--bounds={low},{high}"
+
+    def test_too_far(self):
+        for scale, source in itertools.product(self.FAR, range(4)):
+            arguments = [*self.sources(scale)][source]
+            with self.subTest(arguments, scale=scale):
+                self.refused(*arguments, statuses=(USAGE, BAD_INPUT, EMPTY, TOO_LARGE))
+
+    def test_far(self):
+        """Sound as any other: the mesh is checked by what is in its file alone."""
+        for scale, source in itertools.product(self.NEAR, range(4)):
+            mesh = [*self.sources(scale)][source]
+            for command in (("mesh", *mesh, "-o", "out.vtu"), ("check", "out.vtu")):
+                with self.subTest(command, scale=scale):
+                    run = self.guarded(*command)
+                    self.assertEqual(run.status, OK, run.err)
 
 
 class Bombs(HostileTest):

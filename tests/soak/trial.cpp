@@ -132,7 +132,7 @@ std::unique_ptr<certet::Domain> at_thresholds(Random& random) {
 certet::Image empty_image(Random& random) {
   certet::Image image;
   image.name = "soak";
-  const double spacing = std::exp(real(random, -3, 3));
+  const double spacing = std::exp(real(random, -60, 60));
   const bool isotropic = chance(random, 3);
   for (std::size_t a = 0; a < 3; ++a) {
     image.size[a] = between(random, 3, 12);
@@ -244,7 +244,7 @@ Trial make_trial(std::uint64_t seed, std::uint64_t number) {
   for (auto& cells : trial.lattice.cells) cells = between(random, 6, 24);
   const auto& n = trial.lattice.cells;
   trial.lattice.origin = {-n[0] & ~1, -n[1] & ~1, -n[2] & ~1};
-  trial.frame.size = std::exp(real(random, -4, 4));
+  trial.frame.size = std::exp(real(random, -69, 69));  // 1e-30 to 1e30
   trial.frame.origin = place(random, 100 * trial.frame.size);
   trial.frame.axes = axes(random, false);
   trial.options.cuts = chance(random, 3) ? certet::Cuts::midpoint : certet::Cuts::bisect;

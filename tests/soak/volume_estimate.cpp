@@ -13,8 +13,9 @@ using certet::Sign;
 /// Anywhere in the lattice's box.
 Coord3 random_position(const certet::Lattice& lattice, std::mt19937_64& random) {
   const auto along = [&](std::int32_t from, std::int32_t cells) {
-    const auto length = static_cast<std::uint64_t>(2 * cells * certet::steps);
-    return certet::steps * from + static_cast<std::int32_t>(random() % length);
+    const std::int32_t length = 2 * cells * certet::steps;
+    return certet::steps * from +
+           static_cast<std::int32_t>(random() % static_cast<std::uint64_t>(length));
   };
   const auto& [origin, cells] = lattice;
   return {along(origin.x, cells[0]), along(origin.y, cells[1]), along(origin.z, cells[2])};

@@ -370,11 +370,6 @@ TEST(Engine, TheRangeEndsWhereItSays) {
     uneven.*axis = 1;
     EXPECT_EQ(code_of({uneven, {4, 4, 4}}), ErrorCode::bad_option);
   }
-  EXPECT_EQ(checked_cells(cells_limit), cells_limit);
-  EXPECT_EQ(checked_cells(7), 7);
-  EXPECT_EQ(cells_limit, 31990);
-  for (const double cells : {cells_limit + 1.0, 1e300, std::nan("")})
-    EXPECT_THROW(static_cast<void>(checked_cells(cells)), Error);
 }
 
 TEST(Engine, NothingIsAssumedThatWasNotSaid) {

@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "certet/error.hpp"
 #include "certet/label_names.hpp"
 #include "commands.hpp"
@@ -85,6 +87,18 @@ Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report) {
   return slabs;
 }
 
+[[noreturn]] void refuse_mesh(const MeshReport& report) {
+  const bool placed_well = holds(report, report.written.world);
+  const Quality& quality = placed_well ? report.written.lattice : report.written.world;
+  throw Error(ErrorCode::check_failed,
+              fmt::format("'{}' was not written: {} has angles from {:.6f} to {:.6f} degrees and "
+                          "{} tetrahedra that are flat or turned over, which {} rules out{}",
+                          report.output, placed_well ? "the mesh" : "the mesh in the world",
+                          quality.min_dihedral, quality.max_dihedral, quality.nonpositive,
+                          report.bounds.theorem,
+                          placed_well ? "" : "; so far from the origin its points are rounded"));
+}
+
 /// What the format says of the mesh before its numbers.
 MeshSize announce(const MeshOptions& options, const LabelNames& names, const Counted& counted,
                   Context& context) {
@@ -108,12 +122,7 @@ void write(const MeshOptions& options, const Counted& counted, const Slabs& slab
   WatchedWriter writer(*file, size, progress);
   report.written =
       write_mesh(stuffing, source.frame, slabs, watch.watch(source.labeller), writer, context);
-  if (!holds(report))
-    throw Error(ErrorCode::check_failed,
-                "the angles measured, " + std::to_string(report.written.lattice.min_dihedral) +
-                    " to " + std::to_string(report.written.lattice.max_dihedral) +
-                    " degrees, are outside the proven bounds, so '" +
-                    options.output.string() + "' was not written");
+  if (!holds(report)) refuse_mesh(report);
   const Stopwatch finishing;
   writer.finish();
   report.written.write_seconds += finishing.seconds();
@@ -197,8 +206,8 @@ MeshReport run(const MeshOptions& options, Context& context) {
   describe(options, counted, progress, report);
   if (report.tets == 0)
     throw Error(ErrorCode::empty_domain,
-                "nothing of '" + source.name + "' is inside at size " +
-                    std::to_string(report.size) + ", so there is no mesh");
+                fmt::format("nothing of '{}' is inside at size {:.6g}, so there is no mesh",
+                            source.name, report.size));
   const MeshSize size = announce(options, names, counted, context);
   report.output_bytes = file_bytes(options.format, size);
   const Slabs slabs = plan(counted, size, report);

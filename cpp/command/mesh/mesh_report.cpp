@@ -3,10 +3,12 @@
 namespace certet::command {
 
 bool holds(const MeshReport& report) {
+  return holds(report, report.written.lattice) && holds(report, report.written.world);
+}
+
+bool holds(const MeshReport& report, const Quality& measured) {
   constexpr double rounding = 1e-6;  // degrees
-  for (const Quality* quality : {&report.written.lattice, &report.written.world})
-    if (quality->tets != report.tets || !within(*quality, report.bounds, rounding)) return false;
-  return true;
+  return measured.tets == report.tets && within(measured, report.bounds, rounding);
 }
 
 std::string name(Cuts cuts) { return cuts == Cuts::bisect ? "bisect" : "midpoint"; }

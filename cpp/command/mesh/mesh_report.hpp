@@ -51,6 +51,8 @@ struct MeshReport {
 /// Whether the measured angles are within the proven ones, up to the rounding of
 /// world coordinates.
 bool holds(const MeshReport& report);
+/// The same for one of its two measurements.
+bool holds(const MeshReport& report, const Quality& measured);
 
 std::string name(Cuts cuts);
 std::string name(Guarantee guarantee);

@@ -26,7 +26,8 @@ struct BoxLattice {
 /// Lattice point (0,0,0) is the centre of the bounds, the axes are the world's,
 /// and `margin` (at least 1) cells surround the bounds.  `size` is the long edge
 /// in world units; 0: a 64th of the longest side.
-/// \throws Error `bad_option` (bounds, size, margin), `too_large` (coordinate range).
+/// \throws Error `bad_option` (bounds, size, margin), `too_large` (coordinate range, or
+/// a size that `checked_size` refuses).
 BoxLattice lattice_around(const Bounds& bounds, double size, std::int32_t margin);
 
 }  // namespace certet

@@ -8,6 +8,7 @@
 
 #include "certet/context.hpp"
 #include "certet/domain.hpp"
+#include "certet/lattice_limits.hpp"
 #include "certet/mesh.hpp"
 #include "certet/structured_tet.hpp"
 #include "certet/warp.hpp"
@@ -23,14 +24,6 @@ struct Lattice {
   Coord3 origin{0, 0, 0};
   std::array<std::int32_t, 3> cells{0, 0, 0};
 };
-
-/// The cells along an axis that fit the coordinate range, if the lattice is
-/// centred around 0.
-inline constexpr std::int32_t cells_limit = anchor_limit - 2;
-
-/// A number of cells computed in floating point, as a whole number.
-/// \throws Error `too_large` beyond cells_limit, and for NaN
-std::int32_t checked_cells(double cells);
 
 /// Where the cuts are put.
 enum class Cuts {
@@ -107,11 +100,12 @@ class Stuffing {
   std::unique_ptr<State> state_;
 };
 
-/// The whole mesh in memory.  \throws Error as `Stuffing`, and `empty_domain`.
+/// The whole mesh in memory.  \throws Error as `Stuffing` and `emit`, and `empty_domain`.
 Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame,
            const StuffingOptions& options, Context& context);
 
-/// Writes a counted mesh into memory.
+/// Writes a counted mesh into memory.  \throws Error `too_large` (out of memory), and
+/// as `checked_size` for the size of the frame.
 Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context);
 
 }  // namespace certet

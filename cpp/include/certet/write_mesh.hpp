@@ -42,7 +42,8 @@ struct WrittenMesh {
 /// Does not finish the file, so that the caller may judge the mesh first.  What
 /// is written and returned (but for the seconds) does not depend on slabs and
 /// threads.
-/// \throws Error `write_failed`, `cancelled`, `too_large` (out of memory).
+/// \throws Error `write_failed`, `cancelled`, `too_large` (out of memory), and as
+/// `checked_size` for the size of the frame.
 WrittenMesh write_mesh(const Stuffing& stuffing, const Frame& frame, const Slabs& slabs,
                        const Labeller& labeller, MeshWriter& writer, Context& context);
 
