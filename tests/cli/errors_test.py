@@ -228,7 +228,7 @@ class Limits(ProgramTest):
         for cuts, theorem in ((["bisect"], "DihedralBounds"), (["midpoint"], "MidpointBounds")):
             self.assert_fails(OUT_OF_BOUNDS, ["'a.vtu' was not written", theorem, "rounded"],
                               "mesh", "--expr", "-1", "--bounds", f"{near},0,0,{far},4,4",
-                              "--size", "1.1", "--cuts", *cuts, "-o", "a.vtu")
+                              "--size", "0.5", "--cuts", *cuts, "-o", "a.vtu")
 
     def test_memory(self):
         self.assert_fails(TOO_LARGE, ["memory", "size"], "mesh", *TORUS, "--size", "2e-4",
