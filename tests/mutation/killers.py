@@ -25,6 +25,7 @@ PROGRAMS = {
     "soundness": ("tests/property/mesh_test.cpp", "core"),
     "numbers": ("tests/unit/numbers_test.cpp", ""),
     "bounds": ("tests/unit/bounds_test.cpp", "core"),
+    "limits": ("tests/unit/lattice_limits_test.cpp", "core"),
     "conformance": ("tests/conformance/engine_test.cpp", "core"),
 }
 
@@ -34,10 +35,11 @@ FIRST = {
     "direction.hpp": ["constants"], "coord3.hpp": ["numbers", "constants"], "sign.hpp": ["stencil", "numbers"],
     "orientation.hpp": ["numbers"], "checksum.hpp": ["numbers"], "frame.hpp": ["numbers"],
     "cuts.cpp": ["mesh", "bisect"], "parallel.hpp": ["engine"], "stuffing.cpp": ["engine", "mesh"],
-    "stuffing.hpp": ["engine"], "lattice_around.cpp": ["bounds"], "inverted_tets.cpp": ["mesh", "conformance"],
+    "stuffing.hpp": ["engine"], "lattice_around.cpp": ["bounds"],
+    "lattice_limits.cpp": ["limits"], "inverted_tets.cpp": ["mesh", "conformance"],
 }
 OTHERWISE = ["mesh", "engine", "bisect", "soundness", "numbers", "constants", "lattice", "stencil", "warp", "faces",
-             "bounds", "conformance"]
+             "bounds", "limits", "conformance"]
 
 
 def programs_for(file):

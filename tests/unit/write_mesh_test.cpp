@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "certet/error.hpp"
 #include "certet/write_mesh.hpp"
 #include "domains.hpp"
 
@@ -109,6 +110,20 @@ TEST(Frame, RoundingIsBounded) {
                                       frame.axes[r][2] * static_cast<long double>(position.z));
         EXPECT_LE(std::fabs(static_cast<double>(world[r] - exact)), bound);
       }
+    }
+  }
+}
+
+/// Refused before anything is written.
+TEST(WrittenMesh, ASizeBeyondTheLimitsIsRefused) {
+  for (const double size : {0.99 * least_size, 1.01 * greatest_size, 5e-324}) {
+    Frame frame;
+    frame.size = size;
+    try {
+      write(frame);
+      ADD_FAILURE() << size;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::too_large);
     }
   }
 }
