@@ -107,15 +107,18 @@ VoxelBox reach_above(const Image& image, const Buffer<T>& voxels, double level) 
   return box;
 }
 
+/// So that the difference of two voxels is a number as well.
 template <class T>
-void refuse_nonfinite(const Image& image, const Buffer<T>& voxels) {
+void refuse_wild_voxels(const Image& image, const Buffer<T>& voxels) {
+  constexpr double greatest = 1e300;
   if constexpr (std::is_floating_point_v<T>) {
-    const auto bad = std::count_if(voxels.begin(), voxels.end(),
-                                   [](T value) { return !std::isfinite(value); });
+    const auto bad = std::count_if(voxels.begin(), voxels.end(), [](T value) {
+      return !(std::abs(double{value}) <= greatest);
+    });
     if (bad != 0)
       throw Error(ErrorCode::bad_input, "'" + image.name + "' has " + std::to_string(bad) +
                                             (bad == 1 ? " voxel that is" : " voxels that are") +
-                                            " NaN or infinite");
+                                            " NaN, infinite or beyond 1e300");
   }
 }
 
@@ -240,7 +243,7 @@ std::unique_ptr<ImageDomain> level_domain(std::shared_ptr<const Image> image, do
     throw Error(ErrorCode::bad_option, "the level must be a finite number");
   return std::visit(
       [&]<class T>(const Buffer<T>& voxels) -> std::unique_ptr<ImageDomain> {
-        refuse_nonfinite(scan, voxels);
+        refuse_wild_voxels(scan, voxels);
         const Placement placement = place(scan, reach_above(scan, voxels, level), lattice);
         return std::make_unique<LevelDomain<T>>(image, level, placement);
       },

@@ -308,6 +308,9 @@ TEST(ImageDomain, RefusesWhatMakesNoSense) {
   Image holed = blobs<float>(all_axes[0], {1, 1, 1});
   std::get<Buffer<float>>(holed.voxels)[77] = std::nanf("");
   EXPECT_EQ(code_of([&] { level_domain(std::move(holed), 1, {}); }), ErrorCode::bad_input);
+  Image wild = blobs<double>(all_axes[0], {1, 1, 1});
+  std::get<Buffer<double>>(wild.voxels)[77] = -1.1e300;
+  EXPECT_EQ(code_of([&] { level_domain(std::move(wild), 1, {}); }), ErrorCode::bad_input);
 }
 
 }  // namespace

@@ -109,8 +109,8 @@ std::unique_ptr<ImageDomain> label_domain(std::shared_ptr<const Image> image,
 
 /// Where the image, interpolated trilinearly between voxel centres (and held
 /// constant over the outer half of the outermost voxels), is above `level`.
-/// \throws Error `bad_option`, `bad_input` (voxels that are NaN or infinite),
-/// `empty_domain`, `too_large`.
+/// \throws Error `bad_option`, `bad_input` (voxels that are NaN, infinite or beyond
+/// 1e300), `empty_domain`, `too_large`.
 std::unique_ptr<ImageDomain> level_domain(std::shared_ptr<const Image> image, double level,
                                           const ImageLattice& lattice);
 
