@@ -4,7 +4,8 @@
 #                         and a picture of it
 #   make test             set up and check everything: proofs, audit, extraction, build, tests
 #
-#   make deps             install the Debian packages (asks nothing; needs root or sudo)
+#   make deps             install the Debian packages of all targets (asks nothing; needs root
+#                         or sudo); each target installs its own anyway
 #   make proofs           replay all proofs from clean
 #   make audit            statements, assumptions, leftovers, coqchk, and the C++ tables
 #   make check-extracted  re-extract the OCaml reference and compare
@@ -27,45 +28,75 @@
 
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: demo test deps proofs audit check-extracted conformance build bench certified-tables clean \
+.PHONY: demo test proofs audit check-extracted conformance build bench certified-tables clean \
+  deps build-deps demo-deps proof-deps test-deps bench-deps configured everything \
   install package repeatability checksums tidy sanitize leaks tsan valgrind mutation soak fuzz
 .NOTPARALLEL:
 
 JOBS ?= $(shell nproc)
 BUILD := build
 
-PACKAGES := \
+# What each target needs, by name; each installs its own.
+BUILD_PACKAGES := \
   g++ cmake ninja-build make git \
-  coq ocaml-nox ocaml-findlib \
-  libtbb-dev libinsighttoolkit5-dev libmuparser-dev \
+  libtbb-dev libinsighttoolkit5-dev libtiff-dev libmuparser-dev libboost-dev \
+  libassimp-dev libopenvdb-dev libblosc-dev libimath-dev zlib1g-dev libpng-dev libjs-three \
   libcli11-dev nlohmann-json3-dev libfmt-dev \
-  zlib1g-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev \
-  python3 python3-numpy python3-meshio python3-matplotlib \
-  libboost-dev libassimp-dev libopenvdb-dev libblosc-dev libimath-dev \
-  clang clang-tidy libclang-rt-14-dev valgrind dpkg-dev mandoc groff pkg-config \
-  libtiff-dev python3-tifffile python3-pydicom \
-  libpng-dev libjs-three chromium chromium-driver python3-selenium \
-  pybind11-dev python3-dev python3-gmsh python3-vtk9 mricron-data
+  pybind11-dev python3-dev python3-numpy
+DEMO_PACKAGES := $(BUILD_PACKAGES) mricron-data
+PROOF_PACKAGES := make coq ocaml-nox ocaml-findlib
+TEST_PACKAGES := \
+  $(DEMO_PACKAGES) $(PROOF_PACKAGES) \
+  libgtest-dev libgmock-dev librapidcheck-dev \
+  python3 python3-meshio python3-gmsh python3-vtk9 python3-tifffile python3-pydicom \
+  chromium chromium-driver python3-selenium \
+  clang libclang-rt-14-dev valgrind dpkg-dev mandoc groff pkg-config
+BENCH_PACKAGES := $(TEST_PACKAGES) libbenchmark-dev python3-matplotlib
+PACKAGES := $(sort $(BENCH_PACKAGES) clang-tidy)
+
+# $(call install,PACKAGES) installs those that are missing.
+define install
+@missing=$$(for p in $(1); do \
+    dpkg-query -W -f '$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || echo $$p; done); \
+if [ -n "$$missing" ]; then \
+  sudo=; [ "$$(id -u)" = 0 ] || sudo="sudo -E"; \
+  export DEBIAN_FRONTEND=noninteractive; \
+  $$sudo apt-get update -q && \
+  $$sudo apt-get install -q -y --no-install-recommends $$missing; \
+fi
+endef
 
 deps:
-	@missing=$$(for p in $(PACKAGES); do \
-	    dpkg-query -W -f '$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || echo $$p; done); \
-	if [ -n "$$missing" ]; then \
-	  sudo=; [ "$$(id -u)" = 0 ] || sudo="sudo -E"; \
-	  export DEBIAN_FRONTEND=noninteractive; \
-	  $$sudo apt-get update -q && \
-	  $$sudo apt-get install -q -y --no-install-recommends $$missing; \
-	fi
+	$(call install,$(PACKAGES))
+build-deps:
+	$(call install,$(BUILD_PACKAGES))
+demo-deps:
+	$(call install,$(DEMO_PACKAGES))
+proof-deps:
+	$(call install,$(PROOF_PACKAGES))
+test-deps:
+	$(call install,$(TEST_PACKAGES))
+bench-deps:
+	$(call install,$(BENCH_PACKAGES))
 
-build: deps
-	cmake -S . -B $(BUILD) -G Ninja -DCERTET_WERROR=ON
+# The product alone: a folder that is configured for the tests too stays so.
+CONFIGURE := cmake -S . -B $(BUILD) -G Ninja -DCERTET_WERROR=ON
+configured:
+	$(CONFIGURE) $(if $(wildcard $(BUILD)/CMakeCache.txt),,-DCERTET_TESTS=OFF -DCERTET_BENCH=OFF)
+
+build: build-deps configured
+	cmake --build $(BUILD) -j $(JOBS) --target product
+
+# The product, its tests and its benchmarks.
+everything: test-deps
+	$(CONFIGURE) -DCERTET_TESTS=ON -DCERTET_BENCH=ON
 	cmake --build $(BUILD) -j $(JOBS)
 
-proofs: deps
+proofs: proof-deps
 	$(MAKE) -C coq clean
 	$(MAKE) -C coq -j $(JOBS)
 
-coq/Certificate.vo: | deps
+coq/Certificate.vo: | proof-deps
 	$(MAKE) -C coq -j $(JOBS)
 
 audit: coq/Certificate.vo certified-tables
@@ -73,20 +104,21 @@ audit: coq/Certificate.vo certified-tables
 
 # The tables that the C++ engine runs on, proved equal to the certified
 # functions; with planted defects that the proof must refuse.
-certified-tables: coq/Certificate.vo build
+certified-tables: coq/Certificate.vo everything
 	tests/certified_tables/certify $(BUILD)/bin/dump_tables coq $(BUILD)/certified_tables --self-test
 
 check-extracted: coq/Certificate.vo
 	$(MAKE) -C coq check-extracted
 
-conformance: deps
+conformance: proof-deps
 	$(MAKE) -C extracted conformance
 
-test: proofs build audit check-extracted
+test: proofs everything audit check-extracted
 	ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
 
 ATLAS := /usr/share/mricron/templates/aal.nii.gz
-demo: build
+demo: demo-deps configured
+	cmake --build $(BUILD) -j $(JOBS) --target certet_command
 	mkdir -p $(BUILD)/demo
 	$(BUILD)/bin/certet mesh $(ATLAS) --cuts midpoint -o $(BUILD)/demo/brain.vtu \
 	  --json $(BUILD)/demo/brain.json
@@ -99,7 +131,7 @@ demo: build
 PYTHON := $(firstword $(wildcard /usr/bin/python3) python3)
 # LARGE=1 sends 300 million tetrahedra to a file of 8 GB, instead of 30 million.
 LARGE ?=
-bench: build
+bench: bench-deps everything
 	mkdir -p $(BUILD)/bench
 	$(MAKE) -s -C extracted BUILD=$(abspath $(BUILD))/bench/reference
 	$(PYTHON) -B cpp/bench/report.py $(BUILD) $(if $(LARGE),--large)
@@ -111,10 +143,10 @@ install: build
 package: build
 	cd $(BUILD) && cpack -G DEB -B package
 
-repeatability: deps
+repeatability: test-deps
 	tests/repeatability/variants --build $(BUILD)/repeatability
 
-checksums: build
+checksums: everything
 	$(BUILD)/bin/certet_checksums > $(BUILD)/checksums.txt
 	cp $(BUILD)/checksums.txt tests/repeatability/checksums.txt
 
@@ -138,12 +170,12 @@ valgrind: deps
 	  build-valgrind/bin/certet_differential_test --gtest_filter='Bridge*'
 
 # Some 25 minutes on two cores; results in build/mutation.
-mutation: build
+mutation: everything
 	$(PYTHON) -B tests/mutation/mutate.py $(BUILD)
 
 # Some minutes; results in build/soak; the seed may be given.
 SOAK_SEED ?=
-soak: build
+soak: everything
 	mkdir -p $(BUILD)/soak
 	$(BUILD)/bin/certet_soak --count 10000 $(if $(SOAK_SEED),--seed $(SOAK_SEED)) --report $(BUILD)/soak/soak
 
