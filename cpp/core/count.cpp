@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "certet/stencil.hpp"
-#include "parallel.hpp"
+#include "layer_loop.hpp"
 #include "row_ranks.hpp"
 
 namespace certet::core {
@@ -69,23 +69,30 @@ std::uint64_t count_tets(const SignPlanes& planes, int j, int k) {
 
 }  // namespace
 
-RowNumbers count_rows(const SignPlanes& planes, Context& context) {
-  const auto rows = static_cast<std::size_t>(planes.cells()[1]);
-  const auto layers = static_cast<std::size_t>(planes.cells()[2]);
-  RowNumbers numbers{std::vector<std::uint64_t>(rows * layers + 1),
-                     std::vector<std::uint64_t>(rows * layers + 1)};
-  parallel_for(context, Stage::count, static_cast<std::int64_t>(layers), [&](std::int64_t k) {
+RowNumbers::RowNumbers(const SignPlanes& planes, const Lattice& lattice, Window window,
+                       Context& context)
+    : window_(window), rows_(static_cast<std::size_t>(lattice.cells[1])) {
+  const Window counted = widened(window, 0, 1, lattice);
+  const std::size_t rows = rows_ * static_cast<std::size_t>(counted.layers());
+  points_.resize(rows + 1);
+  tets_.resize(rows + 1);
+  for_each_layer(context, Stage::count, counted, [&](std::int32_t k) {
     RowRanks ranks;
-    for (std::size_t j = 0; j < rows; ++j) {
-      const std::size_t row = static_cast<std::size_t>(k) * rows + j;
-      ranks.compute(planes, static_cast<int>(j), static_cast<int>(k));
-      numbers.first_point[row] = ranks.count();
-      numbers.first_tet[row] = count_tets(planes, static_cast<int>(j), static_cast<int>(k));
+    for (int j = 0; j < lattice.cells[1]; ++j) {
+      ranks.compute(planes, j, k);
+      points_[at(j, k)] = ranks.count();
+      if (window_.contains(k)) tets_[at(j, k)] = count_tets(planes, j, k);
     }
   });
-  for (auto* counts : {&numbers.first_point, &numbers.first_tet})
+  for (auto* counts : {&points_, &tets_})
     std::exclusive_scan(counts->begin(), counts->end(), counts->begin(), std::uint64_t{0});
-  return numbers;
+}
+
+void RowNumbers::start_from(std::uint64_t point, std::uint64_t tet) {
+  const std::uint64_t points = point - points_.front();
+  const std::uint64_t tets = tet - tets_.front();
+  for (std::uint64_t& number : points_) number += points;
+  for (std::uint64_t& number : tets_) number += tets;
 }
 
 }  // namespace certet::core

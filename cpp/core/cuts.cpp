@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "parallel.hpp"
+#include "layer_loop.hpp"
 
 namespace certet::core {
 namespace {
@@ -104,12 +104,11 @@ CutLayer find_layer(const SignPlanes& planes, const Domain& domain, const Lattic
 
 }  // namespace
 
-std::vector<CutLayer> find_cuts(const SignPlanes& planes, const Domain& domain,
-                                const Lattice& lattice, Cuts cuts, Context& context) {
-  std::vector<CutLayer> layers(static_cast<std::size_t>(planes.cells()[2]));
-  parallel_for(context, Stage::cut, planes.cells()[2], [&](std::int64_t k) {
-    layers[static_cast<std::size_t>(k)] =
-        find_layer(planes, domain, lattice, cuts, static_cast<int>(k));
+Layers<CutLayer> find_cuts(const SignPlanes& planes, const Domain& domain, const Lattice& lattice,
+                           Window window, Cuts cuts, Context& context) {
+  Layers<CutLayer> layers(window);
+  for_each_layer(context, Stage::cut, window, [&](std::int32_t k) {
+    layers[k] = find_layer(planes, domain, lattice, cuts, k);
   });
   return layers;
 }

@@ -9,6 +9,7 @@
 #include "certet/domain.hpp"
 #include "certet/stuffing.hpp"
 #include "row_ranks.hpp"
+#include "window.hpp"
 
 namespace certet::core {
 
@@ -26,10 +27,10 @@ struct CutLayer {
   }
 };
 
-/// Where every cut edge of the lattice is cut: `Bisect` or `MidpointCut` of the
-/// certificate.
-std::vector<CutLayer> find_cuts(const SignPlanes& planes, const Domain& domain,
-                                const Lattice& lattice, Cuts cuts, Context& context);
+/// Where every cut edge of a window is cut: `Bisect` or `MidpointCut` of the
+/// certificate.  `planes` have one layer more, unless the lattice ends there.
+Layers<CutLayer> find_cuts(const SignPlanes& planes, const Domain& domain, const Lattice& lattice,
+                           Window window, Cuts cuts, Context& context);
 
 /// The vertex of an index, in lattice units.
 constexpr Coord3 lattice_point(const Lattice& lattice, VertexRef ref, int i, int j, int k) {

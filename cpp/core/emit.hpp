@@ -1,9 +1,15 @@
 #pragma once
 /// \file
 /// Last stage: the numbers that a mesh is made of.
+///
+/// Each function writes those of the layers of `window`, which are among those of
+/// `numbers`, row by row.  \throws Error `bad_option` if `out` has another size;
+/// `cancelled`.
 
 #include <cstdint>
+#include <span>
 
+#include "certet/context.hpp"
 #include "certet/mesh.hpp"
 #include "certet/stuffing.hpp"
 #include "count.hpp"
@@ -11,18 +17,18 @@
 
 namespace certet::core {
 
-/// Writes the points of row (j,k), in the order of RowRanks, from `out` on.
-void emit_row_points(const WarpedLattice& warped, const Lattice& lattice, const RowRanks& row,
-                     int j, int k, Coord3* out);
+/// Points, in steps; those of a row in the order of RowRanks.
+void emit_points(const WarpedLattice& warped, const RowNumbers& numbers, const Lattice& lattice,
+                 Window window, std::span<Coord3> out, Context& context);
 
-/// Tells of the same points whether they lie on the surface.
-void mark_row_points(const SignPlanes& planes, const RowRanks& row, int j, int k,
-                     std::uint8_t* out);
+/// Of the same points, whether they lie on the surface: 1, or 0.
+void mark_surface(const WarpedLattice& warped, const RowNumbers& numbers, const Lattice& lattice,
+                  Window window, std::span<std::uint8_t> out, Context& context);
 
-/// Writes the tetrahedra of rows [j_begin, j_end) of layer k, from `out` on:
-/// index by index, case by case, in the order of the stencil.
+/// Tetrahedra: index by index, case by case, in the order of the stencil.
+/// \throws Error `too_large` besides, if `Index` does not hold the number of a point.
 template <class Index>
-void emit_row_tets(const SignPlanes& planes, const RowNumbers& numbers, int j_begin, int j_end,
-                   int k, Tet<Index>* out);
+void emit_tets(const WarpedLattice& warped, const RowNumbers& numbers, const Lattice& lattice,
+               Window window, std::span<Tet<Index>> out, Context& context);
 
 }  // namespace certet::core

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "emit.hpp"
+#include "emit_loop.hpp"
 
 namespace certet::core {
 namespace {
@@ -42,12 +43,11 @@ Coord3* emit_cuts(const WarpedLattice& warped, const Lattice& lattice, const Row
   return out;
 }
 
-}  // namespace
-
+/// The points of row (j,k), in the order of RowRanks, from `out` on.
 void emit_row_points(const WarpedLattice& warped, const Lattice& lattice, const RowRanks& row,
                      int j, int k, Coord3* out) {
-  const ZeroLayer& zeros = warped.zeros[static_cast<std::size_t>(k)];
-  const CutLayer& cuts = warped.cuts[static_cast<std::size_t>(k)];
+  const ZeroLayer& zeros = warped.zeros[k];
+  const CutLayer& cuts = warped.cuts[k];
   const Displacement* displacement =
       zeros.displacements.data() + zeros.row_begin[static_cast<std::size_t>(j)];
   const std::uint16_t* cut = cuts.steps.data() + cuts.row_begin[static_cast<std::size_t>(j)];
@@ -57,6 +57,7 @@ void emit_row_points(const WarpedLattice& warped, const Lattice& lattice, const 
     out = emit_cuts(warped, lattice, row, f, j, k, cut, out);
 }
 
+/// Tells of the same points whether they lie on the surface.
 void mark_row_points(const SignPlanes& planes, const RowRanks& row, int j, int k,
                      std::uint8_t* out) {
   std::uint8_t* const cuts = out + row.corners();
@@ -67,6 +68,40 @@ void mark_row_points(const SignPlanes& planes, const RowRanks& row, int j, int k
                    [&](int b) { *out++ = static_cast<std::uint8_t>(zero >> b & 1); });
     }
   std::fill(cuts, cuts + (row.count() - row.corners()), std::uint8_t{1});
+}
+
+/// Calls emit(row, j, k, to) for every row of a window, `to` being where its
+/// points go in `out`.
+template <class T, class Emit>
+void for_each_row(const WarpedLattice& warped, const RowNumbers& numbers, const Lattice& lattice,
+                  Window window, std::span<T> out, Context& context, const Emit& emit) {
+  const std::uint64_t start = numbers.first_point(0, window.begin);
+  check_room(out.size(), numbers.first_point(0, window.end) - start);
+  for_each_piece(lattice, window, context, [&](int j_begin, int j_end, int k) {
+    RowRanks row;
+    for (int j = j_begin; j < j_end; ++j) {
+      row.compute(warped.planes, j, k);
+      emit(row, j, k, out.data() + (numbers.first_point(j, k) - start));
+    }
+  });
+}
+
+}  // namespace
+
+void emit_points(const WarpedLattice& warped, const RowNumbers& numbers, const Lattice& lattice,
+                 Window window, std::span<Coord3> out, Context& context) {
+  for_each_row(warped, numbers, lattice, window, out, context,
+               [&](const RowRanks& row, int j, int k, Coord3* to) {
+                 emit_row_points(warped, lattice, row, j, k, to);
+               });
+}
+
+void mark_surface(const WarpedLattice& warped, const RowNumbers& numbers, const Lattice& lattice,
+                  Window window, std::span<std::uint8_t> out, Context& context) {
+  for_each_row(warped, numbers, lattice, window, out, context,
+               [&](const RowRanks& row, int j, int k, std::uint8_t* to) {
+                 mark_row_points(warped.planes, row, j, k, to);
+               });
 }
 
 }  // namespace certet::core

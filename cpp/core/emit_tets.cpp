@@ -1,5 +1,8 @@
+#include <limits>
+
 #include "certet/stencil.hpp"
 #include "emit.hpp"
+#include "emit_loop.hpp"
 #include "row_window.hpp"
 
 namespace certet::core {
@@ -41,9 +44,7 @@ class TetEmitter {
   [[nodiscard]] Index row_number(int j, int k) const {
     const auto& cells = planes_.cells();
     if (j >= cells[1] || k >= cells[2]) return 0;
-    return static_cast<Index>(
-        numbers_.first_point[static_cast<std::size_t>(k) * static_cast<std::size_t>(cells[1]) +
-                             static_cast<std::size_t>(j)]);
+    return static_cast<Index>(numbers_.first_point(j, k));
   }
 
   void emit_word(const SignRows& signs, int w) {
@@ -126,15 +127,23 @@ class TetEmitter {
 }  // namespace
 
 template <class Index>
-void emit_row_tets(const SignPlanes& planes, const RowNumbers& numbers, int j_begin, int j_end,
-                   int k, Tet<Index>* out) {
-  TetEmitter<Index> emitter(planes, numbers, j_begin, k, out);
-  for (int j = j_begin; j < j_end; ++j) emitter.emit_row();
+void emit_tets(const WarpedLattice& warped, const RowNumbers& numbers, const Lattice& lattice,
+               Window window, std::span<Tet<Index>> out, Context& context) {
+  const std::uint64_t start = numbers.first_tet(0, window.begin);
+  check_room(out.size(), numbers.first_tet(0, window.end) - start);
+  if (numbers.last_point() > std::numeric_limits<Index>::max())
+    throw Error(ErrorCode::too_large, "the numbers of the points do not fit in " +
+                                          std::to_string(8 * sizeof(Index)) + " bits");
+  for_each_piece(lattice, window, context, [&](int j_begin, int j_end, int k) {
+    TetEmitter<Index> emitter(warped.planes, numbers, j_begin, k,
+                              out.data() + (numbers.first_tet(j_begin, k) - start));
+    for (int j = j_begin; j < j_end; ++j) emitter.emit_row();
+  });
 }
 
-template void emit_row_tets(const SignPlanes&, const RowNumbers&, int, int, int,
-                            Tet<std::uint32_t>*);
-template void emit_row_tets(const SignPlanes&, const RowNumbers&, int, int, int,
-                            Tet<std::uint64_t>*);
+template void emit_tets(const WarpedLattice&, const RowNumbers&, const Lattice&, Window,
+                        std::span<Tet<std::uint32_t>>, Context&);
+template void emit_tets(const WarpedLattice&, const RowNumbers&, const Lattice&, Window,
+                        std::span<Tet<std::uint64_t>>, Context&);
 
 }  // namespace certet::core

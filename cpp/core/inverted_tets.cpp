@@ -1,11 +1,12 @@
 /// Whether warping has folded the lattice where nothing is kept.
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <bit>
 
 #include "certet/orientation.hpp"
-#include "parallel.hpp"
+#include "layer_loop.hpp"
 #include "warped_lattice.hpp"
 
 namespace certet::core {
@@ -15,7 +16,7 @@ namespace {
 class MovedVertices {
  public:
   MovedVertices(const SignPlanes& planes, const SignPlanes& violated,
-                const std::vector<ZeroLayer>& moves, const Lattice& lattice)
+                const Layers<ZeroLayer>& moves, const Lattice& lattice)
       : planes_(planes), violated_(violated), moves_(moves), lattice_(lattice) {}
 
   /// Which vertices of a word are zero, moved or not.
@@ -38,7 +39,7 @@ class MovedVertices {
 
  private:
   [[nodiscard]] Displacement move(Grid grid, int i, int j, int k) const {
-    const ZeroLayer& layer = moves_[static_cast<std::size_t>(k)];
+    const ZeroLayer& layer = moves_[k];
     std::size_t at = layer.row_begin[static_cast<std::size_t>(j)];
     const auto count = [](std::uint64_t word) { return static_cast<std::size_t>(std::popcount(word)); };
     if (grid == odd)
@@ -51,17 +52,18 @@ class MovedVertices {
 
   const SignPlanes& planes_;
   const SignPlanes& violated_;
-  const std::vector<ZeroLayer>& moves_;
+  const Layers<ZeroLayer>& moves_;
   const Lattice& lattice_;
 };
 
 }  // namespace
 
-std::uint64_t Violations::inverted_tets(const Lattice& lattice, Context& context) const {
-  const MovedVertices vertices(planes_, violated_, moves_, lattice);
+std::uint64_t Violations::inverted_tets(Context& context) const {
+  const MovedVertices vertices(planes_, violated_, moves_, lattice_);
   std::atomic<std::uint64_t> inverted{0};
-  parallel_for(context, Stage::warp, planes_.cells()[2] - 1, [&](std::int64_t layer) {
-    const int k = static_cast<int>(layer);
+  // The lattice's last layer is its rim, and no cell begins there.
+  const Window cells{window_.begin, std::min(window_.end, planes_.cells()[2] - 1)};
+  for_each_layer(context, Stage::warp, cells, [&](std::int32_t k) {
     for (int j = 0; j + 1 < planes_.cells()[1]; ++j)
       for (int w = 0; w < planes_.words(); ++w) {
         std::array<std::uint64_t, cell_vertex_count> zero;

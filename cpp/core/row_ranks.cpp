@@ -52,7 +52,7 @@ void RowRanks::compute(const SignPlanes& planes, int j, int k) {
   words_ = planes.words();
   entries_.assign(static_cast<std::size_t>(words_) * kind_count, {});
   count_ = corners_ = 0;
-  if (j < 0 || k < 0 || j >= planes.cells()[1] || k >= planes.cells()[2]) return;
+  if (j < 0 || j >= planes.cells()[1] || !planes.window().contains(k)) return;
   const SignRows rows(planes, j, k);
   for (int w = 0; w < words_; ++w) {
     Entry* const entry = &entries_[static_cast<std::size_t>(w) * kind_count];

@@ -16,7 +16,8 @@ namespace certet::core {
 /// or zero; an edge owns a cut if its ends have opposite signs.
 class RowRanks {
  public:
-  /// Rows outside the lattice are allowed; they own nothing.
+  /// Rows outside the lattice, or the window of the planes, are allowed; they own
+  /// nothing.
   void compute(const SignPlanes& planes, int j, int k);
 
   [[nodiscard]] int words() const { return words_; }

@@ -54,9 +54,10 @@ class BlockRowSampler {
 
   void sample(int block_j, int block_k) {
     const int j_begin = std::max(1, block_j * block);
-    const int k_begin = std::max(1, block_k * block);
+    const int k_begin = std::max({1, block_k * block, planes_.window().begin});
     const int j_end = std::min((block_j + 1) * block, lattice_.cells[1] - 1);
-    const int k_end = std::min((block_k + 1) * block, lattice_.cells[2] - 1);
+    const int k_end = std::min({(block_k + 1) * block, lattice_.cells[2] - 1,
+                                planes_.window().end});
     if (!find_extents(block_j, block_k)) return;
     for (int k = k_begin; k < k_end; ++k)
       for (int j = j_begin; j < j_end; ++j)
@@ -118,13 +119,15 @@ class BlockRowSampler {
 
 }  // namespace
 
-SignPlanes sample(const Domain& domain, const Lattice& lattice, Cuts cuts, Context& context) {
-  SignPlanes planes(lattice.cells);
+SignPlanes sample(const Domain& domain, const Lattice& lattice, Window window, Cuts cuts,
+                  Context& context) {
+  SignPlanes planes(lattice.cells, window);
   const int blocks_j = blocks_in(lattice.cells[1]);
-  const int blocks_k = blocks_in(lattice.cells[2]);
+  const int first_k = window.begin / block;
+  const int blocks_k = blocks_in(window.end) - first_k;
   parallel_for(context, Stage::sample, std::int64_t{blocks_j} * blocks_k, [&](std::int64_t task) {
     BlockRowSampler(domain, lattice, cuts, planes)
-        .sample(static_cast<int>(task % blocks_j), static_cast<int>(task / blocks_j));
+        .sample(static_cast<int>(task % blocks_j), first_k + static_cast<int>(task / blocks_j));
   });
   return planes;
 }

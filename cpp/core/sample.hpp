@@ -6,12 +6,14 @@
 #include "certet/domain.hpp"
 #include "certet/stuffing.hpp"
 #include "sign_planes.hpp"
+#include "window.hpp"
 
 namespace certet::core {
 
-/// Signs of all lattice vertices; those on the rim are minus.  With midpoint
+/// Signs of the vertices of a window; those on the lattice's rim are minus.  With midpoint
 /// cuts a vertex on the surface counts as inside: the angles proven for them
 /// are those of a domain that is either in or out.
-SignPlanes sample(const Domain& domain, const Lattice& lattice, Cuts cuts, Context& context);
+SignPlanes sample(const Domain& domain, const Lattice& lattice, Window window, Cuts cuts,
+                  Context& context);
 
 }  // namespace certet::core

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The signs of all lattice vertices, two bits each.
+/// The signs of lattice vertices, two bits each.
 
 #include <array>
 #include <cstddef>
@@ -9,6 +9,7 @@
 
 #include "certet/sign.hpp"
 #include "lattice_edges.hpp"
+#include "window.hpp"
 
 namespace certet::core {
 
@@ -18,27 +19,47 @@ constexpr std::uint64_t below(int b) { return (std::uint64_t{1} << b) - 1; }
 /// Bit planes: a row of the lattice (fixed j and k) is `words()` words of 64
 /// vertices; bit b of word w is index i = 64 w + b.  A vertex that is neither
 /// plus nor zero is minus, and so is everything around the lattice: the planes
-/// have a rim of one row, one layer and one word on each side.
+/// have a rim of one row, one layer and one word on each side.  They hold the
+/// layers of a window; where that ends before the lattice does, the rim's layer
+/// means nothing.
 class SignPlanes {
  public:
-  explicit SignPlanes(const std::array<std::int32_t, 3>& cells)
+  SignPlanes(const std::array<std::int32_t, 3>& cells, Window window)
       : cells_(cells),
+        window_(window),
         words_((cells[0] + 63) / 64),
         row_stride_(words_ + 2),
         layer_stride_(static_cast<std::size_t>(row_stride_) *
                       static_cast<std::size_t>(cells[1] + 2)) {
-    const std::size_t words = layer_stride_ * static_cast<std::size_t>(cells[2] + 2);
+    const std::size_t words = layer_stride_ * static_cast<std::size_t>(window.layers() + 2);
     for (std::size_t g = 0; g < grid_count; ++g) {
       plus_[g].resize(words);
       zero_[g].resize(words);
     }
   }
 
+  /// A copy of some of the layers of `other`.
+  SignPlanes(const SignPlanes& other, Window window)
+      : cells_(other.cells_),
+        window_(window),
+        words_(other.words_),
+        row_stride_(other.row_stride_),
+        layer_stride_(other.layer_stride_) {
+    const auto begin = static_cast<std::ptrdiff_t>(other.layer(window.begin - 1));
+    const auto end = static_cast<std::ptrdiff_t>(other.layer(window.end + 1));
+    for (std::size_t g = 0; g < grid_count; ++g) {
+      plus_[g].assign(other.plus_[g].begin() + begin, other.plus_[g].begin() + end);
+      zero_[g].assign(other.zero_[g].begin() + begin, other.zero_[g].begin() + end);
+    }
+  }
+
+  /// Of the lattice.
   [[nodiscard]] const std::array<std::int32_t, 3>& cells() const { return cells_; }
+  [[nodiscard]] Window window() const { return window_; }
   [[nodiscard]] int words() const { return words_; }
 
-  /// Word 0 of a row; words -1 to words() may be read, and rows and layers from
-  /// -1 to their number.
+  /// Word 0 of a row; words -1 to words() may be read, rows from -1 to their
+  /// number, and the layers of the window and one on each side.
   [[nodiscard]] std::uint64_t* plus(std::size_t grid, int j, int k) { return &plus_[grid][at(j, k)]; }
   [[nodiscard]] std::uint64_t* zero(std::size_t grid, int j, int k) { return &zero_[grid][at(j, k)]; }
   [[nodiscard]] const std::uint64_t* plus(std::size_t grid, int j, int k) const {
@@ -59,12 +80,17 @@ class SignPlanes {
   }
 
  private:
+  /// Where a layer begins, with its rim.
+  [[nodiscard]] std::size_t layer(int k) const {
+    return static_cast<std::size_t>(k + 1 - window_.begin) * layer_stride_;
+  }
   [[nodiscard]] std::size_t at(int j, int k) const {
-    return static_cast<std::size_t>(k + 1) * layer_stride_ +
+    return layer(k) +
            static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(row_stride_) + 1;
   }
 
   std::array<std::int32_t, 3> cells_;
+  Window window_;
   int words_;
   int row_stride_;
   std::size_t layer_stride_;

@@ -9,7 +9,6 @@
 #include "count.hpp"
 #include "cuts.hpp"
 #include "emit.hpp"
-#include "parallel.hpp"
 #include "sample.hpp"
 #include "warped_lattice.hpp"
 
@@ -17,9 +16,6 @@ namespace certet {
 namespace {
 
 using namespace core;
-
-/// Rows that one task emits.
-constexpr int rows_per_task = 32;
 
 /// The lattice is checked once, here; every coordinate that the engine computes
 /// afterwards is in range: `DoorSuffices` of the certificate.
@@ -57,11 +53,6 @@ struct Stuffing::State {
   RowNumbers numbers;
   Guarantee guarantee;
   std::uint64_t inverted_tets = 0;
-
-  [[nodiscard]] std::size_t row(int j, int k) const {
-    return static_cast<std::size_t>(k) * static_cast<std::size_t>(lattice.cells[1]) +
-           static_cast<std::size_t>(j);
-  }
 };
 
 namespace {
@@ -69,27 +60,19 @@ namespace {
 static_assert(no_warp_thresholds.long_edge == 0 && no_warp_thresholds.short_edge == 0,
               "with cuts in the middle no cut violates a vertex");
 
-/// With cuts in the middle nothing is left to decide: no vertex is violated, and
-/// none lies on the surface, for there it counts as inside.
-WarpedLattice unwarped(SignPlanes planes, std::vector<CutLayer> cuts, const Lattice& lattice) {
-  const auto rows = static_cast<std::size_t>(lattice.cells[1]);
-  const ZeroLayer none{{}, std::vector<std::uint32_t>(rows, 0)};
-  std::vector<ZeroLayer> zeros(static_cast<std::size_t>(lattice.cells[2]), none);
-  return {std::move(planes), std::move(cuts), std::move(zeros)};
-}
-
 /// Warps with the thresholds asked for; falls back to those of `embedding` if a
 /// tetrahedron that is dropped came out inverted, for it would cover others.
-WarpedLattice warp_lattice(const SignPlanes& planes, const std::vector<CutLayer>& cuts,
+WarpedLattice warp_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
                            const Lattice& lattice, Guarantee& guarantee, std::uint64_t& inverted,
                            Context& context) {
+  const Window all = whole(lattice);
   if (guarantee == Guarantee::angles) {
-    const Violations violations(planes, cuts, angle_thresholds, context);
-    inverted = violations.inverted_tets(lattice, context);
+    const Violations violations(planes, cuts, lattice, all, angle_thresholds, context);
+    inverted = violations.inverted_tets(context);
     if (inverted == 0) return violations.apply(context);
   }
   guarantee = Guarantee::embedding;
-  return Violations(planes, cuts, embedding_thresholds, context).apply(context);
+  return Violations(planes, cuts, lattice, all, embedding_thresholds, context).apply(context);
 }
 
 }  // namespace
@@ -100,13 +83,14 @@ Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, const StuffingO
   state_ = within_memory([&] {
     Guarantee guarantee = options.guarantee;
     std::uint64_t inverted = 0;
-    SignPlanes planes = sample(domain, lattice, options.cuts, context);
-    std::vector<CutLayer> cuts = find_cuts(planes, domain, lattice, options.cuts, context);
+    const Window all = whole(lattice);
+    SignPlanes planes = sample(domain, lattice, all, options.cuts, context);
+    Layers<CutLayer> cuts = find_cuts(planes, domain, lattice, all, options.cuts, context);
     WarpedLattice warped =
         options.cuts == Cuts::midpoint
-            ? unwarped(std::move(planes), std::move(cuts), lattice)
+            ? unwarped(std::move(planes), std::move(cuts), all)
             : warp_lattice(planes, cuts, lattice, guarantee, inverted, context);
-    RowNumbers numbers = count_rows(warped.planes, context);
+    RowNumbers numbers(warped.planes, lattice, all, context);
     return std::make_unique<State>(
         State{lattice, std::move(warped), std::move(numbers), guarantee, inverted});
   });
@@ -116,91 +100,43 @@ Stuffing::~Stuffing() = default;
 Stuffing::Stuffing(Stuffing&&) noexcept = default;
 Stuffing& Stuffing::operator=(Stuffing&&) noexcept = default;
 
-std::uint64_t Stuffing::point_count() const { return state_->numbers.first_point.back(); }
-std::uint64_t Stuffing::tet_count() const { return state_->numbers.first_tet.back(); }
+std::uint64_t Stuffing::point_count() const { return state_->numbers.point_count(); }
+std::uint64_t Stuffing::tet_count() const { return state_->numbers.tet_count(); }
 const Lattice& Stuffing::lattice() const { return state_->lattice; }
 Guarantee Stuffing::guarantee() const { return state_->guarantee; }
 std::uint64_t Stuffing::inverted_tets() const { return state_->inverted_tets; }
 std::int32_t Stuffing::layers() const { return state_->lattice.cells[2]; }
 
 std::uint64_t Stuffing::first_point(std::int32_t layer) const {
-  return state_->numbers.first_point[state_->row(0, layer)];
+  return state_->numbers.first_point(0, layer);
 }
 std::uint64_t Stuffing::first_tet(std::int32_t layer) const {
-  return state_->numbers.first_tet[state_->row(0, layer)];
+  return state_->numbers.first_tet(0, layer);
 }
-
-namespace {
-
-/// Calls emit(j_begin, j_end, k) for pieces of the layers [begin, end).
-template <class Emit>
-void for_each_piece(const Lattice& lattice, std::int32_t begin, std::int32_t end,
-                    Context& context, const Emit& emit) {
-  const std::int32_t rows = lattice.cells[1];
-  const std::int64_t pieces = (rows + rows_per_task - 1) / rows_per_task;
-  parallel_for(context, Stage::emit, pieces * (end - begin), [&](std::int64_t task) {
-    const int j = static_cast<int>(task % pieces) * rows_per_task;
-    emit(j, std::min(j + rows_per_task, rows), begin + static_cast<int>(task / pieces));
-  });
-}
-
-template <class Index>
-void emit_all_tets(const RowNumbers& numbers, const SignPlanes& planes, const Lattice& lattice,
-                   std::int32_t begin, std::int32_t end, std::uint64_t start,
-                   std::span<Tet<Index>> out, Context& context) {
-  for_each_piece(lattice, begin, end, context, [&](int j_begin, int j_end, int k) {
-    const std::size_t row = static_cast<std::size_t>(k) * static_cast<std::size_t>(lattice.cells[1]) +
-                            static_cast<std::size_t>(j_begin);
-    emit_row_tets(planes, numbers, j_begin, j_end, k, out.data() + (numbers.first_tet[row] - start));
-  });
-}
-
-}  // namespace
 
 void Stuffing::emit_points(std::int32_t begin, std::int32_t end, std::span<Coord3> out,
                            Context& context) const {
-  const State& s = *state_;
-  const std::uint64_t start = first_point(begin);
-  for_each_piece(s.lattice, begin, end, context, [&](int j_begin, int j_end, int k) {
-    RowRanks row;
-    for (int j = j_begin; j < j_end; ++j) {
-      row.compute(s.warped.planes, j, k);
-      emit_row_points(s.warped, s.lattice, row, j, k,
-                      out.data() + (s.numbers.first_point[s.row(j, k)] - start));
-    }
-  });
+  core::emit_points(state_->warped, state_->numbers, state_->lattice, {begin, end}, out, context);
 }
 
 void Stuffing::mark_surface(std::int32_t begin, std::int32_t end, std::span<std::uint8_t> out,
                             Context& context) const {
-  const State& s = *state_;
-  const std::uint64_t start = first_point(begin);
-  for_each_piece(s.lattice, begin, end, context, [&](int j_begin, int j_end, int k) {
-    RowRanks row;
-    for (int j = j_begin; j < j_end; ++j) {
-      row.compute(s.warped.planes, j, k);
-      mark_row_points(s.warped.planes, row, j, k,
-                      out.data() + (s.numbers.first_point[s.row(j, k)] - start));
-    }
-  });
+  core::mark_surface(state_->warped, state_->numbers, state_->lattice, {begin, end}, out, context);
 }
 
 void Stuffing::emit_tets(std::int32_t begin, std::int32_t end,
                          std::span<Tet<std::uint32_t>> out, Context& context) const {
-  emit_all_tets(state_->numbers, state_->warped.planes, state_->lattice, begin, end,
-                first_tet(begin), out, context);
+  core::emit_tets(state_->warped, state_->numbers, state_->lattice, {begin, end}, out, context);
 }
 
 void Stuffing::emit_tets(std::int32_t begin, std::int32_t end,
                          std::span<Tet<std::uint64_t>> out, Context& context) const {
-  emit_all_tets(state_->numbers, state_->warped.planes, state_->lattice, begin, end,
-                first_tet(begin), out, context);
+  core::emit_tets(state_->warped, state_->numbers, state_->lattice, {begin, end}, out, context);
 }
 
 std::uint64_t Stuffing::bytes() const {
   const State& s = *state_;
-  std::uint64_t bytes = s.warped.planes.bytes() +
-                        8 * (s.numbers.first_point.size() + s.numbers.first_tet.size());
+  std::uint64_t bytes = s.warped.planes.bytes() + s.numbers.bytes();
   for (const CutLayer& layer : s.warped.cuts)
     bytes += 2 * layer.steps.size() + 8 * layer.row_begin.size();
   for (const ZeroLayer& layer : s.warped.zeros)

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "parallel.hpp"
+#include "layer_loop.hpp"
 #include "row_ranks.hpp"
 
 namespace certet::core {
@@ -69,7 +69,7 @@ class ViolatedRow {
 /// their order, and leaves each with the end that it violates, if any.
 class LayerWarper {
  public:
-  LayerWarper(const SignPlanes& planes, const std::vector<CutLayer>& cuts,
+  LayerWarper(const SignPlanes& planes, const Layers<CutLayer>& cuts,
               const Thresholds& thresholds, int k)
       : planes_(planes), cuts_(cuts), thresholds_(thresholds), k_(k),
         rows_{ViolatedRow(planes.words()), ViolatedRow(planes.words())} {}
@@ -77,7 +77,7 @@ class LayerWarper {
   ZeroLayer warp_layer(SignPlanes& violated) {
     ZeroLayer moves;
     for (int j = 0; j < planes_.cells()[1]; ++j) {
-      if (k_ > 0) collect(j, k_ - 1);
+      if (cuts_.window().contains(k_ - 1)) collect(j, k_ - 1);
       collect(j, k_);
       moves.row_begin.push_back(static_cast<std::uint32_t>(moves.displacements.size()));
       for (const Grid grid : {even, odd})
@@ -93,7 +93,7 @@ class LayerWarper {
   /// layers k and k + 1.
   void collect(int j, int k) {
     row_.compute(planes_, j, k);
-    const CutLayer& layer = cuts_[static_cast<std::size_t>(k)];
+    const CutLayer& layer = cuts_[k];
     const std::uint16_t* cut = layer.steps.data() + layer.row_begin[static_cast<std::size_t>(j)];
     for (std::size_t f = 0; f < family_count; ++f) {
       const bool first_counts = k == k_;
@@ -127,7 +127,7 @@ class LayerWarper {
   }
 
   const SignPlanes& planes_;
-  const std::vector<CutLayer>& cuts_;
+  const Layers<CutLayer>& cuts_;
   const Thresholds& thresholds_;
   int k_;
   RowRanks row_;
@@ -183,37 +183,36 @@ ZeroLayer remaining_zeros(const SignPlanes& violated, const ZeroLayer& moves,
 
 }  // namespace
 
-Violations::Violations(const SignPlanes& planes, const std::vector<CutLayer>& cuts,
-                       const Thresholds& thresholds, Context& context)
-    : planes_(planes), cuts_(cuts), violated_(planes.cells()),
-      moves_(static_cast<std::size_t>(planes.cells()[2])) {
-  parallel_for(context, Stage::warp, planes.cells()[2], [&](std::int64_t k) {
-    moves_[static_cast<std::size_t>(k)] =
-        LayerWarper(planes, cuts, thresholds, static_cast<int>(k)).warp_layer(violated_);
+Violations::Violations(const SignPlanes& planes, const Layers<CutLayer>& cuts,
+                       const Lattice& lattice, Window window, const Thresholds& thresholds,
+                       Context& context)
+    : planes_(planes), cuts_(cuts), lattice_(lattice), window_(window),
+      violated_(lattice.cells, violation_window(window, lattice)), moves_(violated_.window()) {
+  for_each_layer(context, Stage::warp, violated_.window(), [&](std::int32_t k) {
+    moves_[k] = LayerWarper(planes, cuts, thresholds, k).warp_layer(violated_);
   });
 }
 
 WarpedLattice Violations::apply(Context& context) const {
-  const std::int32_t layers = planes_.cells()[2];
-  WarpedLattice warped{planes_, std::vector<CutLayer>(static_cast<std::size_t>(layers)),
-                       std::vector<ZeroLayer>(static_cast<std::size_t>(layers))};
+  WarpedLattice warped{SignPlanes(planes_, violated_.window()), Layers<CutLayer>(window_),
+                       Layers<ZeroLayer>(window_)};
   SignPlanes& after = warped.planes;
   const auto for_each_word = [&](const auto& visit) {
     for (int j = 0; j < after.cells()[1]; ++j)
       for (const Grid grid : {even, odd})
         for (int w = 0; w < after.words(); ++w) visit(grid, j, w);
   };
-  parallel_for(context, Stage::warp, layers, [&](std::int64_t layer) {
-    const int k = static_cast<int>(layer);
+  for_each_layer(context, Stage::warp, violated_.window(), [&](std::int32_t k) {
     for_each_word([&](Grid grid, int j, int w) {
-      after.plus(grid, j, k)[w] &= ~violated_.plus(grid, j, k)[w];
+      const std::uint64_t violated = violated_.plus(grid, j, k)[w];
+      if (violated == 0) return;
+      after.plus(grid, j, k)[w] &= ~violated;
+      after.zero(grid, j, k)[w] |= violated;
     });
   });
-  parallel_for(context, Stage::warp, layers, [&](std::int64_t layer) {
-    const int k = static_cast<int>(layer);
+  for_each_layer(context, Stage::warp, warped_window(window_, lattice_), [&](std::int32_t k) {
     for_each_word([&](Grid grid, int j, int w) {
       std::uint64_t& zero = after.zero(grid, j, k)[w];
-      zero |= violated_.plus(grid, j, k)[w];
       if (zero == 0) return;
       std::uint64_t any_plus = 0;
       for (std::size_t d = 0; d < direction_count; ++d) {
@@ -223,13 +222,18 @@ WarpedLattice Violations::apply(Context& context) const {
       zero &= any_plus;
     });
   });
-  parallel_for(context, Stage::warp, layers, [&](std::int64_t layer) {
-    const int k = static_cast<int>(layer);
-    const std::size_t at = static_cast<std::size_t>(layer);
-    warped.cuts[at] = remaining_cuts(planes_, cuts_[at], after, k);
-    warped.zeros[at] = remaining_zeros(violated_, moves_[at], after, k);
+  for_each_layer(context, Stage::warp, window_, [&](std::int32_t k) {
+    warped.cuts[k] = remaining_cuts(planes_, cuts_[k], after, k);
+    warped.zeros[k] = remaining_zeros(violated_, moves_[k], after, k);
   });
   return warped;
+}
+
+WarpedLattice unwarped(SignPlanes planes, Layers<CutLayer> cuts, Window window) {
+  Layers<ZeroLayer> zeros(window);
+  for (std::int32_t k = window.begin; k < window.end; ++k)
+    zeros[k].row_begin.assign(static_cast<std::size_t>(planes.cells()[1]), 0);
+  return {std::move(planes), std::move(cuts), std::move(zeros)};
 }
 
 }  // namespace certet::core

@@ -27,34 +27,41 @@ struct ZeroLayer {
 static_assert(std::int64_t{2} * anchor_limit * anchor_limit <= std::uint32_t(-1),
               "32 bits count the vertices of a layer");
 
-/// What stuffing needs of the domain.  Zero vertices without a plus neighbour,
-/// which no tetrahedron of the output uses, are turned to minus, so that every
-/// plus or zero vertex of `planes` is a point of the output.
+/// What stuffing needs of the domain, for the mesh of a window.  Zero vertices
+/// without a plus neighbour, which no tetrahedron of the output uses, are turned
+/// to minus, so that every plus or zero vertex of `planes` is a point of the
+/// output; that is so in the layers of `warped_window`.
 struct WarpedLattice {
   SignPlanes planes;
-  std::vector<CutLayer> cuts;  ///< those that are left, in the order of `planes`
-  std::vector<ZeroLayer> zeros;
+  Layers<CutLayer> cuts;  ///< of the window: those that are left, in the order of `planes`
+  Layers<ZeroLayer> zeros;
 };
 
-/// The vertices that the thresholds violate, and where they go.
+/// The vertices around a window that the thresholds violate, and where they go.
+/// `planes` are those of `sampled_window`, `cuts` those of `cut_window`.
 class Violations {
  public:
-  Violations(const SignPlanes& planes, const std::vector<CutLayer>& cuts,
-             const Thresholds& thresholds, Context& context);
+  Violations(const SignPlanes& planes, const Layers<CutLayer>& cuts, const Lattice& lattice,
+             Window window, const Thresholds& thresholds, Context& context);
 
-  /// Tetrahedra whose four vertices all became zero and whose volume is no
-  /// longer positive.
-  [[nodiscard]] std::uint64_t inverted_tets(const Lattice& lattice, Context& context) const;
+  /// Tetrahedra of the window whose four vertices all became zero and whose
+  /// volume is no longer positive.
+  [[nodiscard]] std::uint64_t inverted_tets(Context& context) const;
 
-  /// The lattice with the violated vertices moved.
+  /// The window with the violated vertices moved.
   [[nodiscard]] WarpedLattice apply(Context& context) const;
 
  private:
   const SignPlanes& planes_;
-  const std::vector<CutLayer>& cuts_;
-  Thresholds thresholds_;
-  SignPlanes violated_;            ///< in its plus planes
-  std::vector<ZeroLayer> moves_;   ///< of the violated vertices
+  const Layers<CutLayer>& cuts_;
+  const Lattice& lattice_;
+  Window window_;
+  SignPlanes violated_;        ///< in its plus planes
+  Layers<ZeroLayer> moves_;    ///< of the violated vertices
 };
+
+/// A window in which no vertex is violated, and none lies on the surface: what
+/// cuts in the middle leave.  `cuts` are those of the window.
+WarpedLattice unwarped(SignPlanes planes, Layers<CutLayer> cuts, Window window);
 
 }  // namespace certet::core

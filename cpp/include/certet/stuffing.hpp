@@ -79,6 +79,7 @@ class Stuffing {
 
   /// Writes the points of the layers [begin, end), positions in steps.
   /// `out.size()` is first_point(end) - first_point(begin).
+  /// \throws Error `bad_option` if it is not; so do the next ones.
   void emit_points(std::int32_t begin, std::int32_t end, std::span<Coord3> out,
                    Context& context) const;
   /// Tells of the same points whether they lie on the surface: 1 for cuts and for
@@ -87,6 +88,7 @@ class Stuffing {
                     Context& context) const;
   /// Writes the tetrahedra of the layers [begin, end).
   /// `out.size()` is first_tet(end) - first_tet(begin).
+  /// \throws Error `too_large` besides, if 32 bits do not hold the number of a point.
   void emit_tets(std::int32_t begin, std::int32_t end,
                  std::span<Tet<std::uint32_t>> out, Context& context) const;
   void emit_tets(std::int32_t begin, std::int32_t end,

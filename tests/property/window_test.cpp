@@ -1,0 +1,193 @@
+/// \file
+/// The stages over windows: the same layers meshed window by window, each with
+/// its halo, are the mesh of the whole.
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <set>
+#include <vector>
+
+#include "certet/stuffing.hpp"
+#include "core/emit.hpp"
+#include "core/sample.hpp"
+#include "core/window.hpp"
+#include "domains.hpp"
+
+namespace {
+
+using namespace certet;
+
+struct Made {
+  std::vector<Coord3> points;
+  std::vector<std::uint8_t> on_surface;
+  std::vector<Tet<std::uint32_t>> tets;
+  std::uint64_t inverted = 0;  ///< at the `angles` thresholds
+  friend bool operator==(const Made&, const Made&) = default;
+};
+
+/// How a mesh is made.
+struct Method {
+  Cuts cuts;
+  Thresholds thresholds;
+};
+
+Method random_method() {
+  return *rc::gen::element(Method{Cuts::bisect, angle_thresholds},
+                           Method{Cuts::bisect, embedding_thresholds},
+                           Method{Cuts::midpoint, no_warp_thresholds});
+}
+
+/// Adds the mesh of one window; `signs` is where it is sampled.
+void add_window(const Domain& domain, const Lattice& lattice, core::Window window,
+                core::Window signs, const Method& method, Made& made) {
+  Context context;
+  context.threads = 1;
+  core::SignPlanes planes = core::sample(domain, lattice, signs, method.cuts, context);
+  const auto cuts_of = [&](core::Window cut) {
+    return core::find_cuts(planes, domain, lattice, cut, method.cuts, context);
+  };
+  const auto warped = [&] {
+    if (method.cuts == Cuts::midpoint)
+      return core::unwarped(std::move(planes), cuts_of(window), window);
+    const auto cuts = cuts_of(core::cut_window(window, lattice));
+    const core::Violations violations(planes, cuts, lattice, window, method.thresholds, context);
+    made.inverted += violations.inverted_tets(context);
+    return violations.apply(context);
+  }();
+  core::RowNumbers numbers(warped.planes, lattice, window, context);
+  const std::size_t points = made.points.size();
+  const std::size_t tets = made.tets.size();
+  numbers.start_from(points, tets);
+  made.points.resize(points + numbers.point_count());
+  made.on_surface.resize(points + numbers.point_count());
+  made.tets.resize(tets + numbers.tet_count());
+  core::emit_points(warped, numbers, lattice, window, std::span(made.points).subspan(points),
+                    context);
+  core::mark_surface(warped, numbers, lattice, window,
+                     std::span(made.on_surface).subspan(points), context);
+  core::emit_tets(warped, numbers, lattice, window, std::span(made.tets).subspan(tets), context);
+}
+
+Made in_windows(const Domain& domain, const Lattice& lattice, const std::vector<int>& bounds,
+                const Method& method) {
+  Made made;
+  for (std::size_t n = 0; n + 1 < bounds.size(); ++n) {
+    const core::Window window{bounds[n], bounds[n + 1]};
+    add_window(domain, lattice, window, core::sampled_window(window, lattice), method, made);
+  }
+  return made;
+}
+
+/// A lattice of at least five layers; some rows are longer than a word.
+Lattice random_lattice() {
+  const auto cells = [](int low, int high) { return *rc::gen::inRange(low, high + 1); };
+  Lattice lattice;
+  lattice.cells = {*rc::gen::element(3, 6, 66), cells(3, 7), cells(5, 24)};
+  lattice.origin = {-lattice.cells[0] / 2 * 2, 0, 2 * cells(-20, 20)};
+  return lattice;
+}
+
+/// Full of surface, so that every layer depends on those around it.
+domains::Positional random_domain() {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  if (*rc::gen::arbitrary<bool>()) return domains::noise(seed, 20);
+  return domains::random_cuts(seed, 20, {0, 1, 12000, 20000, 32768, 50000, 65535});
+}
+
+/// Where the windows end: 0, some layers, and the last.
+std::vector<int> random_bounds(int layers) {
+  const auto inner = *rc::gen::container<std::set<int>>(rc::gen::inRange(1, layers));
+  std::vector<int> bounds{0};
+  bounds.insert(bounds.end(), inner.begin(), inner.end());
+  bounds.push_back(layers);
+  return bounds;
+}
+
+RC_GTEST_PROP(Window, WindowsMakeTheWhole, ()) {
+  const Lattice lattice = random_lattice();
+  const auto domain = random_domain();
+  const Method method = random_method();
+  const auto layers = lattice.cells[2];
+  const Made whole = in_windows(domain, lattice, {0, layers}, method);
+  RC_ASSERT(in_windows(domain, lattice, random_bounds(layers), method) == whole);
+}
+
+TEST(Window, OneLayerAtATime) {
+  const Lattice lattice{{0, 0, 0}, {9, 9, 12}};
+  const auto domain = domains::of_level(domains::gyroid(11, 0.8));
+  std::vector<int> bounds(13);
+  for (int k = 0; k < 13; ++k) bounds[static_cast<std::size_t>(k)] = k;
+  const Method method{Cuts::bisect, embedding_thresholds};
+  const Made whole = in_windows(domain, lattice, {0, 12}, method);
+  EXPECT_GT(whole.tets.size(), 500u);
+  EXPECT_EQ(in_windows(domain, lattice, bounds, method), whole);
+}
+
+/// What `Stuffing` makes is what the stages make of the whole.
+TEST(Window, TheWholeIsTheEnginesMesh) {
+  const Lattice lattice{{0, 0, 0}, {9, 9, 12}};
+  const auto domain = domains::of_level(domains::gyroid(11, 0.8));
+  Context context;
+  const Stuffing stuffing(domain, lattice, {Cuts::bisect, Guarantee::embedding}, context);
+  const Mesh mesh = emit(stuffing, {}, context);
+  const Made made = in_windows(domain, lattice, {0, 12}, {Cuts::bisect, embedding_thresholds});
+  EXPECT_TRUE(std::ranges::equal(mesh.points, made.points));
+  EXPECT_TRUE(std::ranges::equal(std::get<0>(mesh.tets), made.tets));
+}
+
+/// A halo with a layer less on either side makes another mesh of some domains.
+TEST(Window, NoLayerOfTheHaloIsIdle) {
+  const Lattice lattice{{0, 0, 0}, {12, 12, 16}};
+  const core::Window window{6, 8};
+  const core::Window needed = core::sampled_window(window, lattice);
+  const Method method{Cuts::bisect, angle_thresholds};
+  const auto differs = [&](core::Window signs) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+      const auto domain = domains::random_cuts(seed, 0, {1000, 30000, 64000});
+      Made right;
+      Made wrong;
+      add_window(domain, lattice, window, needed, method, right);
+      add_window(domain, lattice, window, signs, method, wrong);
+      if (wrong != right) return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(differs(needed));
+  EXPECT_TRUE(differs({needed.begin + 1, needed.end}));
+  EXPECT_TRUE(differs({needed.begin, needed.end - 1}));
+}
+
+TEST(Window, RoomIsChecked) {
+  const Lattice lattice{{0, 0, 0}, {8, 8, 8}};
+  const auto domain = domains::of_level(domains::sphere(8, 8, 8, 5));
+  Context context;
+  const Stuffing stuffing(domain, lattice, {}, context);
+  std::vector<Coord3> points(stuffing.point_count() + 1);
+  std::vector<std::uint8_t> marks(stuffing.point_count() - 1);
+  std::vector<Tet<std::uint32_t>> tets(stuffing.tet_count() - 1);
+  EXPECT_THROW(stuffing.emit_points(0, 8, points, context), Error);
+  EXPECT_THROW(stuffing.mark_surface(0, 8, marks, context), Error);
+  EXPECT_THROW(stuffing.emit_tets(0, 8, tets, context), Error);
+}
+
+/// 32 bits are refused where they would wrap, and no earlier.
+TEST(Window, WidthOfIndicesIsChecked) {
+  const Lattice lattice{{0, 0, 0}, {8, 8, 8}};
+  const auto domain = domains::of_level(domains::sphere(8, 8, 8, 5));
+  Context context;
+  const core::Window all = core::whole(lattice);
+  const auto planes = core::sample(domain, lattice, all, Cuts::midpoint, context);
+  const auto warped = core::unwarped(
+      planes, core::find_cuts(planes, domain, lattice, all, Cuts::midpoint, context), all);
+  core::RowNumbers numbers(warped.planes, lattice, all, context);
+  std::vector<Tet<std::uint32_t>> tets(numbers.tet_count());
+  const std::uint64_t top = std::uint64_t{1} << 32;
+  numbers.start_from(top - 1 - numbers.point_count(), 0);
+  EXPECT_NO_THROW(core::emit_tets(warped, numbers, lattice, all, std::span(tets), context));
+  numbers.start_from(top - numbers.point_count(), 0);
+  EXPECT_THROW(core::emit_tets(warped, numbers, lattice, all, std::span(tets), context), Error);
+}
+
+}  // namespace
