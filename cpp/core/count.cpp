@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "cell_tables.hpp"
 #include "certet/stencil.hpp"
 #include "parallel.hpp"
 #include "row_ranks.hpp"

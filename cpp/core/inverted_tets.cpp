@@ -4,6 +4,7 @@
 #include <atomic>
 #include <bit>
 
+#include "cell_tables.hpp"
 #include "certet/orientation.hpp"
 #include "parallel.hpp"
 #include "warped_lattice.hpp"
