@@ -103,7 +103,7 @@ audit: coq/Certificate.vo certified-tables
 	$(MAKE) -C coq audit
 
 # The tables that the C++ engine runs on, proved equal to the certified
-# functions; with planted defects that the proof must refuse.
+# functions; with a defect in every entry that the proof must refuse.
 certified-tables: coq/Certificate.vo everything
 	tests/certified_tables/certify $(BUILD)/bin/dump_tables coq $(BUILD)/certified_tables --self-test
 

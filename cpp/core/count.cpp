@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "cell_tables.hpp"
 #include "certet/stencil.hpp"
 #include "layer_loop.hpp"
 #include "row_ranks.hpp"

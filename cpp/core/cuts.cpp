@@ -98,7 +98,7 @@ CutLayer find_layer(const SignPlanes& planes, const Domain& domain, const Lattic
                         [&](Coord3 plus, Coord3 minus) { bisection.add(plus, minus); });
   }
   if (cuts == Cuts::bisect) layer.steps = bisection.finish();
-  else layer.steps.assign(count, steps / 2);
+  else layer.steps.assign(count, midpoint_cut);
   return layer;
 }
 

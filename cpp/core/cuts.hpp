@@ -13,6 +13,9 @@
 
 namespace certet::core {
 
+/// The cut in the middle of an edge: `MidpointCut` of the certificate.
+inline constexpr std::int32_t midpoint_cut = steps / 2;
+
 /// The cuts of one layer of edges, in steps from the + end, row by row in the
 /// order of RowRanks.
 struct CutLayer {

@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "cell_tables.hpp"
 #include "certet/stencil.hpp"
 #include "emit.hpp"
 #include "emit_loop.hpp"
@@ -7,22 +8,6 @@
 
 namespace certet::core {
 namespace {
-
-/// The order in which a case's vertices are written, for a positive volume.
-constexpr std::array<std::uint8_t, 4> output_order(std::size_t c) {
-  return structured_tet_table[c].right_handed ? std::array<std::uint8_t, 4>{0, 1, 2, 3}
-                                              : std::array<std::uint8_t, 4>{0, 1, 3, 2};
-}
-
-/// The 48 vertices of the twelve tetrahedra of an interior cell, in the order of
-/// the output.
-constexpr int interior_size = 4 * case_count;
-constexpr std::array<std::uint8_t, interior_size> interior_vertices = [] {
-  std::array<std::uint8_t, interior_size> list{};
-  for (std::size_t c = 0; c < case_count; ++c)
-    for (std::size_t n = 0; n < 4; ++n) list[4 * c + n] = cell.corner[c][output_order(c)[n]];
-  return list;
-}();
 
 /// Emits row after row of one layer.
 template <class Index>
@@ -92,15 +77,16 @@ class TetEmitter {
 
   /// A cell with the surface in or near it: case by case, by the stencils.
   void emit_cell(int w, int b) {
-    std::array<std::size_t, cell_vertex_count> sign;
+    std::array<Sign, cell_vertex_count> sign;
     for (std::size_t v = 0; v < cell_vertex_count; ++v)
-      sign[v] = 2 * (vertex_[v].plus >> b & 1) + (vertex_[v].zero >> b & 1);
+      sign[v] = sign_of_bits(static_cast<int>(vertex_[v].plus >> b & 1),
+                             static_cast<int>(vertex_[v].zero >> b & 1));
     for (std::size_t c = 0; c < case_count; ++c) {
       const auto& corner = cell.corner[c];
-      const std::size_t pattern = sign[corner[0]] + 3 * sign[corner[1]] + 9 * sign[corner[2]] +
-                          27 * sign[corner[3]];
+      const auto pattern = static_cast<std::size_t>(pattern_index(
+          sign[corner[0]], sign[corner[1]], sign[corner[2]], sign[corner[3]]));
       for (const UnstructuredTet& tet : stencil_table[pattern]) {
-        for (std::size_t n = 0; n < 4; ++n) (*out_)[n] = vertex_number(c, tet[output_order(c)[n]], w, b);
+        for (std::size_t n = 0; n < 4; ++n) (*out_)[n] = vertex_number(c, tet[output_orders[c][n]], w, b);
         ++out_;
       }
     }

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <bit>
 
+#include "cell_tables.hpp"
 #include "certet/orientation.hpp"
 #include "layer_loop.hpp"
 #include "warped_lattice.hpp"

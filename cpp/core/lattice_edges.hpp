@@ -22,12 +22,14 @@ inline constexpr int grid_count = 2;
 /// Difference of indices.
 struct Shift {
   std::int8_t x, y, z;
+  friend constexpr bool operator==(const Shift&, const Shift&) = default;
 };
 
 /// A vertex relative to an index.
 struct VertexRef {
   Grid grid;
   Shift shift;
+  friend constexpr bool operator==(const VertexRef&, const VertexRef&) = default;
 };
 
 /// The kinds of points of the output, in the order in which they are numbered
@@ -104,44 +106,41 @@ inline constexpr std::array<std::array<EdgeRef, direction_count>, grid_count> ed
   return table;
 }();
 
-/// The distinct vertices of the twelve tetrahedra of one index.
-inline constexpr int cell_vertex_count = 11;
+/// The direction of a family's edge as its first and its second end see it.
+inline constexpr std::array<std::array<std::uint8_t, 2>, family_count> family_directions = [] {
+  std::array<std::array<std::uint8_t, 2>, family_count> table{};
+  for (const Grid grid : {even, odd})
+    for (std::size_t d = 0; d < direction_count; ++d) {
+      const EdgeRef& edge = edges_of[grid][d];
+      table[edge.kind - corner_kinds][edge.is_first ? 0 : 1] = static_cast<std::uint8_t>(d);
+    }
+  return table;
+}();
 
-struct CellTables {
-  std::array<VertexRef, cell_vertex_count> vertices{};
-  /// The cell vertex at each corner of each case.
-  std::array<std::array<std::uint8_t, 4>, case_count> corner{};
-  /// The edge between two corners of a case, relative to the cell.
-  std::array<std::array<std::array<EdgeRef, 4>, 4>, case_count> edge{};
+/// The vertices that are ends of the edges owned by an index, in the order in
+/// which the families name them.
+inline constexpr int edge_end_count = 12;
+
+struct EdgeEnds {
+  std::array<VertexRef, edge_end_count> vertices{};
+  /// The two ends of each family, as numbers of `vertices`.
+  std::array<std::array<std::uint8_t, 2>, family_count> of_family{};
 };
 
-inline constexpr CellTables cell = [] {
-  CellTables t{};
-  std::array<Coord3, cell_vertex_count> seen{};
+inline constexpr EdgeEnds edge_ends = [] {
+  EdgeEnds ends{};
   std::uint8_t count = 0;
-  for (std::size_t c = 0; c < case_count; ++c) {
-    const auto& v = structured_tet_table[c].vertices;
-    for (std::size_t a = 0; a < 4; ++a) {
-      std::uint8_t n = 0;
-      while (n < count && !(seen[n] == v[a])) ++n;
-      if (n == count) {
-        seen[count] = v[a];
-        t.vertices[count++] = vertex_at(v[a]);
-      }
-      t.corner[c][a] = n;
-      for (std::size_t b = 0; b < 4; ++b)
-        for (std::size_t d = 0; d < direction_count; ++d)
-          if (v[a] + direction_offset[d] == v[b]) {
-            const VertexRef from = vertex_at(v[a]);
-            EdgeRef e = edges_of[from.grid][d];
-            e.owner = {static_cast<std::int8_t>(e.owner.x + from.shift.x),
-                       static_cast<std::int8_t>(e.owner.y + from.shift.y),
-                       static_cast<std::int8_t>(e.owner.z + from.shift.z)};
-            t.edge[c][a][b] = e;
-          }
-    }
+  const auto number_of = [&](const VertexRef& v) {
+    std::uint8_t n = 0;
+    while (n < count && !(ends.vertices[n] == v)) ++n;
+    if (n == count) ends.vertices[count++] = v;
+    return n;
+  };
+  for (std::size_t f = 0; f < family_count; ++f) {
+    const std::uint8_t first = number_of(families[f].first);
+    ends.of_family[f] = {first, number_of(families[f].second)};
   }
-  return t;
+  return ends;
 }();
 
 }  // namespace certet::core

@@ -4,43 +4,21 @@ namespace certet::core {
 
 namespace {
 
-/// The vertices that are ends of the edges owned by an index.
-constexpr std::array<VertexRef, 12> edge_ends{{
-    {even, {}}, {even, {1, 0, 0}}, {even, {0, 1, 0}}, {even, {0, 0, 1}},
-    {even, {1, 1, 0}}, {even, {1, 0, 1}}, {even, {0, 1, 1}}, {even, {1, 1, 1}},
-    {odd, {}}, {odd, {1, 0, 0}}, {odd, {0, 1, 0}}, {odd, {0, 0, 1}}}};
-
-constexpr std::size_t edge_end(const VertexRef& v) {
-  for (std::size_t n = 0; n < edge_ends.size(); ++n)
-    if (edge_ends[n].grid == v.grid && edge_ends[n].shift.x == v.shift.x &&
-        edge_ends[n].shift.y == v.shift.y && edge_ends[n].shift.z == v.shift.z)
-      return n;
-  throw Error(ErrorCode::bad_option, "no such edge end");  // never at run time
-}
-
-/// The two ends of each family, as numbers of `edge_ends`.
-constexpr std::array<std::array<std::size_t, 2>, family_count> family_ends = [] {
-  std::array<std::array<std::size_t, 2>, family_count> table{};
-  for (std::size_t f = 0; f < family_count; ++f)
-    table[f] = {edge_end(families[f].first), edge_end(families[f].second)};
-  return table;
-}();
-
 /// Where the edges owned by the indices of a word are cut.
 std::array<std::uint64_t, family_count> cut_masks(const SignRows& rows, int w) {
-  std::array<std::uint64_t, edge_ends.size()> plus;
-  std::array<std::uint64_t, edge_ends.size()> minus;
+  std::array<std::uint64_t, edge_end_count> plus;
+  std::array<std::uint64_t, edge_end_count> minus;
   std::uint64_t any_plus = 0;
   std::uint64_t any_minus = 0;
-  for (std::size_t n = 0; n < edge_ends.size(); ++n) {
-    const SignWord signs = rows.at(edge_ends[n], w);
+  for (std::size_t n = 0; n < edge_end_count; ++n) {
+    const SignWord signs = rows.at(edge_ends.vertices[n], w);
     any_plus |= plus[n] = signs.plus;
     any_minus |= minus[n] = signs.minus();
   }
   std::array<std::uint64_t, family_count> masks{};
   if (any_plus == 0 || any_minus == 0) return masks;
   for (std::size_t f = 0; f < family_count; ++f) {
-    const auto [a, b] = family_ends[f];
+    const auto [a, b] = edge_ends.of_family[f];
     masks[f] = (plus[a] & minus[b]) | (minus[a] & plus[b]);
   }
   return masks;

@@ -10,17 +10,6 @@
 namespace certet::core {
 namespace {
 
-/// The direction of a family's edge as its first and its second end see it.
-constexpr std::array<std::array<int, 2>, family_count> family_directions = [] {
-  std::array<std::array<int, 2>, family_count> table{};
-  for (const Grid grid : {even, odd})
-    for (std::size_t d = 0; d < direction_count; ++d) {
-      const EdgeRef& edge = edges_of[grid][d];
-      table[edge.kind - corner_kinds][edge.is_first ? 0 : 1] = static_cast<int>(d);
-    }
-  return table;
-}();
-
 /// The cuts that violate the vertices of one row, collected from the edges.
 class ViolatedRow {
  public:
@@ -138,7 +127,7 @@ class LayerWarper {
 /// violate both.
 static_assert(2 * std::max({angle_thresholds.long_edge, angle_thresholds.short_edge,
                             embedding_thresholds.long_edge, embedding_thresholds.short_edge}) <=
-              256);
+              threshold_denominator);
 
 /// The cuts that are left in layer k, in the order of the new signs.
 CutLayer remaining_cuts(const SignPlanes& before, const CutLayer& cuts, const SignPlanes& after,

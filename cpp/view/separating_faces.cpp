@@ -4,6 +4,7 @@
 #include <compare>
 
 #include "certet/tet_shape.hpp"
+#include "quality/boundary.hpp"
 #include "quality/faces.hpp"
 #include "quality/groups.hpp"
 
@@ -106,10 +107,10 @@ class Search {
     const auto on_face = [&](std::uint64_t p) {
       return p == lowest || p == key.middle || p == key.highest;
     };
-    if (!on_face(tet[0])) return {tet[1], tet[2], tet[3]};
-    if (!on_face(tet[1])) return {tet[0], tet[3], tet[2]};
-    if (!on_face(tet[2])) return {tet[0], tet[1], tet[3]};
-    return {tet[0], tet[2], tet[1]};
+    std::size_t across = 0;
+    while (across < 3 && on_face(tet[across])) ++across;
+    const auto [a, b, c] = quality::outward_faces[across];
+    return {tet[a], tet[b], tet[c]};
   }
 
   const FileMesh& mesh_;

@@ -4,7 +4,7 @@ import json
 from pathlib import Path
 
 TABLES_AND_LATTICE = ("structured_tet.hpp", "stencil.hpp", "direction.hpp", "coord3.hpp",
-                      "lattice_edges.hpp")
+                      "lattice_edges.hpp", "cell_tables.hpp")
 
 
 def _share(results):

@@ -13,9 +13,14 @@ constexpr bool opposite(Sign a, Sign b) {
   return a != Sign::on_surface && b != Sign::on_surface && a != b;
 }
 
+/// The sign of what is inside (`plus`) or on the surface (`zero`), or neither.
+constexpr Sign sign_of_bits(int plus, int zero) {
+  return static_cast<Sign>(2 * plus + zero);  // no branches: loops vectorise
+}
+
 /// The sign of a level function that is negative inside; NaN counts as outside.
 constexpr Sign sign_of_level(double f) {
-  return static_cast<Sign>(2 * int{f < 0} + int{f == 0});  // no branches: loops vectorise
+  return sign_of_bits(int{f < 0}, int{f == 0});
 }
 
 }  // namespace certet

@@ -39,9 +39,13 @@ using CornerSigns = std::array<Sign, 4>;
 inline constexpr int pattern_count = 81;
 
 /// Numbers the 81 sign patterns: sum of sign(i) * 3^i, - 0 + being 0 1 2.
+constexpr int pattern_index(Sign s0, Sign s1, Sign s2, Sign s3) {
+  return static_cast<int>(s0) + 3 * static_cast<int>(s1) + 9 * static_cast<int>(s2) +
+         27 * static_cast<int>(s3);
+}
+
 constexpr int pattern_index(const CornerSigns& s) {
-  return static_cast<int>(s[0]) + 3 * static_cast<int>(s[1]) +
-         9 * static_cast<int>(s[2]) + 27 * static_cast<int>(s[3]);
+  return pattern_index(s[0], s[1], s[2], s[3]);
 }
 
 constexpr CornerSigns pattern_signs(int index) {

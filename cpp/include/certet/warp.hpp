@@ -12,13 +12,16 @@
 
 namespace certet {
 
+/// Thresholds are in 256ths of an edge.
+inline constexpr std::int32_t threshold_denominator = 256;
+
 /// alpha of long and of short edges, in 256ths.
 struct Thresholds {
   std::int32_t long_edge, short_edge;
 
   /// A vertex is violated by a cut strictly nearer than this many steps.
   [[nodiscard]] constexpr std::int32_t in_steps(int direction) const {
-    return (is_long(direction) ? long_edge : short_edge) * (steps / 256);
+    return (is_long(direction) ? long_edge : short_edge) * (steps / threshold_denominator);
   }
 };
 

@@ -1,0 +1,343 @@
+(** * What the tables of the C++ side must be
+
+    Each is computed from the certified functions.  A table that says how the
+    engine names or orders things, of which the certificate has no opinion, is
+    given by the rule that it follows; [CertifiedTables.v] proves what the rule
+    is good for. *)
+
+From Coq Require Import ZArith String List Bool.
+From Certet Require Import Certificate.
+From CertetTables Require Import Table.
+Import ListNotations.
+Open Scope Z_scope.
+
+Definition Numbers (l : list Z) : Table := Row (map Number l).
+Definition Truth (b : bool) : Table := Number (if b then 1 else 0).
+Definition Count {A : Type} (l : list A) : Table := Number (Z.of_nat (length l)).
+Definition Upto (n : nat) : list Z := map Z.of_nat (seq 0 n).
+
+(** The parts of a row pass, one for each element of a list. *)
+Definition Each {A : Type} (passes : A -> Table -> bool) (l : list A) (t : Table) : bool :=
+  match t with
+  | Row parts => (length parts =? length l)%nat &&
+                 forallb (fun '(a, part) => passes a part) (combine l parts)
+  | _ => false
+  end.
+
+(** The place of the first [x] in a list, counted from 0. *)
+Fixpoint PlaceOf {A : Type} (same : A -> A -> bool) (x : A) (l : list A) : Z :=
+  match l with
+  | [] => 0
+  | y :: rest => if same x y then 0 else 1 + PlaceOf same x rest
+  end.
+
+(** Every element once, in the order in which they first come. *)
+Definition FirstSeen (l : list Coord3) : list Coord3 :=
+  fold_left (fun seen x => if existsb (Coord3Equal x) seen then seen else seen ++ [x])
+    l [].
+
+(** ** The structured tetrahedra *)
+
+Definition Point (v : Coord3) : Table :=
+  match v with C3 x y z => Numbers [x; y; z] end.
+
+Definition CaseNumber (c : StructuredTetCase) : Z :=
+  match c with
+  | Tet_I1 => 0 | Tet_I2 => 1 | Tet_I3 => 2 | Tet_I4 => 3
+  | Tet_J1 => 4 | Tet_J2 => 5 | Tet_J3 => 6 | Tet_J4 => 7
+  | Tet_K1 => 8 | Tet_K2 => 9 | Tet_K3 => 10 | Tet_K4 => 11
+  end.
+
+(** A vertex order, as where each of four marks comes from. *)
+Definition OrderMarks (o : VertexOrder) : list Z :=
+  let mark n := C3 n 0 0 in
+  let read c := match c with C3 n _ _ => n end in
+  let '(a, b, c, d) := o (mark 0) (mark 1) (mark 2) (mark 3) in
+  [read a; read b; read c; read d].
+
+Definition Origin : Coord3 := C3 0 0 0.
+
+Definition CornersOf (c : StructuredTetCase) : list Coord3 :=
+  match GetStructuredTet (STId Origin c) with
+    ST v1 v2 v3 v4 _ _ _ _ => [v1; v2; v3; v4]
+  end.
+
+Definition NeighborsOf (c : StructuredTetCase) : list (StructuredTetId * VertexOrder) :=
+  match GetStructuredTet (STId Origin c) with
+    ST _ _ _ _ n1 n2 n3 n4 => [n1; n2; n3; n4]
+  end.
+
+Definition NeighborEntry (n : StructuredTetId * VertexOrder) : Table :=
+  let '(STId anchor c, order) := n in
+  Row [Row [Point anchor; Number (CaseNumber c)]; Numbers (OrderMarks order)].
+
+Definition IsRightHanded (c : StructuredTetCase) : bool :=
+  match CaseHandedness c with RightHanded => true | LeftHanded => false end.
+
+Definition StructuredTetTable : Table :=
+  Row (map (fun c => Row [Row (map Point (CornersOf c));
+                          Row (map NeighborEntry (NeighborsOf c));
+                          Truth (IsRightHanded c)])
+         AllCases).
+
+(** ** Signs and stencils *)
+
+Definition AllSigns : list Sign := [Minus; OnSurface; Plus].
+Definition SignNumber (s : Sign) : Z :=
+  match s with Minus => 0 | OnSurface => 1 | Plus => 2 end.
+
+(** Pattern n has the sign of corner i in its i-th ternary digit: - 0 +. *)
+Definition PatternSign (n i : Z) : Sign :=
+  match (n / 3 ^ i) mod 3 with 0 => Minus | 1 => OnSurface | _ => Plus end.
+Definition PatternCount : nat := Z.to_nat (3 ^ 4).
+Definition PatternSigns : Table :=
+  Row (map (fun n => Numbers (map (fun i => SignNumber (PatternSign n i)) (Upto 4)))
+         (Upto PatternCount)).
+
+(** Corner a is the pair (a, a), the cut from corner a to corner b is (a, b). *)
+Definition StencilOf (n : Z) : list (list (Z * Z)) :=
+  let corner i := (i, i) in
+  let cut (a b : Z * Z) := (fst a, fst b) in
+  map (fun t => match t with UT _ a b c d => [a; b; c; d] end)
+      (GetUnstructuredTets (Z * Z) (fun v => PatternSign n (fst v)) cut
+         (corner 0) (corner 1) (corner 2) (corner 3)).
+
+(** A stencil has room for three tetrahedra. *)
+Definition StencilEntry (tets : list (list (Z * Z))) : Table :=
+  let unused := repeat (repeat (0, 0) 4) (3 - length tets) in
+  Row [Count tets;
+       Row (map (fun t => Row (map (fun v => Numbers [fst v; snd v]) t)) (tets ++ unused))].
+Definition StencilTable : Table :=
+  Row (map (fun n => StencilEntry (StencilOf n)) (Upto PatternCount)).
+
+(** ** Directions and thresholds *)
+
+Definition IsLong (k : EdgeKind) : bool := match k with Long => true | Short => false end.
+Definition OfDirections (f : Direction -> Table) : Table := Row (map f AllDirections).
+
+Definition ThresholdsEntry (th : Thresholds) : Table :=
+  match th with TH long short => Numbers [long; short] end.
+Definition StepsEntry (th : Thresholds) : Table :=
+  OfDirections (fun d => Number (ThresholdSteps th (DirectionKind d))).
+
+(** ** The engine's names: a vertex is a grid and an index *)
+
+Definition EvenVertex : Coord3 := Origin.
+Definition OddVertex : Coord3 := C3 1 1 1.
+Definition Grids : list Coord3 := [EvenVertex; OddVertex].
+
+Definition Shift (v : Coord3) : Table :=
+  match v with C3 x y z => Numbers [x / 2; y / 2; z / 2] end.
+Definition VertexEntry (v : Coord3) : Table :=
+  match v with C3 x _ _ => Row [Number (x mod 2); Shift v] end.
+
+(** The families of edges that an index owns, in the order of the output: the
+    long edges of the even vertex along x, y, z, those of the odd one, and the
+    short edges from the odd vertex to the corners of its cell, x changing first.
+    The first end is the owner's. *)
+Definition Ahead : list Coord3 := map Offset [Dir_p00; Dir_0p0; Dir_00p].
+Definition CellCorners : list Coord3 :=
+  map (fun n => C3 (2 * (n mod 2)) (2 * (n / 2 mod 2)) (2 * (n / 4))) (Upto 8).
+Definition Families : list (Coord3 * Coord3) :=
+  map (fun a => (EvenVertex, Translate EvenVertex a)) Ahead ++
+  map (fun a => (OddVertex, Translate OddVertex a)) Ahead ++
+  map (fun c => (OddVertex, c)) CellCorners.
+Definition Ends (f : Coord3 * Coord3) : list Coord3 := [fst f; snd f].
+
+(** Numbers within a row: the corners of both grids, then the cuts. *)
+Definition CornerKinds : Z := Z.of_nat (length Grids).
+
+(** A family is an edge from [v] to [u], its index moved by [moved], if that is
+    a vector between indices. *)
+Record EdgeName := { family : Z; moved : Coord3; from_first : bool }.
+
+Definition BetweenIndices (v : Coord3) : bool :=
+  match v with C3 x y z => Z.even x && Z.even y && Z.even z end.
+
+(** All names of the edge from [v] to [u]. *)
+Definition NamesOf (v u : Coord3) : list EdgeName :=
+  let named (n : Z) (a b : Coord3) (forward : bool) :=
+    let t := Difference a v in
+    if BetweenIndices t && Coord3Equal (Translate b t) u
+    then [{| family := n; moved := t; from_first := forward |}] else [] in
+  flat_map (fun '(n, (first, second)) => named n first second true ++
+                                         named n second first false)
+    (combine (Upto 14) Families).
+
+Definition EdgeEntry (v u : Coord3) : Table :=
+  match NamesOf v u with
+  | e :: _ => Row [Number (CornerKinds + family e); Shift (moved e); Truth (from_first e)]
+  | [] => Row [Number 0; Shift Origin; Truth false]
+  end.
+
+Definition EdgesOf : Table :=
+  Row (map (fun v => OfDirections (fun d => EdgeEntry v (Translate v (Offset d)))) Grids).
+Definition Neighbors : Table :=
+  Row (map (fun v => OfDirections (fun d => VertexEntry (Translate v (Offset d)))) Grids).
+
+(** The direction of an edge as each of its ends sees it. *)
+Definition DirectionNumber (v u : Coord3) : Z :=
+  PlaceOf Coord3Equal (Difference v u) (map Offset AllDirections).
+Definition FamilyDirections : Table :=
+  Row (map (fun '(a, b) => Numbers [DirectionNumber a b; DirectionNumber b a]) Families).
+
+Definition EdgeEndsList : list Coord3 := FirstSeen (flat_map Ends Families).
+Definition EdgeEnds : Table :=
+  Row [Row (map VertexEntry EdgeEndsList);
+       Row (map (fun f => Numbers (map (fun v => PlaceOf Coord3Equal v EdgeEndsList) (Ends f)))
+              Families)].
+
+(** ** The cell: the twelve tetrahedra of an index *)
+
+Definition CellVertices : list Coord3 := FirstSeen (flat_map CornersOf AllCases).
+Definition CellNumber (v : Coord3) : Z := PlaceOf Coord3Equal v CellVertices.
+
+Definition CellTable : Table :=
+  Row [Row (map VertexEntry CellVertices);
+       Row (map (fun c => Numbers (map CellNumber (CornersOf c))) AllCases);
+       Row (map (fun c => Row (map (fun a => Row (map (EdgeEntry a) (CornersOf c)))
+                                 (CornersOf c))) AllCases)].
+
+(** ** The order of output *)
+
+Definition Mark (n : Z) : MeshVertex := Corner (C3 n 0 0).
+Definition ReadMark (v : MeshVertex) : Z := match v with Corner (C3 n _ _) => n | Cut _ _ => -1 end.
+Definition TetList {V : Type} (t : UnstructuredTet V) : list V :=
+  match t with UT _ a b c d => [a; b; c; d] end.
+
+Definition OutputOrder (c : StructuredTetCase) : list Z :=
+  map ReadMark (TetList (Orient (CaseHandedness c)
+    (UT _ (Mark 0) (Mark 1) (Mark 2) (Mark 3)))).
+
+(** Where all is inside: what [StuffTet] gives, case by case. *)
+Definition InteriorVertices : list Z :=
+  let inside (_ : Coord3) := Plus in
+  let number v := match v with Corner c => CellNumber c | Cut _ _ => -1 end in
+  flat_map (fun c => map number (flat_map TetList
+      (StuffTet NoWarpThresholds inside (fun _ _ => 0) (STId Origin c))))
+    AllCases.
+
+(** ** Limits *)
+
+(** The most cells of a lattice centred around 0 that pass the door. *)
+Definition PassesDoor (cells : Z) : bool :=
+  Z.even cells && (- AnchorLimit <=? - cells) &&
+  (Value (DoorFormula (- cells) cells) <=? AnchorLimit).
+Definition IsCellsLimit (t : Table) : bool :=
+  match t with
+  | Number n => PassesDoor n && negb (PassesDoor (n + 2))
+  | _ => false
+  end.
+
+(** The parts of an edge that thresholds are counted in. *)
+Definition IsDenominator (t : Table) : bool :=
+  match t with
+  | Number n => (ThresholdSteps (TH n n) Long =? Steps) &&
+                (ThresholdSteps (TH n n) Short =? Steps)
+  | _ => false
+  end.
+
+(** ** Faces as seen from outside
+
+    The face across from each corner, by the numbers of its corners: any three
+    that, seen from the fourth, turn the other way than in a tetrahedron of
+    positive volume. *)
+
+Definition UnitTet : list Coord3 := [C3 0 0 0; C3 1 0 0; C3 0 1 0; C3 0 0 1].
+Definition IsOutward (across : Z) (face : Table) : bool :=
+  let at_ n := nth (Z.to_nat n) UnitTet Origin in
+  let is_corner n := (0 <=? n) && (n <? 4) in
+  match face with
+  | Row [Number a; Number b; Number c] =>
+      is_corner a && is_corner b && is_corner c &&
+      (SixVolume (at_ a) (at_ b) (at_ c) (at_ across) =? -1)
+  | _ => false
+  end.
+Definition AreOutwardFaces (t : Table) : bool :=
+  Each IsOutward (Upto 4) t.
+
+(** ** The bounds that every mesh is held to
+
+    In hundredths of degrees, with the theorem that promises them; for cuts on
+    the surface at either thresholds, and for cuts in the middle. *)
+
+Record Bounds := { least : Z; greatest : Z; theorem : string }.
+Definition WidestBounds := {| least := 1077; greatest := 16476; theorem := "DihedralBounds" |}.
+Definition EmbeddingBounds :=
+  {| least := 927; greatest := 16146; theorem := "DihedralBoundsEmbedding" |}.
+Definition MiddleBounds := {| least := 3000; greatest := 13500; theorem := "MidpointBounds" |}.
+Definition ProvenBounds : list (list Bounds) :=
+  [[WidestBounds; EmbeddingBounds]; [MiddleBounds; MiddleBounds]].
+
+(** The number of 53 bits, written in full, that is nearest to so many hundredths. *)
+Definition IsNearest (hundredths : Z) (t : Table) : bool :=
+  match t with
+  | Double m e =>
+      (2 ^ 52 <=? m) && (m <? 2 ^ 53) && (e <=? 0) &&
+      (2 * Z.abs (100 * m - hundredths * 2 ^ (- e)) <=? 100)
+  | _ => false
+  end.
+Definition AreBounds (b : Bounds) (t : Table) : bool :=
+  match t with
+  | Row [low; high; name] =>
+      IsNearest (least b) low && IsNearest (greatest b) high && Equal (Text (theorem b)) name
+  | _ => false
+  end.
+
+Definition AreProvenBounds : Table -> bool := Each (Each AreBounds) ProvenBounds.
+
+(** ** All of them *)
+
+(** What makes a table right: that it is this one, or that it passes a test. *)
+Definition Is (certified : Table) : Table -> bool := Equal certified.
+
+Definition Expected : list (string * (Table -> bool)) :=
+  [("case_count", Is (Count AllCases));
+   ("order_1234", Is (Numbers (OrderMarks Order1234)));
+   ("order_2143", Is (Numbers (OrderMarks Order2143)));
+   ("structured_tet_table", Is StructuredTetTable);
+   ("direction_count", Is (Count AllDirections));
+   ("direction_offset", Is (OfDirections (fun d => Point (Offset d))));
+   ("pattern_count", Is (Number (Z.of_nat PatternCount)));
+   ("stencil_table", Is StencilTable);
+   ("step_bits", Is (Number (Z.of_nat StepBits)));
+   ("steps", Is (Number Steps));
+   ("core::midpoint_cut", Is (Number MidpointCut));
+   ("threshold_denominator", IsDenominator);
+   ("angle_thresholds", Is (ThresholdsEntry AngleThresholds));
+   ("embedding_thresholds", Is (ThresholdsEntry EmbeddingThresholds));
+   ("no_warp_thresholds", Is (ThresholdsEntry NoWarpThresholds));
+   ("core::grid_count", Is (Count Grids));
+   ("core::corner_kinds", Is (Number CornerKinds));
+   ("core::family_count", Is (Count Families));
+   ("core::kind_count", Is (Number (CornerKinds + Z.of_nat (length Families))));
+   ("core::families", Is (Row (map (fun f => Row (map VertexEntry (Ends f))) Families)));
+   ("core::edges_of", Is EdgesOf);
+   ("core::family_directions", Is FamilyDirections);
+   ("core::edge_end_count", Is (Count EdgeEndsList));
+   ("core::edge_ends", Is EdgeEnds);
+   ("core::cell_vertex_count", Is (Count CellVertices));
+   ("core::cell", Is CellTable);
+   ("core::output_orders", Is (Row (map (fun c => Numbers (OutputOrder c)) AllCases)));
+   ("core::interior_size", Is (Count InteriorVertices));
+   ("core::interior_vertices", Is (Numbers InteriorVertices));
+   ("coordinate_limit", Is (Number LatticeLimit));
+   ("anchor_limit", Is (Number AnchorLimit));
+   ("cells_limit", IsCellsLimit);
+   ("quality::edge_limit", Is (Number WidthLimit));
+   ("quality::outward_faces", AreOutwardFaces);
+   ("signs", Is (Numbers (map SignNumber AllSigns)));
+   ("sign_of_bits", Is (Numbers (map SignNumber AllSigns)));
+   ("opposite", Is (Row (map (fun a => Row (map (fun b => Truth (Opposite a b)) AllSigns))
+                           AllSigns)));
+   ("pattern_signs", Is PatternSigns);
+   ("pattern_index", Is (Numbers (Upto PatternCount)));
+   ("cases", Is (Numbers (map CaseNumber AllCases)));
+   ("right_handed", Is (Row (map (fun c => Truth (IsRightHanded c)) AllCases)));
+   ("is_long", Is (OfDirections (fun d => Truth (IsLong (DirectionKind d)))));
+   ("length_squared", Is (OfDirections (fun d => Number (LengthSquared (DirectionKind d)))));
+   ("thresholds_in_steps",
+      Is (Row (map StepsEntry [AngleThresholds; EmbeddingThresholds; NoWarpThresholds])));
+   ("core::grids", Is (Numbers (Upto (length Grids))));
+   ("core::neighbor", Is Neighbors);
+   ("proven_bounds", AreProvenBounds)]%string.

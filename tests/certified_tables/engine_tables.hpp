@@ -1,0 +1,128 @@
+#pragma once
+/// \file
+/// Every constant of the engine that the certificate has an opinion on.
+
+#include <array>
+#include <cstddef>
+
+#include "cell_tables.hpp"
+#include "certet/lattice_limits.hpp"
+#include "certet/quality.hpp"
+#include "certet/sign.hpp"
+#include "certet/stencil.hpp"
+#include "certet/structured_tet.hpp"
+#include "certet/warp.hpp"
+#include "cuts.hpp"
+#include "quality/boundary.hpp"
+#include "quality/shape_counter.hpp"
+
+namespace certet::tables {
+
+/// The values of a function on the numbers below n.
+template <std::size_t n, class Function>
+auto values(const Function& function) {
+  std::array<decltype(function(0)), n> list{};
+  for (std::size_t i = 0; i < n; ++i) list[i] = function(static_cast<int>(i));
+  return list;
+}
+
+// The name of a constant is the constant, so that no other can stand under it.
+#define CERTET_CONSTANT(name) visit(#name, name)
+
+/// Calls visit(name, value) for the constants that headers hold.
+template <class Visit>
+void for_each_constant(const Visit& visit) {
+  CERTET_CONSTANT(case_count);
+  CERTET_CONSTANT(order_1234);
+  CERTET_CONSTANT(order_2143);
+  CERTET_CONSTANT(structured_tet_table);
+
+  CERTET_CONSTANT(direction_count);
+  CERTET_CONSTANT(direction_offset);
+
+  CERTET_CONSTANT(pattern_count);
+  CERTET_CONSTANT(stencil_table);
+
+  CERTET_CONSTANT(step_bits);
+  CERTET_CONSTANT(steps);
+  CERTET_CONSTANT(core::midpoint_cut);
+  CERTET_CONSTANT(threshold_denominator);
+  CERTET_CONSTANT(angle_thresholds);
+  CERTET_CONSTANT(embedding_thresholds);
+  CERTET_CONSTANT(no_warp_thresholds);
+
+  CERTET_CONSTANT(core::grid_count);
+  CERTET_CONSTANT(core::corner_kinds);
+  CERTET_CONSTANT(core::family_count);
+  CERTET_CONSTANT(core::kind_count);
+  CERTET_CONSTANT(core::families);
+  CERTET_CONSTANT(core::edges_of);
+  CERTET_CONSTANT(core::family_directions);
+  CERTET_CONSTANT(core::edge_end_count);
+  CERTET_CONSTANT(core::edge_ends);
+  CERTET_CONSTANT(core::cell_vertex_count);
+  CERTET_CONSTANT(core::cell);
+  CERTET_CONSTANT(core::output_orders);
+  CERTET_CONSTANT(core::interior_size);
+  CERTET_CONSTANT(core::interior_vertices);
+
+  CERTET_CONSTANT(coordinate_limit);
+  CERTET_CONSTANT(anchor_limit);
+  CERTET_CONSTANT(cells_limit);
+  CERTET_CONSTANT(quality::edge_limit);
+  CERTET_CONSTANT(quality::outward_faces);
+}
+
+#undef CERTET_CONSTANT
+
+/// The same for what is no table but a function on a few values: all of them.
+template <class Visit>
+void for_each_function(const Visit& visit) {
+  using enum Sign;
+  static constexpr std::array signs{minus, on_surface, plus};
+  visit("signs", signs);
+  visit("sign_of_bits", std::array{sign_of_bits(0, 0), sign_of_bits(0, 1), sign_of_bits(1, 0)});
+  visit("opposite", values<3>([](int a) {
+    return values<3>([&](int b) { return opposite(Sign{static_cast<std::uint8_t>(a)},
+                                                  Sign{static_cast<std::uint8_t>(b)}); });
+  }));
+  visit("pattern_signs", values<pattern_count>(pattern_signs));
+  visit("pattern_index",
+        values<pattern_count>([](int n) { return pattern_index(pattern_signs(n)); }));
+
+  visit("cases", values<case_count>([](int c) {
+    using enum StructuredTetCase;
+    return std::array{I1, I2, I3, I4, J1, J2, J3, J4, K1, K2, K3, K4}[static_cast<std::size_t>(c)];
+  }));
+  visit("right_handed", values<case_count>([](int c) {
+    return right_handed(static_cast<StructuredTetCase>(c));
+  }));
+
+  visit("is_long", values<direction_count>(is_long));
+  visit("length_squared", values<direction_count>(length_squared));
+  visit("thresholds_in_steps", std::array{
+      values<direction_count>([](int d) { return angle_thresholds.in_steps(d); }),
+      values<direction_count>([](int d) { return embedding_thresholds.in_steps(d); }),
+      values<direction_count>([](int d) { return no_warp_thresholds.in_steps(d); })});
+
+  visit("core::grids", std::array{core::even, core::odd});
+  visit("core::neighbor", values<core::grid_count>([](int grid) {
+    return values<direction_count>([&](int d) {
+      return core::neighbor(static_cast<core::Grid>(grid), static_cast<std::size_t>(d));
+    });
+  }));
+
+  visit("proven_bounds", std::array{
+      std::array{proven_bounds(Cuts::bisect, Guarantee::angles),
+                 proven_bounds(Cuts::bisect, Guarantee::embedding)},
+      std::array{proven_bounds(Cuts::midpoint, Guarantee::angles),
+                 proven_bounds(Cuts::midpoint, Guarantee::embedding)}});
+}
+
+template <class Visit>
+void for_each_table(const Visit& visit) {
+  for_each_constant(visit);
+  for_each_function(visit);
+}
+
+}  // namespace certet::tables
