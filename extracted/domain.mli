@@ -4,8 +4,7 @@
 type t = { sign : Certified.signField; cut : Certified.cutField }
 
 val bisected : (Certified.coord3 -> Certified.sign) -> Certified.cutField
-(** The cuts of the certificate's [Bisect], given the sign at any position in
-    steps. *)
+(** The certificate's [BisectedCuts], given the sign at any position in steps. *)
 
 val midpoint : t -> t
 (** The domain with every edge cut in the middle, and its surface inside. *)

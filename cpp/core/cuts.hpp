@@ -26,8 +26,8 @@ struct CutLayer {
   }
 };
 
-/// Where every cut edge of the lattice is cut: `Bisect` or `MidpointCut` of the
-/// certificate.
+/// Where every cut edge of the lattice is cut: `BisectedCuts` or `MidpointCuts`
+/// of the certificate, which lie on their edges whatever the domain answers.
 std::vector<CutLayer> find_cuts(const SignPlanes& planes, const Domain& domain,
                                 const Lattice& lattice, Cuts cuts, Context& context);
 
