@@ -14,14 +14,15 @@ From Coq Require Import ZArith Reals List.
 (** What runs. *)
 From Certet Require Export Lattice.Coord3 Lattice.Direction.
 From Certet Require Export Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Export Warp.Cut Warp.Warp Stuffing.Stuffing.
+From Certet Require Export Warp.Cut Warp.Warp.
+From Certet Require Export Stuffing.Stuffing Stuffing.Domain.
 
 (** What is meant. *)
 From Certet Require Export Lattice.StructuredTetSpec Lattice.NeighborSpec.
 From Certet Require Export Stencil.CompatibilitySpec.
 From Certet Require Export Stencil.StencilSet Stencil.OtherStencils.
 From Certet Require Export Stencil.TriangleSpec Stuffing.MeshSpec.
-From Certet Require Export Warp.WarpSpec Stuffing.DomainSpec.
+From Certet Require Export Warp.WarpSpec.
 From Certet Require Export Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
 From Certet Require Export Range.RangeSpec.
 
@@ -319,7 +320,7 @@ Proof. exact MeshProof.BoundaryOnSurface. Qed.
 
 (** ** Beyond the paper: where edges are cut
 
-    Read [Warp/Cut.v], and [Stuffing/DomainSpec.v] for the two ways to cut. *)
+    Read [Warp/Cut.v], and [Stuffing/Domain.v] for the two ways to cut. *)
 
 (** Bisection, of any signs and with any number of rounds, ends on the surface,
     or between a point that is inside or the start, and one a step farther that

@@ -3,7 +3,7 @@
 From Coq Require Import ZArith Reals List Bool Lra Lia.
 From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
 From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing Stuffing.DomainSpec.
+From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing Stuffing.Domain.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
 From Certet Require Import Angles.CheckerProof Angles.AngleTheorems.
 From Certet Require Import Angles.DegreesProof Angles.Witnesses.

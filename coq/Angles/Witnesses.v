@@ -8,7 +8,7 @@ From Coq Require Import ZArith List Bool.
 From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
 From Certet Require Import Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Stuffing.DomainSpec.
+From Certet Require Import Stuffing.Domain.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
 Import ListNotations.
 Open Scope Z_scope.

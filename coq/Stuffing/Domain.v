@@ -1,4 +1,4 @@
-(** * The two ways in which the product cuts
+(** * Domains, and the two ways in which they are cut
 
     A domain that is cut by bisection is known by its sign at every position,
     in steps.  One that is cut in the middle is known at the lattice points
