@@ -410,6 +410,14 @@ Theorem WarpNearest :
     end.
 Proof. exact WarpProof.WarpNearest. Qed.
 
+(** No two directions can win, so nothing is left open. *)
+Theorem FirstNearestUnique :
+  forall violates cut d e,
+    violates d = true -> violates e = true ->
+    FirstNearest violates cut AllDirections d ->
+    FirstNearest violates cut AllDirections e -> d = e.
+Proof. exact WarpProof.FirstNearestUnique. Qed.
+
 (** What [Warp] leaves around any structured tetrahedron is admissible, for
     every domain. *)
 Theorem WarpIsAdmissible :
@@ -513,7 +521,23 @@ Theorem BoundsAreSharp :
      (16144 / 100 <= DihedralDegrees p q r s)%R).
 Proof. exact SharpnessProof.BoundsAreSharp. Qed.
 
-(** The bounds for cuts in the middle are attained. *)
+(** The bounds for cuts in the middle are attained: the square of a cotangent is
+    3 at an acute angle, and 1 at an obtuse one; *)
+Theorem MidpointBoundsAttained :
+  (exists sign tid t p q r s,
+     In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts tid) /\
+     In (p, q, r, s) (DihedralEdges t) /\
+     0 < NormalsProduct p q r s /\
+     NormalsProduct p q r s ^ 2
+       = 3 * (SixVolume p q r s ^ 2 * EdgeSquared p q)) /\
+  (exists sign tid t p q r s,
+     In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts tid) /\
+     In (p, q, r, s) (DihedralEdges t) /\
+     NormalsProduct p q r s < 0 /\
+     NormalsProduct p q r s ^ 2 = SixVolume p q r s ^ 2 * EdgeSquared p q).
+Proof. exact DomainDegreesProof.MidpointBoundsAttained. Qed.
+
+(** these are 30 and 135 degrees. *)
 Theorem MidpointBoundsAreSharp :
   (exists sign tid t p q r s,
      In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts tid) /\

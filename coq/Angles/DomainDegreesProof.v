@@ -111,6 +111,35 @@ Proof.
   rewrite S. change (1 + 1)%Z with 2%Z. lra.
 Qed.
 
+(** As integers tell it: no axiom is needed. *)
+Theorem MidpointBoundsAttained :
+  (exists sign tid t p q r s,
+     In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts tid) /\
+     In (p, q, r, s) (DihedralEdges t) /\
+     (0 < NormalsProduct p q r s /\
+      NormalsProduct p q r s ^ 2 = 3 * (SixVolume p q r s ^ 2 * EdgeSquared p q))%Z) /\
+  (exists sign tid t p q r s,
+     In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts tid) /\
+     In (p, q, r, s) (DihedralEdges t) /\
+     (NormalsProduct p q r s < 0 /\
+      NormalsProduct p q r s ^ 2 = SixVolume p q r s ^ 2 * EdgeSquared p q)%Z).
+Proof.
+  split.
+  - destruct (ExhibitsMeans NoWarpThresholds (Decided MidpointSigns) MidpointCuts
+      (fun '(p, q, r, s) => (0 <? NormalsProduct p q r s)%Z &&
+        (NormalsProduct p q r s ^ 2
+           =? 3 * (SixVolume p q r s ^ 2 * EdgeSquared p q))%Z)
+      ltac:(vm_compute; reflexivity)) as (t & p & q & r & s & I & J & T).
+    exists MidpointSigns, WitnessTet, t, p, q, r, s. repeat (split; [assumption|]).
+    apply andb_prop in T. rewrite Z.ltb_lt, Z.eqb_eq in T. exact T.
+  - destruct (ExhibitsMeans NoWarpThresholds (Decided MidpointSigns) MidpointCuts
+      (fun '(p, q, r, s) => (NormalsProduct p q r s <? 0)%Z &&
+        (NormalsProduct p q r s ^ 2 =? SixVolume p q r s ^ 2 * EdgeSquared p q)%Z)
+      ltac:(vm_compute; reflexivity)) as (t & p & q & r & s & I & J & T).
+    exists MidpointSigns, WitnessTet, t, p, q, r, s. repeat (split; [assumption|]).
+    apply andb_prop in T. rewrite Z.ltb_lt, Z.eqb_eq in T. exact T.
+Qed.
+
 Lemma MidpointAngle sign t p q r s :
   In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts WitnessTet) ->
   In (p, q, r, s) (DihedralEdges t) -> 30 <= DihedralDegrees p q r s <= 135.

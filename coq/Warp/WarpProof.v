@@ -103,3 +103,36 @@ Proof.
   destruct J as [J | [<- | J]]; [| lia | exact (Far e J W)].
   apply Z.lt_le_incl, Near; assumption.
 Qed.
+
+(** ** The rule leaves no choice *)
+
+(** In a list without repetition not each of two elements follows the other. *)
+Lemma NoneFirst {A} (d e : A) : forall l l1 r1 l2 r2, NoDup l ->
+  l = l1 ++ d :: r1 -> l = l2 ++ e :: r2 -> In e r1 -> In d r2 -> False.
+Proof.
+  induction l as [|a l IH]; intros [|b l1] r1 [|c l2] r2 once E F I J;
+    cbn [app] in E, F; try discriminate E; try discriminate F;
+    injection E as -> E; injection F as F1 F; apply NoDup_cons_iff in once as [N D].
+  - subst. apply N. exact I.
+  - subst. apply N, in_or_app. right. right. exact J.
+  - subst. apply N, in_or_app. right. right. exact I.
+  - exact (IH l1 r1 l2 r2 D E F I J).
+Qed.
+
+Theorem FirstNearestUnique : forall violates cut d e,
+  violates d = true -> violates e = true ->
+  FirstNearest violates cut AllDirections d ->
+  FirstNearest violates cut AllDirections e -> d = e.
+Proof.
+  intros violates cut d e Vd Ve (l1 & r1 & E & Near & Far) (l2 & r2 & F & Near' & Far').
+  assert (once : NoDup AllDirections)
+    by (repeat constructor; cbn; intuition discriminate).
+  pose proof (DirectionListed e) as I. pose proof (DirectionListed d) as J.
+  rewrite E in I. rewrite F in J. apply in_app_or in I, J.
+  destruct I as [I | [I | I]]; [| exact I |];
+    (destruct J as [J | [J | J]]; [| symmetry; exact J |]); exfalso.
+  - specialize (Near e I Ve). specialize (Near' d J Vd). lia.
+  - specialize (Near e I Ve). specialize (Far' d J Vd). lia.
+  - specialize (Far e I Ve). specialize (Near' d J Vd). lia.
+  - exact (NoneFirst d e _ _ _ _ _ once E F I J).
+Qed.
