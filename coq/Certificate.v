@@ -34,7 +34,7 @@ From Certet Require Stencil.CompatibilityCheckerProof.
 From Certet Require Stencil.CompatibilityProof.
 From Certet Require Stencil.LatticeCompatibilityProof.
 From Certet Require Stencil.OtherStencilsProof.
-From Certet Require Stencil.TriangleChecker Stencil.GappedStencilsProof.
+From Certet Require Stencil.TriangleChecker Stuffing.GappedStencilsProof.
 From Certet Require Stuffing.MeshProof Stuffing.OnceProof.
 From Certet Require Warp.WarpProof Warp.CutProof.
 From Certet Require Angles.ApexProof.
@@ -734,7 +734,7 @@ Corollary BisectedTetsNarrow :
           Bounded (4 * Steps) (Difference a c) /\
           Bounded (4 * Steps) (Difference a d)
       end.
-Proof. exact DomainProof.BisectedTetsNarrow. Qed.
+Proof. exact RangeProof.BisectedTetsNarrow. Qed.
 
 (** Cut in the middle, they have positive volume too, *)
 Corollary MidpointPositiveVolume :
@@ -754,4 +754,4 @@ Corollary MidpointTetsNarrow :
         Bounded (4 * Steps) (Difference a c) /\
         Bounded (4 * Steps) (Difference a d)
     end.
-Proof. exact DomainProof.MidpointTetsNarrow. Qed.
+Proof. exact RangeProof.MidpointTetsNarrow. Qed.

@@ -11,7 +11,7 @@ From Certet Require Import Stuffing.Stuffing Stuffing.Domain.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
 From Certet Require Import Angles.AdmissibleProof Angles.AngleTheorems.
 From Certet Require Import Angles.LatticeProof.
-From Certet Require Import Stuffing.NameProof Range.RangeSpec Range.RangeProof.
+From Certet Require Import Stuffing.NameProof Stuffing.VerticesProof.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -142,20 +142,6 @@ Theorem BisectedLatticePositive sign domain tid :
   Positive (WarpedTet EmbeddingThresholds sign (BisectedCuts domain) tid).
 Proof. exact (LatticePositive _ _ tid (BisectedOnEdges _ _)). Qed.
 
-Theorem BisectedTetsNarrow th sign domain : AtMostHalf th ->
-  forall tid t,
-    t = WarpedTet th sign (BisectedCuts domain) tid \/
-    In t (StuffedTets th sign (BisectedCuts domain) tid) ->
-    match t with
-      UT _ a b c d =>
-        Bounded (4 * Steps) (Difference a b) /\
-        Bounded (4 * Steps) (Difference a c) /\
-        Bounded (4 * Steps) (Difference a d)
-    end.
-Proof.
-  intros half tid t. exact (TetsNarrow _ _ _ half (BisectedOnEdges _ _) tid t).
-Qed.
-
 (** ** Cuts in the middle *)
 
 Theorem MidpointNeverWarps sign v :
@@ -165,17 +151,3 @@ Proof. exact (NeverWarped _ _ v (MidpointOnEdges _)). Qed.
 Theorem MidpointPositiveVolume sign tid t :
   In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts tid) -> Positive t.
 Proof. intros I. exact (WellShapedPositive _ _ (StuffedInOrOut sign tid t I)). Qed.
-
-Theorem MidpointTetsNarrow sign tid t :
-  t = WarpedTet NoWarpThresholds (Decided sign) MidpointCuts tid \/
-  In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts tid) ->
-  match t with
-    UT _ a b c d =>
-      Bounded (4 * Steps) (Difference a b) /\
-      Bounded (4 * Steps) (Difference a c) /\
-      Bounded (4 * Steps) (Difference a d)
-  end.
-Proof.
-  assert (half : AtMostHalf NoWarpThresholds) by (intros []; vm_compute; discriminate).
-  exact (TetsNarrow _ _ _ half (MidpointOnEdges _) tid t).
-Qed.
