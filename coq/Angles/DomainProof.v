@@ -41,8 +41,8 @@ Theorem BisectedCutsFind domain a b :
   let at_step s := domain (PointOnEdge a b s) in
   at_step t = OnSurface \/ at_step t = Plus /\ at_step (t + 1) = Minus.
 Proof.
-  intros inner outer. destruct (EdgeEnds a b) as [start end_].
-  unfold SampledSigns in *. rewrite <- start in inner. rewrite <- end_ in outer.
+  intros inner outer. destruct (EdgeEnds a b) as [start finish].
+  unfold SampledSigns in *. rewrite <- start in inner. rewrite <- finish in outer.
   exact (BisectFinds (fun s => domain (PointOnEdge a b s)) inner outer).
 Qed.
 
@@ -72,7 +72,6 @@ Proof.
     solve [exfalso; apply N; reflexivity | apply T, F; reflexivity].
 Qed.
 
-(** The least of the two thresholds. *)
 Lemma ThresholdPositive th k :
   th = AngleThresholds \/ th = EmbeddingThresholds -> 0 < ThresholdSteps th k.
 Proof. intros [-> | ->]; destruct k; reflexivity. Qed.
