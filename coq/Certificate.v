@@ -14,7 +14,8 @@ From Coq Require Import ZArith Reals List.
 (** What runs. *)
 From Certet Require Export Lattice.Coord3 Lattice.Direction.
 From Certet Require Export Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Export Warp.Cut Warp.Warp Stuffing.Stuffing.
+From Certet Require Export Warp.Cut Warp.Warp.
+From Certet Require Export Stuffing.Stuffing Stuffing.Domain.
 
 (** What is meant. *)
 From Certet Require Export Lattice.StructuredTetSpec Lattice.NeighborSpec.
@@ -27,15 +28,19 @@ From Certet Require Export Range.RangeSpec.
 
 (** Why it holds. *)
 From Certet Require Lattice.StructuredTetProof Lattice.NeighborProof.
+From Certet Require Lattice.FaceProof.
 From Certet Require Stencil.CompatibilityChecker.
 From Certet Require Stencil.CompatibilityCheckerProof.
 From Certet Require Stencil.CompatibilityProof.
 From Certet Require Stencil.LatticeCompatibilityProof.
 From Certet Require Stencil.OtherStencilsProof.
-From Certet Require Stuffing.MeshProof.
-From Certet Require Warp.WarpProof.
+From Certet Require Stencil.TriangleChecker Stuffing.GappedStencilsProof.
+From Certet Require Stuffing.MeshProof Stuffing.OnceProof.
+From Certet Require Warp.WarpProof Warp.CutProof.
+From Certet Require Angles.ApexProof.
 From Certet Require Angles.AngleTheorems Angles.LatticeProof.
 From Certet Require Angles.DegreesProof Angles.SharpnessProof.
+From Certet Require Angles.DomainProof Angles.DomainDegreesProof.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
@@ -160,6 +165,52 @@ Theorem HoledStencilsRejected :
   CompatibilityChecker.CheckCompatibility HoledStencils = false.
 Proof. exact OtherStencilsProof.HoledStencilsRejected. Qed.
 
+(** ** What compatible edges do not tell
+
+    [TwoEdgesCompatible] is the paper's definition.  It is about two edges that
+    are there, and says that they do not cross: not that they are the same, and
+    not that there are any.  What closes this gap is [FaceTriangulationsAgree],
+    further down: both sides of a face have the same triangles. *)
+
+(** Edges that overlap count as compatible: from a vertex to the cut on an edge,
+    and that edge as a whole. *)
+Theorem OverlapCompatible :
+  forall Vertex GetIntersection (f1 f2 f3 p q : Vertex),
+    TwoEdgesCompatible Vertex GetIntersection f1 f2 f3 p q
+      f1 (GetIntersection f1 f2) f1 f2.
+Proof. exact GappedStencilsProof.OverlapCompatible. Qed.
+
+(** Whatever is left out of compatible stencils, the rest is compatible; no
+    tetrahedra at all are. *)
+Theorem FewerStencilsCompatible :
+  forall T T' : StencilSet,
+    CompatibleStencils T ->
+    (forall Vertex GetSign GetIntersection v1 v2 v3 v4 t,
+       In t (T' Vertex GetSign GetIntersection v1 v2 v3 v4) ->
+       In t (T Vertex GetSign GetIntersection v1 v2 v3 v4)) ->
+    CompatibleStencils T'.
+Proof. exact GappedStencilsProof.FewerStencilsCompatible. Qed.
+
+(** So the paper's stencils less one tetrahedron, in one of the 81 patterns, are
+    compatible, *)
+Theorem GappedStencilsCompatible : CompatibleStencils GappedStencils.
+Proof. exact GappedStencilsProof.GappedStencilsCompatible. Qed.
+
+(** although they leave a hole: of a face with three + corners one side has the
+    triangle and the other has not. *)
+Theorem GappedStencilsLeaveHole :
+  exists (GetSign : MeshVertex -> Sign) (f1 f2 f3 p q : MeshVertex),
+    let T := GappedStencils MeshVertex GetSign MeshIntersection in
+    GetSign f1 = Plus /\ GetSign f2 = Plus /\ GetSign f3 = Plus /\
+    AmongTriangles (T f1 f2 f3 q) f1 f2 f3 /\
+    ~ AmongTriangles (T f1 f2 f3 p) f1 f2 f3.
+Proof. exact GappedStencilsProof.GappedStencilsLeaveHole. Qed.
+
+(** The checker of triangles, which the paper's stencils pass, says so. *)
+Theorem GappedStencilsRejected :
+  TriangleChecker.CheckSharedFaces GappedStencils = false.
+Proof. exact GappedStencilsProof.GappedStencilsRejected. Qed.
+
 (** ** Beyond the paper: the output is one mesh *)
 
 (** The neighbour's neighbour across the same face is the tetrahedron itself,
@@ -173,6 +224,40 @@ Theorem NeighborInvolution :
       NeighborAcross (GetStructuredTet nei) j = (tid, back_order) /\
       Undoes back_order order /\ Undoes order back_order.
 Proof. exact NeighborProof.NeighborInvolution. Qed.
+
+(** A face of the lattice belongs to exactly two structured tetrahedra: whoever
+    has its three vertices is the one or its neighbour there. *)
+Theorem FaceOfTwo :
+  forall (tid : StructuredTetId) (i : Place) (other : StructuredTetId),
+    InLattice tid -> InLattice other ->
+    (forall v, In v (FaceOf tid i) ->
+       exists j, v = VertexAt (GetStructuredTet other) j) <->
+    other = tid \/ other = NeighborOf tid i.
+Proof. exact FaceProof.FaceOfTwo. Qed.
+
+(** The two differ, *)
+Theorem NeighborApart :
+  forall (tid : StructuredTetId) (i : Place), NeighborOf tid i <> tid.
+Proof. exact FaceProof.NeighborApart. Qed.
+
+(** and lie on opposite sides of the face: with the vertices that they have off
+    it, its triangle makes volumes of opposite signs. *)
+Theorem FaceSides :
+  forall (tid : StructuredTetId) (i : Place),
+    let '(nei, order) := NeighborAcross (GetStructuredTet tid) i in
+    match FaceOf tid i with
+    | (a :: b :: c :: nil)%list =>
+        SixVolume a b c (VertexAt (GetStructuredTet tid) i)
+        * SixVolume a b c (LinedUpVertexAt order (GetStructuredTet nei) i) < 0
+    | _ => False
+    end.
+Proof. exact ApexProof.FaceSides. Qed.
+
+(** The neighbours of a tetrahedron in the lattice are in the lattice. *)
+Theorem NeighborInLattice :
+  forall (tid : StructuredTetId) (i : Place),
+    InLattice tid -> InLattice (NeighborOf tid i).
+Proof. exact FaceProof.NeighborInLattice. Qed.
 
 (** A tetrahedron of the output has a corner inside the domain, and none
     outside. *)
@@ -204,6 +289,21 @@ Theorem FaceTriangleOnce :
     t = u.
 Proof. exact MeshProof.FaceTriangleOnce. Qed.
 
+(** No tetrahedron is made twice within a structured one, *)
+Theorem StuffTetNoDup :
+  forall th sign cut tid, NoDup (StuffTet th sign cut tid).
+Proof. exact OnceProof.StuffTetNoDup. Qed.
+
+(** nor anywhere in the lattice: not even the same four corners in another
+    order. *)
+Theorem TetrahedraDiffer :
+  forall th sign cut tid other t u,
+    InLattice tid -> InLattice other ->
+    In t (StuffTet th sign cut tid) -> In u (StuffTet th sign cut other) ->
+    (forall v, In v (TetCorners t) -> In v (TetCorners u)) ->
+    tid = other /\ t = u.
+Proof. exact OnceProof.TetrahedraDiffer. Qed.
+
 (** A triangle of the output either has its three vertices on the surface, or
     belongs to another tetrahedron of the output as well, in the same structured
     tetrahedron or a face neighbour of it. *)
@@ -217,6 +317,67 @@ Theorem BoundaryOnSurface :
        (In u (StuffTet th sign cut tid) \/
         exists i, In u (StuffTet th sign cut (NeighborOf tid i)))).
 Proof. exact MeshProof.BoundaryOnSurface. Qed.
+
+(** ** Beyond the paper: where edges are cut
+
+    Read [Warp/Cut.v], and [Stuffing/Domain.v] for the two ways to cut. *)
+
+(** Bisection, of any signs and with any number of rounds, ends on the surface,
+    or between a point that is inside or the start, and one a step farther that
+    is outside or the end. *)
+Theorem BisectFromFinds :
+  forall sign rounds lo,
+    let t := BisectFrom sign rounds lo in
+    let hi := lo + 2 ^ Z.of_nat rounds in
+    lo <= t < hi /\
+    (sign t = OnSurface \/
+     (t = lo \/ sign t = Plus) /\ (t + 1 = hi \/ sign (t + 1) = Minus)).
+Proof. exact CutProof.BisectFromFinds. Qed.
+
+(** The cut of an edge lies on the edge, never at its - end; and at its + end
+    only if all sixteen points that are looked at are outside.  Such a cut does
+    not outlive warping: see [KeptCutsInside]. *)
+Theorem BisectOnEdge :
+  forall sign,
+    0 <= Bisect sign < Steps /\
+    (Bisect sign = 0 <->
+     forall k, (k < StepBits)%nat -> sign (2 ^ Z.of_nat k) = Minus).
+Proof. exact CutProof.BisectOnEdge. Qed.
+
+(** A domain that is + at one end of an edge and - at the other is cut on its
+    surface, or where it is + and is - one step farther. *)
+Theorem BisectedCutsFind :
+  forall domain a b,
+    SampledSigns domain a = Plus -> SampledSigns domain b = Minus ->
+    let t := BisectedCuts domain a b in
+    let at_step s := domain (PointOnEdge a b s) in
+    at_step t = OnSurface \/ at_step t = Plus /\ at_step (t + 1) = Minus.
+Proof. exact DomainProof.BisectedCutsFind. Qed.
+
+(** Whatever the signs, cuts found by bisection lie on their edges, which the
+    theorems on angles ask for, *)
+Theorem BisectedOnEdges :
+  forall sign domain, CutsOnEdges sign (BisectedCuts domain).
+Proof. exact DomainProof.BisectedOnEdges. Qed.
+
+(** and so do cuts in the middle. *)
+Theorem MidpointOnEdges : forall sign, CutsOnEdges sign MidpointCuts.
+Proof. exact DomainProof.MidpointOnEdges. Qed.
+
+(** A cut that is a vertex of the output lies strictly between a + end and a -
+    end. *)
+Theorem KeptCutsInside :
+  forall th sign cut tid t p m,
+    th = AngleThresholds \/ th = EmbeddingThresholds -> CutsOnEdges sign cut ->
+    In t (StuffTet th sign cut tid) -> In (Cut p m) (TetCorners t) ->
+    sign p = Plus /\ sign m = Minus /\ 0 < cut p m < Steps.
+Proof. exact DomainProof.KeptCutsInside. Qed.
+
+(** With cuts in the middle no vertex is warped. *)
+Theorem MidpointNeverWarps :
+  forall sign v,
+    WarpVertex NoWarpThresholds (Decided sign) MidpointCuts v = Stays.
+Proof. exact DomainProof.MidpointNeverWarps. Qed.
 
 (** ** Beyond the paper: the bounds on the dihedral angles
 
@@ -236,6 +397,26 @@ Theorem WarpIsCorrect :
           CutDistanceSquared cut d <= CutDistanceSquared cut e
     end.
 Proof. exact WarpProof.WarpIsCorrect. Qed.
+
+(** Of violating cuts that are equally near, the one whose direction comes first
+    in [AllDirections] wins. *)
+Theorem WarpNearest :
+  forall th sign neighbor_sign cut,
+    match Warp th sign neighbor_sign cut with
+    | Stays => forall d, Violates th sign neighbor_sign cut d = false
+    | Moves d t =>
+        t = cut d /\ Violates th sign neighbor_sign cut d = true /\
+        FirstNearest (Violates th sign neighbor_sign cut) cut AllDirections d
+    end.
+Proof. exact WarpProof.WarpNearest. Qed.
+
+(** No two directions can win, so nothing is left open. *)
+Theorem FirstNearestUnique :
+  forall violates cut d e,
+    violates d = true -> violates e = true ->
+    FirstNearest violates cut AllDirections d ->
+    FirstNearest violates cut AllDirections e -> d = e.
+Proof. exact WarpProof.FirstNearestUnique. Qed.
 
 (** What [Warp] leaves around any structured tetrahedron is admissible, for
     every domain. *)
@@ -340,6 +521,32 @@ Theorem BoundsAreSharp :
      (16144 / 100 <= DihedralDegrees p q r s)%R).
 Proof. exact SharpnessProof.BoundsAreSharp. Qed.
 
+(** The bounds for cuts in the middle are attained: the square of a cotangent is
+    3 at an acute angle, and 1 at an obtuse one; *)
+Theorem MidpointBoundsAttained :
+  (exists sign tid t p q r s,
+     In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts tid) /\
+     In (p, q, r, s) (DihedralEdges t) /\
+     0 < NormalsProduct p q r s /\
+     NormalsProduct p q r s ^ 2
+       = 3 * (SixVolume p q r s ^ 2 * EdgeSquared p q)) /\
+  (exists sign tid t p q r s,
+     In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts tid) /\
+     In (p, q, r, s) (DihedralEdges t) /\
+     NormalsProduct p q r s < 0 /\
+     NormalsProduct p q r s ^ 2 = SixVolume p q r s ^ 2 * EdgeSquared p q).
+Proof. exact DomainDegreesProof.MidpointBoundsAttained. Qed.
+
+(** these are 30 and 135 degrees. *)
+Theorem MidpointBoundsAreSharp :
+  (exists sign tid t p q r s,
+     In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts tid) /\
+     In (p, q, r, s) (DihedralEdges t) /\ (DihedralDegrees p q r s = 30)%R) /\
+  (exists sign tid t p q r s,
+     In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts tid) /\
+     In (p, q, r, s) (DihedralEdges t) /\ (DihedralDegrees p q r s = 135)%R).
+Proof. exact DomainDegreesProof.MidpointBoundsAreSharp. Qed.
+
 (** The case analysis behind the bounds: 14,717 configurations, 89,430 dihedral
     angles, enumerated from [GetUnstructuredTets]. *)
 Theorem ConfigurationsCounted :
@@ -437,3 +644,114 @@ Theorem TetsNarrow :
           Bounded (4 * Steps) (Difference a d)
       end.
 Proof. exact RangeProof.TetsNarrow. Qed.
+
+(** ** Beyond the paper: the product's own cuts
+
+    The theorems above that ask for cuts on edges, without asking: whatever the
+    domain, and whichever lattice points are taken as inside and outside. *)
+
+(** What warping leaves is admissible; *)
+Corollary BisectedWarpIsAdmissible :
+  forall th sign domain tid, AtMostHalf th ->
+    Admissible sign (WarpVertex th sign (BisectedCuts domain))
+      (BisectedCuts domain) th (Corners tid).
+Proof. exact DomainProof.BisectedWarpIsAdmissible. Qed.
+
+(** every tetrahedron has positive volume, *)
+Corollary BisectedPositiveVolume :
+  forall th sign domain tid t,
+    th = AngleThresholds \/ th = EmbeddingThresholds ->
+    In t (StuffedTets th sign (BisectedCuts domain) tid) -> Positive t.
+Proof. exact DomainProof.BisectedPositiveVolume. Qed.
+
+(** and dihedral angles within the bounds, as integers tell it, *)
+Corollary BisectedBounds :
+  forall sign domain tid t,
+    In t (StuffedTets AngleThresholds sign (BisectedCuts domain) tid) ->
+    WellShaped (AB (CotSq 221 8) (CotSq 1751 130)) t.
+Proof. exact DomainProof.BisectedBounds. Qed.
+
+Corollary BisectedBoundsEmbedding :
+  forall sign domain tid t,
+    In t (StuffedTets EmbeddingThresholds sign (BisectedCuts domain) tid) ->
+    WellShaped (AB (CotSq 563 15) (CotSq 80 9)) t.
+Proof. exact DomainProof.BisectedBoundsEmbedding. Qed.
+
+(** and in degrees; *)
+Corollary BisectedBoundsInDegrees :
+  forall sign domain tid t,
+    In t (StuffedTets AngleThresholds sign (BisectedCuts domain) tid) ->
+    WithinDegrees (1077 / 100) (16476 / 100) t.
+Proof. exact DomainDegreesProof.BisectedBoundsInDegrees. Qed.
+
+Corollary BisectedBoundsEmbeddingInDegrees :
+  forall sign domain tid t,
+    In t (StuffedTets EmbeddingThresholds sign (BisectedCuts domain) tid) ->
+    WithinDegrees (927 / 100) (16146 / 100) t.
+Proof. exact DomainDegreesProof.BisectedBoundsEmbeddingInDegrees. Qed.
+
+(** which bisected domains come as near to as [BoundsAreSharp] says, with the
+    signs of their own. *)
+Corollary BisectedBoundsAreSharp :
+  (exists domain tid t p q r s,
+     In t (StuffedTets AngleThresholds (SampledSigns domain)
+             (BisectedCuts domain) tid) /\
+     In (p, q, r, s) (DihedralEdges t) /\
+     (DihedralDegrees p q r s <= 1079 / 100)%R) /\
+  (exists domain tid t p q r s,
+     In t (StuffedTets AngleThresholds (SampledSigns domain)
+             (BisectedCuts domain) tid) /\
+     In (p, q, r, s) (DihedralEdges t) /\
+     (16474 / 100 <= DihedralDegrees p q r s)%R) /\
+  (exists domain tid t p q r s,
+     In t (StuffedTets EmbeddingThresholds (SampledSigns domain)
+             (BisectedCuts domain) tid) /\
+     In (p, q, r, s) (DihedralEdges t) /\
+     (DihedralDegrees p q r s <= 929 / 100)%R) /\
+  (exists domain tid t p q r s,
+     In t (StuffedTets EmbeddingThresholds (SampledSigns domain)
+             (BisectedCuts domain) tid) /\
+     In (p, q, r, s) (DihedralEdges t) /\
+     (16144 / 100 <= DihedralDegrees p q r s)%R).
+Proof. exact DomainDegreesProof.BisectedBoundsAreSharp. Qed.
+
+(** With the thresholds that embed, warping turns no structured tetrahedron
+    over. *)
+Corollary BisectedLatticePositive :
+  forall sign domain tid,
+    Positive (WarpedTet EmbeddingThresholds sign (BisectedCuts domain) tid).
+Proof. exact DomainProof.BisectedLatticePositive. Qed.
+
+(** All tetrahedra are narrow enough for [VolumesFit]. *)
+Corollary BisectedTetsNarrow :
+  forall th sign domain, AtMostHalf th ->
+    forall tid t,
+      t = WarpedTet th sign (BisectedCuts domain) tid \/
+      In t (StuffedTets th sign (BisectedCuts domain) tid) ->
+      match t with
+        UT _ a b c d =>
+          Bounded (4 * Steps) (Difference a b) /\
+          Bounded (4 * Steps) (Difference a c) /\
+          Bounded (4 * Steps) (Difference a d)
+      end.
+Proof. exact RangeProof.BisectedTetsNarrow. Qed.
+
+(** Cut in the middle, they have positive volume too, *)
+Corollary MidpointPositiveVolume :
+  forall sign tid t,
+    In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts tid) ->
+    Positive t.
+Proof. exact DomainProof.MidpointPositiveVolume. Qed.
+
+(** and are as narrow. *)
+Corollary MidpointTetsNarrow :
+  forall sign tid t,
+    t = WarpedTet NoWarpThresholds (Decided sign) MidpointCuts tid \/
+    In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts tid) ->
+    match t with
+      UT _ a b c d =>
+        Bounded (4 * Steps) (Difference a b) /\
+        Bounded (4 * Steps) (Difference a c) /\
+        Bounded (4 * Steps) (Difference a d)
+    end.
+Proof. exact RangeProof.MidpointTetsNarrow. Qed.

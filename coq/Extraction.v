@@ -9,7 +9,8 @@
 From Coq Require Import Extraction ExtrOcamlBasic.
 From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
+From Certet Require Import Warp.Cut Warp.Warp.
+From Certet Require Import Stuffing.Stuffing Stuffing.Domain.
 
 Extraction Language OCaml.
 
@@ -26,4 +27,6 @@ Extraction "certified.ml"
   AngleThresholds EmbeddingThresholds NoWarpThresholds ThresholdSteps
   Warp.Warp.Warp WarpedSign WarpedPosition
   (* the whole of it *)
-  MeshVertexSign MeshIntersection MeshPosition Orient WarpVertex StuffTet.
+  MeshVertexSign MeshIntersection MeshPosition Orient WarpVertex StuffTet
+  (* domains *)
+  SampledSigns BisectedCuts MidpointCuts Decided.

@@ -1061,3 +1061,25 @@ let stuffTet th sign0 cut = function
   map (orient (caseHandedness case))
     (getUnstructuredTets (meshVertexSign th sign0 cut) meshIntersection
       (Corner v1) (Corner v2) (Corner v3) (Corner v4))
+
+type positionSigns = coord3 -> sign
+
+(** val sampledSigns : positionSigns -> signField **)
+
+let sampledSigns domain v =
+  domain (scale steps v)
+
+(** val bisectedCuts : positionSigns -> cutField **)
+
+let bisectedCuts domain plus minus =
+  bisect (fun t -> domain (pointOnEdge plus minus t))
+
+(** val midpointCuts : cutField **)
+
+let midpointCuts _ _ =
+  midpointCut
+
+(** val decided : signField -> signField **)
+
+let decided sign0 v =
+  inOrOut (sign0 v)

@@ -250,3 +250,13 @@ val orient :
 val stuffTet :
   thresholds -> signField -> cutField -> structuredTetId -> meshVertex
   unstructuredTet list
+
+type positionSigns = coord3 -> sign
+
+val sampledSigns : positionSigns -> signField
+
+val bisectedCuts : positionSigns -> cutField
+
+val midpointCuts : cutField
+
+val decided : signField -> signField

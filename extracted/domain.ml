@@ -2,17 +2,10 @@ open Certified
 
 type t = { sign : signField; cut : cutField }
 
-let bisected position_sign plus minus =
-  bisect (fun t -> position_sign (pointOnEdge plus minus t))
-
-let midpoint { sign; _ } =
-  { sign = (fun v -> inOrOut (sign v)); cut = (fun _ _ -> midpointCut) }
+let midpoint { sign; _ } = { sign = decided sign; cut = midpointCuts }
 
 let of_position_sign position_sign =
-  {
-    sign = (fun v -> position_sign (scale steps v));
-    cut = bisected position_sign;
-  }
+  { sign = sampledSigns position_sign; cut = bisectedCuts position_sign }
 
 let remembered table key compute =
   match Hashtbl.find_opt table key with

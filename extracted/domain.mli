@@ -3,15 +3,13 @@
 
 type t = { sign : Certified.signField; cut : Certified.cutField }
 
-val bisected : (Certified.coord3 -> Certified.sign) -> Certified.cutField
-(** The cuts of the certificate's [Bisect], given the sign at any position in
-    steps. *)
-
 val midpoint : t -> t
-(** The domain with every edge cut in the middle, and its surface inside. *)
+(** The domain with every edge cut in the middle, and its surface inside: the
+    certificate's [Decided] and [MidpointCuts]. *)
 
-val of_position_sign : (Certified.coord3 -> Certified.sign) -> t
-(** A domain known by its sign at any position in steps. *)
+val of_position_sign : Certified.positionSigns -> t
+(** A domain known by its sign at any position in steps: the certificate's
+    [SampledSigns] and [BisectedCuts]. *)
 
 val within : Lattice.t -> t -> t
 (** The domain with everything outside but the inner points of the lattice, and

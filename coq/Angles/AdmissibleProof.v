@@ -3,7 +3,7 @@
 From Coq Require Import ZArith List Bool Lia.
 From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Warp.WarpSpec Warp.WarpProof.
+From Certet Require Import Warp.Cut Warp.Warp Warp.WarpProof.
 From Certet Require Import Stuffing.Stuffing Angles.Geometry Angles.AnglesSpec.
 Import ListNotations.
 Open Scope Z_scope.
@@ -42,7 +42,7 @@ Section Warped.
   Proof.
     pose proof (WarpIsCorrect th (sign v) (fun d => neighbor_sign v d)
                   (CutFrom sign cut v)) as C.
-    unfold WarpCorrect in C. unfold WarpVertex.
+    unfold WarpVertex.
     destruct (Warp _ _ _ _); [exact C|].
     destruct C as (T & V & _). split; assumption.
   Qed.

@@ -1,13 +1,14 @@
 (** * Domains that come near the bounds
 
-    Four small domains, given by the signs of a few lattice vertices and the
-    cuts of a few edges; all other vertices lie on the surface, where nothing
-    happens, and all other cuts at their edges' middles. *)
+    Small domains, given by the signs of a few lattice vertices and the cuts of
+    a few edges; all other vertices lie on the surface, where nothing happens,
+    and all other cuts at their edges' middles. *)
 
 From Coq Require Import ZArith List Bool.
 From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
 From Certet Require Import Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
+From Certet Require Import Stuffing.Domain.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
 Import ListNotations.
 Open Scope Z_scope.
@@ -59,6 +60,50 @@ Definition LargeAngleSigns_64_105 : SignField :=
 Definition LargeAngleCuts_64_105 : CutField :=
   CutTable [(C3 2 2 2, C3 2 4 2, 16383); (C3 1 3 1, C3 2 2 0, 26879);
             (C3 1 3 3, C3 2 2 4, 26879)].
+
+(** ** The same, known by the sign at every position *)
+
+(** How many steps from [a] a position lies on the edge from [a] to [b], if it
+    does. *)
+Definition StepOnEdge (a b position : Coord3) : option Z :=
+  let edge := Difference a b in
+  let t := Dot (Difference (Scale Steps a) position) edge / Dot edge edge in
+  if (0 <=? t) && (t <=? Steps) && Coord3Equal (PointOnEdge a b t) position
+  then Some t else None.
+
+(** Inside up to the cut and outside beyond, on the edges of a table; elsewhere
+    on the surface, but for the lattice points of another. *)
+Fixpoint DomainTable (points : list (Coord3 * Sign)) (cuts : list (Coord3 * Coord3 * Z))
+  (position : Coord3) : Sign :=
+  match cuts with
+  | [] => SignTable (map (fun e => (Scale Steps (fst e), snd e)) points) position
+  | (a, b, cut) :: rest =>
+      match StepOnEdge a b position with
+      | Some t => if t <=? cut then Plus else Minus
+      | None => DomainTable points rest position
+      end
+  end.
+
+Definition SmallAngleDomain (warped long short : Z) : PositionSigns :=
+  DomainTable [] [(C3 1 3 1, C3 2 2 2, Steps - warped);
+                  (C3 1 3 1, C3 1 3 3, long); (C3 0 2 2, C3 1 3 3, short)].
+
+Definition LargeAngleDomain_73_102 : PositionSigns :=
+  DomainTable [(C3 0 2 2, Plus)]
+    [(C3 2 2 2, C3 2 4 2, 18687); (C3 1 3 1, C3 1 1 1, 18687);
+     (C3 1 3 3, C3 1 1 3, 18687)].
+
+Definition LargeAngleDomain_64_105 : PositionSigns :=
+  DomainTable [(C3 0 2 2, Plus)]
+    [(C3 2 2 2, C3 2 4 2, 16383); (C3 1 3 1, C3 2 2 0, 26879);
+     (C3 1 3 3, C3 2 2 4, 26879)].
+
+(** Both angles that cuts in the middle can make: an even edge inside, an odd
+    edge outside. *)
+Definition MidpointSigns : SignField :=
+  SignTable [(C3 0 2 2, Plus); (C3 2 2 2, Plus); (C3 1 3 1, Minus); (C3 1 3 3, Minus)].
+
+(** ** What they show *)
 
 (** An acute angle whose cotangent's square is at least the fraction; an
     obtuse one likewise. *)

@@ -3,7 +3,7 @@
     The four vertices, faces and neighbours of a structured tetrahedron, each
     picked by its place, so that a statement need not be made four times. *)
 
-From Coq Require Import List.
+From Coq Require Import ZArith List.
 From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
 Import ListNotations.
 
@@ -50,3 +50,11 @@ Definition LinedUpVertexAt (order : VertexOrder) (t : StructuredTet) (i : Place)
 Definition Undoes (o' o : VertexOrder) : Prop :=
   forall a b c d : Coord3,
     (let '(a', b', c', d') := o a b c d in o' a' b' c' d') = (a, b, c, d).
+
+(** Identifiers in use have an even reference point.  With an odd one, which
+    [GetStructuredTet] takes as well, every tetrahedron has a second name. *)
+Definition IsEven (p : Coord3) : Prop :=
+  match p with C3 x y z => Z.Even x /\ Z.Even y /\ Z.Even z end.
+
+Definition InLattice (tid : StructuredTetId) : Prop :=
+  match tid with STId anchor _ => IsEven anchor end.

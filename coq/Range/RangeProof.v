@@ -5,9 +5,10 @@ From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
 From Certet Require Import Stencil.StencilSet Stencil.TriangleSpec.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Stuffing.NameProof.
+From Certet Require Import Stuffing.NameProof Stuffing.VerticesProof.
+From Certet Require Import Stuffing.Domain.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.AdmissibleProof.
+From Certet Require Import Angles.AdmissibleProof Angles.DomainProof.
 From Certet Require Import Range.RangeSpec.
 Import ListNotations.
 Open Scope Z_scope.
@@ -187,28 +188,6 @@ Proof.
     repeat (destruct I as [<- | I]; [destruct k; cbn [Along]; lia|]); destruct I.
 Qed.
 
-(** What the stencils are made of. *)
-Lemma StencilVertices (sign : MeshVertex -> Sign) v1 v2 v3 v4 t m :
-  In t (GetUnstructuredTets MeshVertex sign MeshIntersection
-          (Corner v1) (Corner v2) (Corner v3) (Corner v4)) ->
-  In m (TetCorners t) ->
-  (exists v, In v [v1; v2; v3; v4] /\ m = Corner v) \/
-  (exists p q, In p [v1; v2; v3; v4] /\ In q [v1; v2; v3; v4] /\
-     sign (Corner p) = Plus /\ sign (Corner q) = Minus /\ m = Cut p q).
-Proof.
-  unfold GetUnstructuredTets. intros I J.
-  destruct (sign (Corner v1)) eqn:S1, (sign (Corner v2)) eqn:S2,
-    (sign (Corner v3)) eqn:S3, (sign (Corner v4)) eqn:S4;
-    cbn [In MeshIntersection] in I;
-    repeat (destruct I as [<- | I]); try contradiction;
-    cbn [In TetCorners] in J;
-    repeat (destruct J as [<- | J]); try contradiction;
-    (left; eexists; split; [|reflexivity]; cbn [In]; tauto) ||
-    (right;
-     refine (ex_intro _ _ (ex_intro _ _ (conj _ (conj _ (conj _ (conj _ eq_refl))))));
-     first [assumption | cbn [In]; tauto]).
-Qed.
-
 Section Narrow.
   Variables (th : Thresholds) (sign : SignField) (cut : CutField).
   Hypothesis Hhalf : AtMostHalf th.
@@ -249,13 +228,6 @@ Section Narrow.
     assert (0 <= (Steps - cut p q) * (Least tid k + 2 - Along k p)) by nia.
     assert (0 <= cut p q * (Least tid k + 2 - Along k q)) by nia.
     rewrite StepsIs in *. nia.
-  Qed.
-
-  Lemma SignBefore v s :
-    MeshVertexSign th sign cut (Corner v) = s -> s <> OnSurface -> sign v = s.
-  Proof.
-    cbn [MeshVertexSign]. destruct (WarpVertex th sign cut v); cbn [WarpedSign];
-      congruence.
   Qed.
 
   Lemma StuffedNear t m :
@@ -307,6 +279,34 @@ Section Narrow.
       repeat split; apply NearNarrow; apply (N _ I); cbn [In TetCorners]; tauto.
   Qed.
 End Narrow.
+
+Theorem BisectedTetsNarrow th sign domain : AtMostHalf th ->
+  forall tid t,
+    t = WarpedTet th sign (BisectedCuts domain) tid \/
+    In t (StuffedTets th sign (BisectedCuts domain) tid) ->
+    match t with
+      UT _ a b c d =>
+        Bounded (4 * Steps) (Difference a b) /\
+        Bounded (4 * Steps) (Difference a c) /\
+        Bounded (4 * Steps) (Difference a d)
+    end.
+Proof.
+  intros half tid t. exact (TetsNarrow _ _ _ half (BisectedOnEdges _ _) tid t).
+Qed.
+
+Theorem MidpointTetsNarrow sign tid t :
+  t = WarpedTet NoWarpThresholds (Decided sign) MidpointCuts tid \/
+  In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts tid) ->
+  match t with
+    UT _ a b c d =>
+      Bounded (4 * Steps) (Difference a b) /\
+      Bounded (4 * Steps) (Difference a c) /\
+      Bounded (4 * Steps) (Difference a d)
+  end.
+Proof.
+  assert (half : AtMostHalf NoWarpThresholds) by (intros []; vm_compute; discriminate).
+  exact (TetsNarrow _ _ _ half (MidpointOnEdges _) tid t).
+Qed.
 
 (** ** The door *)
 

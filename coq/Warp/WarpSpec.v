@@ -1,20 +1,19 @@
-(** * What [Warp] promises
+(** * Which cut [Warp] chooses
 
-    A vertex stays only if nothing violates it, and moves only to a violating
-    cut that no other violating cut is nearer than.  Section 2 of Labelle and
-    Shewchuk's algorithm, as the paper uses it. *)
+    Of the violating cuts the nearest, and of those equally near the first.
+    Section 2 of Labelle and Shewchuk's algorithm, as the paper uses it; the
+    order is this product's own. *)
 
-From Coq Require Import ZArith.
-From Certet Require Import Lattice.Direction Stencil.UnstructuredTet.
-From Certet Require Import Warp.Warp.
+From Coq Require Import ZArith List.
+From Certet Require Import Lattice.Direction Warp.Warp.
 Open Scope Z_scope.
 
-Definition WarpCorrect (th : Thresholds) (sign : Sign)
-  (neighbor_sign : Direction -> Sign) (cut : Direction -> Z) : Prop :=
-  match Warp th sign neighbor_sign cut with
-  | Stays => forall d, Violates th sign neighbor_sign cut d = false
-  | Moves d t =>
-      t = cut d /\ Violates th sign neighbor_sign cut d = true /\
-      forall e, Violates th sign neighbor_sign cut e = true ->
-        CutDistanceSquared cut d <= CutDistanceSquared cut e
-  end.
+(** Among the directions of a list that violate, [d] is the first of the
+    nearest: those before it are farther, those after it no nearer. *)
+Definition FirstNearest (violates : Direction -> bool) (cut : Direction -> Z)
+  (directions : list Direction) (d : Direction) : Prop :=
+  exists earlier later, directions = (earlier ++ d :: later)%list /\
+    (forall e, In e earlier -> violates e = true ->
+       CutDistanceSquared cut d < CutDistanceSquared cut e) /\
+    (forall e, In e later -> violates e = true ->
+       CutDistanceSquared cut d <= CutDistanceSquared cut e).

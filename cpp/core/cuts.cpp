@@ -8,7 +8,7 @@
 namespace certet::core {
 namespace {
 
-static_assert(step_bits == 16, "cuts are kept in 16 bits: 0 <= cut < steps");
+static_assert(step_bits == 16, "cuts are kept in 16 bits: 0 <= cut < steps, as BisectOnEdge says");
 
 /// Bisects many edges in lockstep, so that the domain sees long batches and the
 /// loops vectorise.

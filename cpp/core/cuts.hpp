@@ -30,8 +30,9 @@ struct CutLayer {
   }
 };
 
-/// Where every cut edge of a window is cut: `Bisect` or `MidpointCut` of the
-/// certificate.  `planes` have one layer more, unless the lattice ends there.
+/// Where every cut edge of a window is cut: `BisectedCuts` or `MidpointCuts` of the
+/// certificate, which lie on their edges whatever the domain answers.  `planes` have
+/// one layer more, unless the lattice ends there.
 Layers<CutLayer> find_cuts(const SignPlanes& planes, const Domain& domain, const Lattice& lattice,
                            Window window, Cuts cuts, Context& context);
 

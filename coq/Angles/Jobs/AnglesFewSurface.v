@@ -9,4 +9,4 @@ Open Scope Z_scope.
 Lemma AnglesFewSurface :
   CheckRepresentatives GetUnstructuredTets WidestAngles (RangesOf AngleThresholds)
     (fun n => n <? 3) = true.
-Proof. vm_compute. reflexivity. Qed.
+Proof. vm_cast_no_check (eq_refl true). Qed.

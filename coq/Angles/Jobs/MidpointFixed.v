@@ -13,4 +13,4 @@ Definition MidpointRanges : Ranges := {|
 
 Lemma MidpointFixed :
   CheckRepresentatives GetUnstructuredTets MidpointAngles MidpointRanges (fun n => n =? 0) = true.
-Proof. vm_compute. reflexivity. Qed.
+Proof. vm_cast_no_check (eq_refl true). Qed.
