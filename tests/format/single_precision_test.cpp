@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <utility>
 
 #include "expect_error.hpp"
 #include "formats/single_precision.hpp"
@@ -114,6 +116,28 @@ TEST(SinglePrecision, OnlyStlHasIt) {
                      "turned; .ply holds it",
                      [&] { test::write(folder / "far.stl", tetrahedron(1e9)); });
   EXPECT_EQ(folder.names(), names);
+}
+
+/// In text the shortest number that reads back the same, in binary the double itself.
+TEST(SinglePrecision, AllOthersHaveDoubles) {
+  const test::ScratchFolder folder;
+  const double number = 0.1 + 0.2;
+  test::SampleMesh mesh = tetrahedron(0);
+  mesh.points[3][2] = number;
+  std::string bytes(sizeof number, '\0');
+  std::memcpy(bytes.data(), &number, sizeof number);
+  for (const auto& [format, file] :
+       {std::pair(Format::medit, "a.mesh"), {Format::gmsh22, "a.msh"}, {Format::abaqus, "a.inp"},
+        {Format::febio, "a.feb"}, {Format::tetgen, "a.node"}}) {
+    test::write_as(folder / file, format, mesh);
+    EXPECT_NE(test::bytes_of(folder / file).find("0.30000000000000004"), std::string::npos) << file;
+  }
+  for (const auto& [format, file] :
+       {std::pair(Format::vtu, "a.vtu"), {Format::medit_binary, "a.meshb"},
+        {Format::gmsh, "b.msh"}, {Format::ply, "a.ply"}}) {
+    test::write_as(folder / file, format, mesh);
+    EXPECT_NE(test::bytes_of(folder / file).find(bytes), std::string::npos) << file;
+  }
 }
 
 TEST(MoveToZero, IsExactAndTold) {

@@ -42,7 +42,9 @@ void judge_angles(CheckedFile& checked) {
     if (!defect.empty()) report.failures.push_back(std::move(defect));
   };
   judge(checked.asked, "--min-angle and --max-angle");
-  if (checked.run) judge(checked.run->bounds, "theorem " + std::string(checked.run->bounds.theorem));
+  if (!checked.run) return;
+  const AngleBounds& proven = checked.run->bounds;
+  judge(proven, "theorem " + std::string(proven.theorem));
 }
 
 void judge_options(const CheckOptions& options) {
