@@ -11,10 +11,10 @@ namespace certet::command {
 namespace {
 
 constexpr const char* footer = R"(
-Exit status: 0 all is well; 1 `check` found a defect; 2 wrong usage; 3 an input
-that cannot be read; 4 nothing is inside; 5 too large for the memory or the
-coordinate range; 6 an output cannot be written; 7 a mesh outside its proven
-bounds (not written); 130 interrupted.  A run that fails says why in one sentence
+Exit status: 0 all is well; 1 `check` or `report` found a defect; 2 wrong usage; 3 an
+input that cannot be read; 4 nothing is inside; 5 too large for the memory or the
+coordinate range; 6 an output cannot be written, or its numbers cannot hold the mesh;
+7 a mesh outside its proven bounds (not written); 130 interrupted.  A run that fails says why in one sentence
 on stderr and leaves no output.)";
 
 /// CLI11 may say more than one sentence; the first line is the cause.

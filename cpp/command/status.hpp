@@ -14,7 +14,7 @@ enum class Status {
   bad_input = 3,         ///< an input that cannot be read
   empty = 4,             ///< nothing is inside: no mesh
   too_large = 5,         ///< beyond memory or the coordinate range
-  write_failed = 6,      ///< an output cannot be written
+  write_failed = 6,      ///< an output cannot be written, or cannot hold the mesh
   guarantee_broken = 7,  ///< a mesh outside its proven bounds (not written)
   interrupted = 130,
 };

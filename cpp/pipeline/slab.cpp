@@ -64,11 +64,13 @@ Findings TetSlab<Index>::make_layer(Source& source, const PointSlab& points, std
                           });
   Findings found;
   found.lattice = lattice.result();
-  if (points.has_world())
-    found.world = measure_world(points.world(stuffing, layer, behind), first_point, made,
-                                Histogram::empty);
-  found.checksum.tets(first_tet, made);
-  found.checksum.points(first_point, points.steps(stuffing, layer, layer + 1));
+  if (points.has_world()) {
+    const std::span<const Point3> world = points.world(stuffing, layer, behind);
+    found.world = measure_world(world, first_point, made, Histogram::empty);
+    found.coincident_points = count_coincident(world);
+  }
+  found.tets.tets(first_tet, made);
+  found.points.points(first_point, points.steps(stuffing, layer, layer + 1));
   return found;
 }
 

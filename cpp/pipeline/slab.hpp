@@ -58,7 +58,8 @@ class PointSlab {
 /// What is found in a layer of tetrahedra.
 struct Findings {
   Quality lattice, world;
-  Checksum checksum;
+  std::uint64_t coincident_points = 0;  ///< of those of the layer and the one behind it
+  Checksum points, tets;
 };
 
 /// Tetrahedra of some layers, and their labels.

@@ -5,6 +5,7 @@
 #include <new>
 #include <vector>
 
+#include "certet/checksum.hpp"
 #include "certet/error.hpp"
 #include "core/parallel.hpp"
 #include "slab.hpp"
@@ -52,12 +53,15 @@ void write_and_make(Layers layers, Context& context, const WriteBefore& write_be
   });
 }
 
-void write_points(Source& source, const Slabs& slabs, std::array<PointSlab, 2>& store,
-                  MeshWriter& writer, Context& context) {
+/// \returns the checksum of the points as the file has them.
+Checksum write_points(Source& source, const Slabs& slabs, std::array<PointSlab, 2>& store,
+                      MeshWriter& writer, Context& context) {
+  const Stuffing& stuffing = source.stuffing;
+  std::vector<Checksum> layers(static_cast<std::size_t>(stuffing.layers()));
   const auto write = [&](std::size_t s) {
     const Timer timer(source.writing);
     const auto [begin, end] = layers_of(slabs, s);
-    writer.points(store[s % 2].world(source.stuffing, begin, end));
+    writer.points(store[s % 2].world(stuffing, begin, end));
   };
   const std::size_t count = slabs.bounds.size() - 1;
   for (std::size_t s = 0; s < count; ++s) {
@@ -65,18 +69,25 @@ void write_points(Source& source, const Slabs& slabs, std::array<PointSlab, 2>& 
     slab.open(source, slabs.bounds[s]);
     write_and_make(
         layers_of(slabs, s), context, [&] { if (s > 0) write(s - 1); },
-        [&](std::int32_t layer) { slab.make_layer(source, layer); });
+        [&](std::int32_t layer) {
+          slab.make_layer(source, layer);
+          layers[static_cast<std::size_t>(layer)].points(stuffing.first_point(layer),
+                                                         slab.world(stuffing, layer, layer + 1));
+        });
   }
   write(count - 1);
+  Checksum checksum;
+  for (const Checksum& layer : layers) checksum += layer;
+  return checksum;
 }
 
 template <class Index>
-void write_tets(Source& source, const Slabs& slabs, PointSlab& points, MeshWriter& writer,
-                Context& context, WrittenMesh& written) {
+void write_tets(Source& source, const Slabs& slabs, PointSlab& points, Checksum placed,
+                MeshWriter& writer, Context& context, WrittenMesh& written) {
   const bool labels = static_cast<bool>(source.labeller);
   std::array<TetSlab<Index>, 2> store{TetSlab<Index>(slabs.tets, labels),
                                       TetSlab<Index>(slabs.tets, labels)};
-  Checksum checksum;
+  Checksum checksum, tets;
   const auto write = [&](std::size_t s) {
     const auto [begin, end] = layers_of(slabs, s);
     store[s % 2].write(source, begin, end, writer);
@@ -101,11 +112,14 @@ void write_tets(Source& source, const Slabs& slabs, PointSlab& points, MeshWrite
     for (const Findings& layer : found) {
       written.lattice += layer.lattice;
       written.world += layer.world;
-      checksum += layer.checksum;
+      written.coincident_points += layer.coincident_points;
+      checksum += layer.points;
+      tets += layer.tets;
     }
   }
   write(count - 1);
-  written.checksum = checksum.value();
+  written.checksum = (checksum += tets).value();
+  written.file_checksum = (placed += tets).value();
 }
 
 /// The greatest magnitude of a coordinate of the lattice, in lattice units.
@@ -115,36 +129,24 @@ std::int32_t reach(const Lattice& lattice) {
   return std::max({-low.x, -low.y, -low.z, high.x, high.y, high.z});
 }
 
-/// Whether rounding to world coordinates could turn an angle by 1e-6 degrees.
-/// Points moved by 1e-11 long edges turn a face by less than that as long as its
-/// altitudes are above a 250th of a long edge; the least that random sign fields
-/// lead to is an eighth.
-bool rounding_matters(const Frame& frame, const Lattice& lattice) {
-  return !frame.is_rotation(1e-12) || !(frame.rounding(reach(lattice)) <= 1e-11);
-}
-
-/// A similarity transform changes nothing but the volume.
-Quality in_world(Quality lattice, const Frame& frame) {
-  lattice.volume *= frame.size * frame.size * frame.size;
-  lattice.histogram.fill(0);
-  return lattice;
-}
-
-void write_points(Source& source, const Slabs& slabs, MeshWriter& writer, Context& context) {
+Checksum write_points(Source& source, const Slabs& slabs, MeshWriter& writer,
+                      Context& context) {
   std::array<PointSlab, 2> points{PointSlab(slabs.points, true), PointSlab(slabs.points, true)};
-  write_points(source, slabs, points, writer, context);
+  return write_points(source, slabs, points, writer, context);
 }
 
 WrittenMesh write_all(Source& source, const Slabs& slabs, MeshWriter& writer, Context& context) {
   WrittenMesh written;
-  write_points(source, slabs, writer, context);
-  const bool rounds = rounding_matters(source.frame, source.stuffing.lattice());
+  const Checksum placed = write_points(source, slabs, writer, context);
+  const std::int32_t farthest = reach(source.stuffing.lattice());
+  const bool rounds = rounding_matters(source.frame, farthest);
   PointSlab points(slabs.points, rounds);
   if (fits_32_bits(source.stuffing))
-    write_tets<std::uint32_t>(source, slabs, points, writer, context, written);
+    write_tets<std::uint32_t>(source, slabs, points, placed, writer, context, written);
   else
-    write_tets<std::uint64_t>(source, slabs, points, writer, context, written);
-  if (!rounds) written.world = in_world(written.lattice, source.frame);
+    write_tets<std::uint64_t>(source, slabs, points, placed, writer, context, written);
+  if (!rounds) written.world = similar(written.lattice, source.frame);
+  written.rounding = angle_rounding(source.frame, farthest, written.lattice);
   written.emit_seconds = pipeline::seconds(source.emitting);
   written.measure_seconds = pipeline::seconds(source.measuring);
   written.write_seconds = pipeline::seconds(source.writing);

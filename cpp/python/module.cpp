@@ -13,7 +13,7 @@
 #include "certet/checksum.hpp"
 #include "certet/error.hpp"
 #include "certet/image.hpp"
-#include "certet/quality.hpp"
+#include "certet/placed_quality.hpp"
 #include "certet/surface.hpp"
 #include "domains.hpp"
 #include "run.hpp"
@@ -166,18 +166,12 @@ std::shared_ptr<PythonMesh> mesh_surface(
 
 py::dict quality_of(const PythonMesh& mesh) {
   const AngleBounds bounds = proven_bounds(mesh.cuts, mesh.guarantee);
-  Quality lattice, world;
+  PlacedQuality placed;
   {
     const py::gil_scoped_release unlocked;
-    std::visit(
-        [&](const auto& tets) {
-          using Index = std::remove_cvref_t<decltype(tets[0][0])>;
-          const std::span<const Tet<Index>> all = tets;
-          lattice = measure_lattice(mesh.mesh.points, 0, all);
-          world = measure_world(mesh.world, 0, all);
-        },
-        mesh.mesh.tets);
+    placed = measure_placed(mesh.mesh, mesh.world);
   }
+  const auto& [lattice, world, rounding, coincident_points] = placed;
   py::dict result;
   result["tets"] = lattice.tets;
   result["volume"] = world.volume;
@@ -187,7 +181,7 @@ py::dict quality_of(const PythonMesh& mesh) {
   result["theorem"] = std::string(bounds.theorem);
   result["proven_min"] = bounds.min_dihedral;
   result["proven_max"] = bounds.max_dihedral;
-  result["holds"] = within(lattice, bounds, 1e-6) && within(world, bounds, 1e-6);
+  result["holds"] = judge(placed, bounds) == Standing::within;
   return result;
 }
 

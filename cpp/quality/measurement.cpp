@@ -32,6 +32,7 @@ void Measurement::add_ordinary(const TetBlock& block) {
   const auto lesser = [](double a, double b) { return a < b ? a : b; };
   greatest_ = greater(greatest_, folded(block.greatest, greater));
   least_ = lesser(least_, folded(block.least, lesser));
+  quality_.least_face = lesser(quality_.least_face, folded(block.least_face, lesser));
 }
 
 void Measurement::count_angles(TetBlock& block, std::size_t count, const Copies& counted) {

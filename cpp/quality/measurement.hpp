@@ -63,6 +63,8 @@ void Measurement::add(TetBlock& block, std::size_t count, const Copies& copies,
   }
   Copies counted{};
   for (std::size_t i = 0; i < count; ++i) {
+    if (block.in_range(i))
+      quality_.least_face = std::min(quality_.least_face, block.least_face[i]);
     if (!positive(i))
       quality_.nonpositive += copies[i];
     else if (!block.in_range(i))

@@ -44,6 +44,7 @@ Quality& Quality::operator+=(const Quality& other) {
                                      : quality::long_edges_cubed(steps_volume);
   sharpest = std::max(sharpest, other.sharpest);
   bluntest = std::min(bluntest, other.bluntest);
+  least_face = std::min(least_face, other.least_face);
   quality::set_extremes(*this);
   return *this;
 }

@@ -49,6 +49,17 @@ class Skeleton {
   std::string done_;
 };
 
+/// Adds what the facts have against the mesh.
+void judge(const PageFacts& facts, CheckReport& report) {
+  report.failures.insert(report.failures.end(), facts.defects.begin(), facts.defects.end());
+  if (facts.bounds.size() != 1) return;
+  const AngleBounds& bounds = facts.bounds.front();
+  std::string defect = angle_defect(
+      report.quality, bounds,
+      facts.is_of_run ? "theorem " + std::string(bounds.theorem) : "a mesh made as it is said");
+  if (!defect.empty()) report.failures.push_back(std::move(defect));
+}
+
 }  // namespace
 
 bool can_view_pages() { return !three_library().empty(); }
@@ -57,6 +68,7 @@ Page make_page(const FileMesh& mesh, const PageFacts& facts) {
   // The two take about the same time, and neither changes the mesh.
   auto looking = std::async(std::launch::async, [&mesh] { return look_at(mesh); });
   Page page{{}, check(mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets))};
+  judge(facts, page.report);
   const Look look = looking.get();
   const Scene* scene = look.scene ? &*look.scene : nullptr;
   Skeleton html;
@@ -67,7 +79,7 @@ Page make_page(const FileMesh& mesh, const PageFacts& facts) {
   html.fill("view", scene ? view_text(look.regions) : no_view_text());
   html.fill("view_note", scene ? view_note(*scene, page.report) : "");
   html.fill("counts", counts_text(page.report, look.shapes));
-  html.fill("facts", facts_text(facts));
+  html.fill("facts", facts_text(facts, page.report));
   html.fill("histograms", histograms_text(page.report, look.shapes, facts));
   html.fill("regions", regions_text(look.regions, !mesh.labels.empty()));
   html.fill("data", scene ? data_text(*scene, look.regions) : "");

@@ -45,7 +45,13 @@ std::string degrees(double angle) {
   return shortened(std::round(angle * 1000) / 1000, 7) + "°";
 }
 
-std::string bounds_sentence(const PageFacts& facts) {
+/// Whether a theorem is known to cover the mesh: it was made under one, and nothing that
+/// was found since speaks against it.
+bool is_covered(const PageFacts& facts, const CheckReport& report) {
+  return facts.is_of_run && facts.bounds.size() == 1 && report.failures.empty();
+}
+
+std::string bounds_sentence(const PageFacts& facts, const CheckReport& report) {
   if (facts.bounds.empty()) return "";
   if (facts.bounds.size() > 1) {
     std::string list;
@@ -56,8 +62,13 @@ std::string bounds_sentence(const PageFacts& facts) {
            "of the three: " + list + ".";
   }
   const AngleBounds& b = facts.bounds.front();
+  const std::string range =
+      shortened(b.min_dihedral) + "° to " + shortened(b.max_dihedral) + "°";
+  if (!is_covered(facts, report))
+    return "The lines are at " + range + ", the bounds of a mesh made as this one is said to be; "
+           "that they cover this file is not known.";
   return "The lines are the bounds of the theorem <code>" + escaped(b.theorem) + "</code>: " +
-         shortened(b.min_dihedral) + "° to " + shortened(b.max_dihedral) + "°.";
+         range + ".";
 }
 
 std::string figure(const Histogram& histogram, const std::string& note) {
@@ -65,12 +76,12 @@ std::string figure(const Histogram& histogram, const std::string& note) {
          note + "</p></figure>\n";
 }
 
-std::string dihedral_figure(const Quality& quality, const PageFacts& facts) {
-  Histogram h{"dihedral", "Dihedral angles", quality.histogram, 0, 180, "°", 30, {}};
+std::string dihedral_figure(const CheckReport& report, const PageFacts& facts) {
+  Histogram h{"dihedral", "Dihedral angles", report.quality.histogram, 0, 180, "°", 30, {}};
   for (const AngleBounds& b : facts.bounds)
     for (const double at : {b.min_dihedral, b.max_dihedral})
       h.marks.push_back({at, facts.bounds.size() == 1});
-  return figure(h, "All six angles of each tetrahedron. " + bounds_sentence(facts));
+  return figure(h, "All six angles of each tetrahedron. " + bounds_sentence(facts, report));
 }
 
 std::string aspect_figure(const ShapeSurvey& shapes) {
@@ -169,9 +180,14 @@ std::string view_note(const Scene& scene, const CheckReport& report) {
          " in all, only those on the surface or beside such a place are in this page.</p>";
 }
 
-std::string facts_text(const PageFacts& facts) {
+std::string facts_text(const PageFacts& facts, const CheckReport& report) {
   std::string text = "<table>";
   for (const PageRow& fact : facts.rows) text += row(escaped(fact.title), escaped(fact.text));
+  if (is_covered(facts, report)) {
+    const AngleBounds& b = facts.bounds.front();
+    text += row("proven", shortened(b.min_dihedral) + "° to " + shortened(b.max_dihedral) + "°, " +
+                              escaped(b.theorem));
+  }
   return text + "</table>";
 }
 
@@ -193,7 +209,7 @@ std::string counts_text(const CheckReport& report, const ShapeSurvey& shapes) {
 
 std::string histograms_text(const CheckReport& report, const ShapeSurvey& shapes,
                             const PageFacts& facts) {
-  return dihedral_figure(report.quality, facts) + aspect_figure(shapes) + edge_figure(shapes);
+  return dihedral_figure(report, facts) + aspect_figure(shapes) + edge_figure(shapes);
 }
 
 std::string regions_text(const Regions& regions, bool labelled) {

@@ -19,7 +19,8 @@ std::string view_text(const Regions& regions);
 std::string no_view_text();
 /// What of the mesh the view shows.
 std::string view_note(const Scene& scene, const CheckReport& report);
-std::string facts_text(const PageFacts& facts);
+/// Where the mesh comes from, and the theorem that covers it, if one is known to.
+std::string facts_text(const PageFacts& facts, const CheckReport& report);
 std::string counts_text(const CheckReport& report, const ShapeSurvey& shapes);
 std::string histograms_text(const CheckReport& report, const ShapeSurvey& shapes,
                             const PageFacts& facts);

@@ -1,9 +1,11 @@
 """`certet check` finds what is wrong with a mesh, from its file alone."""
 
 import json
+import math
 import unittest
 
 import vtu
+from images import voxels, write_nrrd
 from program import TORUS, ProgramTest
 
 BAD_INPUT = 3
@@ -54,6 +56,27 @@ class Check(ProgramTest):
         vtu.overwrite(self.path, name, 5, "d", float("nan"))
         self.assertEqual(self.broken()["nonfinite_points"], 1)
 
+    def test_angles_are_told_and_judged(self):
+        angles = self.check("t.vtu")["dihedral"]
+        run = self.run_certet("check", "t.vtu")
+        self.assertIn(f"{angles['min']:.3f}° to {angles['max']:.3f}°", run.stdout)
+        for options, status in (
+                (["--min-angle", angles["min"]], 0), (["--max-angle", angles["max"]], 0),
+                (["--min-angle", angles["min"] + 0.0004], 0),
+                (["--min-angle", angles["min"] + 0.001], 1),
+                (["--max-angle", angles["max"] - 0.001], 1),
+                (["--min-angle", angles["min"], "--max-angle", angles["max"]], 0)):
+            run = self.run_certet("check", "t.vtu", *options, "--json", "-")
+            self.assertEqual(run.returncode, status, options)
+            report = json.loads(run.stdout)
+            self.assertEqual(report["ok"], status == 0)
+            self.assertEqual(len(report["failures"]), status)
+            if status == 1:
+                self.assertIn("dihedral angles", report["failures"][0])
+        self.assert_fails(2, ["--min-angle"], "check", "t.vtu", "--min-angle", "20",
+                          "--max-angle", "10")
+        self.assert_fails(2, ["--max-angle"], "check", "t.vtu", "--max-angle", "181")
+
     def test_truncated(self):
         self.path.write_bytes(self.path.read_bytes()[:-1000])
         self.assert_fails(BAD_INPUT, ["t.vtu"], "check", "t.vtu")
@@ -62,6 +85,88 @@ class Check(ProgramTest):
         self.assert_fails(BAD_INPUT, ["none.vtu"], "check", "none.vtu")
         (self.folder / "x.vtu").write_text("hello")
         self.assert_fails(BAD_INPUT, ["x.vtu"], "check", "x.vtu")
+
+
+class Run(ProgramTest):
+    """A file is what a run wrote, or it is not."""
+
+    FORMATS = (("t.vtu", "vtu"), ("t.vtu", "vtu-zlib"), ("t.mesh", "medit"),
+               ("t.meshb", "meditb"), ("t.msh", "msh"), ("t.msh", "msh22"))
+
+    def made(self, *arguments):
+        run = self.mesh(*TORUS, "--size", "0.2", *arguments)
+        (self.folder / "run.json").write_text(json.dumps(run))
+        return run
+
+    def against_run(self, file, run="run.json"):
+        run = self.run_certet("check", file, "--run", run, "--json", "-")
+        return run.returncode, json.loads(run.stdout)
+
+    def test_every_format_holds_what_was_written(self):
+        for name, form in self.FORMATS:
+            with self.subTest(form):
+                run = self.made("-o", name, "--format", form)
+                status, report = self.against_run(name)
+                self.assertEqual(status, 0, report["failures"])
+                self.assertEqual(report["mesh"]["checksum"], run["mesh"]["file_checksum"])
+                self.assertEqual(report["bounds"]["theorem"], run["guarantee"]["theorem"])
+                for key in ("min", "max"):
+                    self.assertEqual(report["bounds"][key], run["guarantee"][key + "_dihedral"])
+        self.run_certet("convert", "t.msh", "c.mesh")
+        self.assertEqual(self.against_run("c.mesh")[0], 0)
+        run = self.run_certet("check", "t.vtu", "--run", "run.json")
+        self.assertIn("what the run wrote, within theorem", run.stdout)
+
+    def test_labels_in_any_order(self):
+        size = (9, 8, 7)
+        write_nrrd(self.folder / "a.nrrd", size,
+                   voxels(size, lambda i, j, k: (i + j * k) // 9 % 4))
+        for name, form in self.FORMATS:
+            run = self.mesh("a.nrrd", "-o", name, "--format", form)
+            (self.folder / "run.json").write_text(json.dumps(run))
+            self.assertEqual(self.against_run(name)[0], 0, form)
+
+    def test_a_vertex_moved_by_the_least(self):
+        self.made("-o", "t.vtu")
+        path = self.folder / "t.vtu"
+        name = next(n for n in vtu.arrays(path)[1] if n.lower() == "points")
+        x = vtu.points(path)[7][0]
+        vtu.overwrite(path, name, 21, "d", math.nextafter(x, 9))
+        status, report = self.against_run("t.vtu")
+        self.assertEqual(status, 1)
+        self.assertEqual(len(report["failures"]), 1)
+        self.assertIn("are not those that the run of 'run.json' wrote", report["failures"][0])
+        self.assertNotIn("theorem", report["bounds"])
+        run = self.run_certet("check", "t.vtu", "--run", "run.json")
+        self.assertNotIn("within theorem", run.stdout)
+
+    def test_a_run_that_claims_too_much(self):
+        run = self.made("-o", "t.vtu")
+
+        def refused(words, change):
+            other = json.loads(json.dumps(run))
+            change(other)
+            (self.folder / "other.json").write_text(json.dumps(other))
+            self.assert_fails(BAD_INPUT, ["other.json", *words], "check", "t.vtu", "--run",
+                              "other.json")
+        refused(["other bounds"], lambda r: r["guarantee"].update(min_dihedral=30))
+        refused(["theorem"], lambda r: r["guarantee"].update(theorem="MidpointBounds"))
+        refused(["theorem"], lambda r: r["lattice"].update(cuts="midpoint"))
+        refused(["written"], lambda r: r["guarantee"].update(holds=False))
+        refused(["file_checksum"], lambda r: r["mesh"].pop("file_checksum"))
+        refused([], lambda r: r["mesh"].update(file_checksum="0x12"))
+        refused(["another mesh"], lambda r: r["mesh"].update(tets=r["mesh"]["tets"] - 1))
+
+    def test_the_run_of_other_bounds(self):
+        # The file of one run, and the JSON of another with the same content by its word.
+        midpoint = self.made("--cuts", "midpoint", "-o", "m.vtu")
+        bisected = self.made("-o", "t.vtu")
+        for key in ("points", "tets", "file_checksum"):
+            midpoint["mesh"][key] = bisected["mesh"][key]
+        (self.folder / "lie.json").write_text(json.dumps(midpoint))
+        status, report = self.against_run("t.vtu", "lie.json")
+        self.assertEqual(status, 1)
+        self.assertIn("outside of the 30 to 135 of theorem MidpointBounds", report["failures"][0])
 
 
 if __name__ == "__main__":

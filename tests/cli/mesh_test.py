@@ -11,10 +11,10 @@ from program import TORUS, ProgramTest
 KEYS = {
     "certet": None, "command": None, "dry_run": None,
     "input": {"kind", "name", "notes"},
-    "output": {"file", "format", "bytes"},
+    "output": {"file", "format", "bytes", "origin"},
     "lattice": {"cells", "size", "cuts"},
-    "mesh": {"points", "tets", "volume", "checksum"},
-    "dihedral": {"min", "max", "lattice_min", "lattice_max", "histogram"},
+    "mesh": {"points", "tets", "volume", "checksum", "file_checksum"},
+    "dihedral": {"min", "max", "lattice_min", "lattice_max", "rounding", "histogram"},
     "guarantee": {"asked", "used", "theorem", "min_dihedral", "max_dihedral",
                   "inverted_tets", "holds"},
     "seconds": {"read", "sample", "cut", "warp", "count", "emit", "measure", "write",

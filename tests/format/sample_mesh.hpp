@@ -33,12 +33,13 @@ struct SampleMesh {
   }
 };
 
-/// Doubles of all magnitudes and signs, random indices, labels if asked for.
+/// Doubles of all signs and, up to 2^±exponents, magnitudes, random indices, labels if
+/// asked for.
 inline SampleMesh sample_mesh(std::size_t points, std::size_t tets, bool labels,
-                              std::uint64_t seed = 1) {
+                              std::uint64_t seed = 1, int exponents = 300) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> mantissa(-2, 2);
-  std::uniform_int_distribution<int> exponent(-300, 300), label(-5, 2000);
+  std::uniform_int_distribution<int> exponent(-exponents, exponents), label(-5, 2000);
   std::uniform_int_distribution<std::uint32_t> index(0, static_cast<std::uint32_t>(points - 1));
   SampleMesh mesh;
   for (std::size_t i = 0; i < points; ++i) {

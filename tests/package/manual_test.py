@@ -82,6 +82,7 @@ class Bash(unittest.TestCase):
 
     def test_choices(self):
         self.assertEqual(self.complete("mesh", "--cuts", "b"), {"bisect"})
+        self.assertEqual(self.complete("convert", "--origin", ""), {"world", "0"})
 
 
 class OtherShells(unittest.TestCase):

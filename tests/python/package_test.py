@@ -160,6 +160,18 @@ class Images(unittest.TestCase):
         self.assertEqual(quality.theorem, "MidpointBounds")
         self.assertGreaterEqual(quality.min_dihedral, 30 - 1e-6)
 
+    def test_far_from_the_origin(self):
+        """Bounds that are attained are crossed by rounding alone, which is no fault; what
+        doubles cannot hold is one."""
+        def quality(origin, voxel):
+            return certet.mesh_image(ball(), cuts="midpoint", spacing=(voxel,) * 3,
+                                     origin=(origin,) * 3).quality()
+        rounded = quality(1e6, 0.01)
+        self.assertLess(rounded.min_dihedral, 30 - 1e-6)
+        self.assertTrue(rounded.holds)
+        self.assertFalse(quality(1e12, 0.01).holds)
+        self.assertFalse(quality(1e16, 1).holds)
+
     def test_refusals(self):
         for arguments, sentence in [
             (dict(array=np.zeros((4, 4))), "2 dimensions"),

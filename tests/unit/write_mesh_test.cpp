@@ -26,6 +26,13 @@ class Keeper final : public MeshWriter {
   }
   void finish() override {}
 
+  [[nodiscard]] std::uint64_t checksum() const {
+    FileMesh mesh;
+    mesh.points = points_;
+    for (const auto& [a, b, c, d] : tets_) mesh.tets.push_back({a, b, c, d});
+    return certet::checksum(mesh);
+  }
+  [[nodiscard]] std::uint64_t coincident() const { return count_coincident(points_); }
   [[nodiscard]] Quality measured() const {
     return measure_world(points_, 0, std::span<const Tet<std::uint32_t>>(tets_),
                          Histogram::empty);
@@ -47,23 +54,26 @@ Frame far_frame(double distance) {
 struct Outcome {
   Quality told, measured;
   double rounding;
+  WrittenMesh written;
+  std::uint64_t checksum, coincident;
 };
 
-Outcome write(const Frame& frame) {
+Outcome write(const Frame& frame, Cuts cuts = Cuts::bisect, std::uint64_t slab_bytes = 0) {
   const auto domain = domains::of_level([](double x, double y, double z) {
     return std::sin(3.1 * x + 1.7 * y) + std::sin(2.3 * y - 4.1 * z) + std::sin(5.3 * z + x);
   });
   Context context;
-  const Stuffing stuffing(domain, {{-16, -16, -16}, {16, 16, 16}}, {}, context);
+  const Stuffing stuffing(domain, {{-16, -16, -16}, {16, 16, 16}}, {.cuts = cuts}, context);
   Keeper keeper;
   const WrittenMesh written =
-      write_mesh(stuffing, frame, cut_slabs(stuffing, 0), {}, keeper, context);
-  return {written.world, keeper.measured(), frame.rounding(16)};
+      write_mesh(stuffing, frame, cut_slabs(stuffing, slab_bytes), {}, keeper, context);
+  return {written.world, keeper.measured(),  frame.rounding(16),
+          written,       keeper.checksum(), keeper.coincident()};
 }
 
 TEST(WrittenMesh, NearTheOriginTheWorldHasTheAnglesOfTheLattice) {
   for (const double distance : {0.0, 1.0, 1e3, 8e4}) {
-    const auto [told, measured, rounding] = write(far_frame(distance));
+    const auto [told, measured, rounding, written, checksum, coincident] = write(far_frame(distance));
     EXPECT_LE(rounding, 1e-11);
     EXPECT_NEAR(told.min_dihedral, measured.min_dihedral, 1e-6);
     EXPECT_NEAR(told.max_dihedral, measured.max_dihedral, 1e-6);
@@ -75,23 +85,94 @@ TEST(WrittenMesh, NearTheOriginTheWorldHasTheAnglesOfTheLattice) {
 
 TEST(WrittenMesh, FarFromTheOriginAnglesAreMeasured) {
   for (const double distance : {1e6, 1e9, 1e12}) {
-    const auto [told, measured, rounding] = write(far_frame(distance));
+    const auto [told, measured, rounding, written, checksum, coincident] = write(far_frame(distance));
     EXPECT_GT(rounding, 1e-11);
     EXPECT_EQ(told.min_dihedral, measured.min_dihedral);
     EXPECT_EQ(told.max_dihedral, measured.max_dihedral);
     EXPECT_EQ(told.nonpositive, measured.nonpositive);
   }
   // The error that would be overlooked otherwise.
-  const auto [told, measured, rounding] = write(far_frame(1e12));
+  const auto [told, measured, rounding, written, checksum, coincident] = write(far_frame(1e12));
   EXPECT_GT(std::fabs(told.min_dihedral - write(far_frame(0)).told.min_dihedral), 1e-4);
 }
 
 TEST(WrittenMesh, AFrameThatIsNoRotationIsMeasured) {
   Frame sheared = far_frame(0);
   sheared.axes[0][1] += 0.3;
-  const auto [told, measured, rounding] = write(sheared);
+  const auto [told, measured, rounding, written, checksum, coincident] = write(sheared);
   EXPECT_EQ(told.min_dihedral, measured.min_dihedral);
   EXPECT_GT(std::fabs(told.min_dihedral - write(far_frame(0)).told.min_dihedral), 1e-2);
+}
+
+/// Bound and truth: what rounding did to the extreme angles, and what it may have done.
+TEST(WrittenMesh, RoundingTurnsNoAngleByMoreThanIsTold) {
+  for (const Cuts cuts : {Cuts::bisect, Cuts::midpoint})
+    for (const double distance : {0.0, 1e5, 1e7, 1e9, 1e11}) {
+      const WrittenMesh written = write(far_frame(distance), cuts).written;
+      const double moved =
+          std::max(std::fabs(written.world.min_dihedral - written.lattice.min_dihedral),
+                   std::fabs(written.world.max_dihedral - written.lattice.max_dihedral));
+      EXPECT_LE(moved, written.rounding + 1e-9) << distance;
+      // It is a bound, but no idle one.
+      EXPECT_LE(written.rounding, 1e-4 + 1e3 * moved) << distance;
+    }
+}
+
+/// The bounds of the midpoint method are attained, so that rounding alone crosses them.
+TEST(WrittenMesh, RoundingAloneIsNoFault) {
+  const AngleBounds bounds = proven_bounds(Cuts::midpoint, Guarantee::angles);
+  const auto at = [](double distance) {
+    return write(far_frame(distance), Cuts::midpoint).written;
+  };
+  for (const double distance : {0.0, 1e6, 1e8}) {
+    const WrittenMesh written = at(distance);
+    EXPECT_EQ(judge(written, bounds), Standing::within) << distance;
+    EXPECT_EQ(written.coincident_points, 0u);
+  }
+  EXPECT_LT(at(1e8).world.min_dihedral, bounds.min_dihedral - 1e-6);
+  // Here the doubles are too far apart, and lastly points fall together.
+  for (const double distance : {1e12, 1e14, 1e16})
+    EXPECT_EQ(judge(at(distance), bounds), Standing::blurred) << distance;
+  const Outcome lost = write(far_frame(1e16), Cuts::midpoint);
+  EXPECT_GT(lost.coincident, 0u);
+  EXPECT_GT(lost.written.coincident_points, 0u);
+}
+
+TEST(WrittenMesh, SizesAndTurnsDoNotMatter) {
+  const AngleBounds bounds = proven_bounds(Cuts::midpoint, Guarantee::angles);
+  for (const double size : {1e-30, 1e-9, 1.0, 1e9, 1e30})
+    for (const double distance : {0.0, 1e8}) {
+      Frame frame = far_frame(distance);
+      for (double& coordinate : frame.origin) coordinate *= size / frame.size;
+      frame.size = size;
+      EXPECT_EQ(judge(write(frame, Cuts::midpoint).written, bounds), Standing::within) << size;
+    }
+}
+
+/// A mesh that is somewhere else than the frame says is no victim of rounding.
+TEST(WrittenMesh, AFaultIsNotExcusedByRounding) {
+  const AngleBounds bounds = proven_bounds(Cuts::midpoint, Guarantee::angles);
+  WrittenMesh written = write(far_frame(1e8), Cuts::midpoint).written;
+  written.world.min_dihedral = bounds.min_dihedral - 2 * written.rounding - 0.001;
+  EXPECT_EQ(judge(written, bounds), Standing::outside);
+  written = write(far_frame(0), Cuts::midpoint).written;
+  written.lattice.max_dihedral = bounds.max_dihedral + 1e-7;
+  EXPECT_EQ(judge(written, bounds), Standing::outside);
+  written = write(far_frame(0), Cuts::midpoint).written;
+  written.world.nonpositive = 1;
+  EXPECT_EQ(judge(written, bounds), Standing::outside);
+  written = write(far_frame(0), Cuts::midpoint).written;
+  written.coincident_points = 1;
+  EXPECT_EQ(judge(written, bounds), Standing::blurred);
+}
+
+TEST(WrittenMesh, TheChecksumOfTheFileIsThatOfWhatWasWritten) {
+  const Outcome whole = write(far_frame(3), Cuts::bisect, 1 << 30);
+  EXPECT_EQ(whole.written.file_checksum, whole.checksum);
+  EXPECT_EQ(write(far_frame(3)).written.file_checksum, whole.checksum);
+  const Outcome elsewhere = write(far_frame(4));
+  EXPECT_EQ(elsewhere.written.checksum, whole.written.checksum);
+  EXPECT_NE(elsewhere.written.file_checksum, whole.written.file_checksum);
 }
 
 /// The bound itself: no point is farther from its exact place.

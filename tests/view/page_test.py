@@ -215,6 +215,46 @@ class Command(ProgramTest):
             page = (self.folder / "t.html").read_text()
             self.assertEqual(re.findall(r'<text class="bound"[^>]*>([^<]*)<', page), shown)
 
+    def report(self, *options):
+        run = self.run_certet("report", "t.vtu", "-o", "t.html", *options)
+        return run.returncode, (self.folder / "t.html").read_text()
+
+    def test_a_theorem_is_named_where_it_covers_the_file(self):
+        theorem = json.loads((self.folder / "run.json").read_text())["guarantee"]["theorem"]
+        status, page = self.report("--run", "run.json")
+        self.assertEqual(status, 0)
+        self.assertIn(theorem, page)
+        self.assertIn("<th>proven</th>", page)
+        for options in ([], ["--guarantee", "angles"]):
+            status, page = self.report(*options)
+            self.assertEqual(status, 0)
+            self.assertNotIn(theorem, page)
+            self.assertNotIn("<th>proven</th>", page)
+
+    def test_a_moved_vertex_is_not_vouched_for(self):
+        path = self.folder / "t.vtu"
+        name = next(n for n in vtu.arrays(path)[1] if n.lower() == "points")
+        tet = vtu.tets(path)[7]
+        points = vtu.points(path)
+        # Nearly upon the plane of the others.
+        for axis in range(3):
+            middle = sum(points[p][axis] for p in tet[:3]) / 3
+            vtu.overwrite(path, name, 3 * tet[3] + axis, "d",
+                          middle + 0.01 * (points[tet[3]][axis] - middle))
+        status, page = self.report("--run", "run.json")
+        self.assertEqual(status, 1)
+        self.assertIn("Broken:", page)
+        self.assertIn("are not those that the run of", page)
+        for words in ("<th>proven</th>", "DihedralBounds", "<th>lattice</th>"):
+            self.assertFalse(words in page, words)
+        least = float(re.search(r'data-key="min" data-value="([^"]*)"', page)[1])
+        self.assertLess(least, 5)
+
+    def test_bounds_that_the_file_breaks(self):
+        status, page = self.report("--cuts", "midpoint")
+        self.assertEqual(status, 1)
+        self.assertIn("outside of the 30 to 135 of a mesh made as it is said", page)
+
     def test_refusals(self):
         def fails(status, words, *arguments):
             self.assert_fails(status, words, "report", *arguments)

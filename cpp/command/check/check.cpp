@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <utility>
 
 #include "certet/error.hpp"
 #include "certet/formats.hpp"
@@ -17,33 +18,67 @@ constexpr const char* footer = R"(
 Keys of the JSON: certet, command, file, ok, failures, mesh {points, tets, volume, checksum,
 unused_points, nonfinite_points, duplicate_points, bad_indices, nonpositive_tets,
 overfull_faces, misoriented_faces, boundary_faces, open_edges}, dihedral {min, max,
-histogram}, seconds {read, check, total}, memory {peak}.)";
+histogram}, bounds {min, max, and with --run: theorem}, seconds {read, check, total},
+memory {peak}.  mesh.checksum is what `certet mesh` tells as mesh.file_checksum.
+
+Angles are judged as they are shown, in thousandths of a degree.  With --run it is a
+defect too where points or tetrahedra are not, bit by bit, those that the run wrote;
+the theorem is named only where nothing is wrong.)";
 
 /// What the user asks of `certet check`.
 struct CheckOptions {
   std::filesystem::path mesh;
+  std::filesystem::path run;
+  AngleBounds asked{0, 180, {}};
   std::string json;
   int threads = 0;
 };
+
+/// The bounds asked for and those of the run, if there is one.
+void judge_angles(CheckedFile& checked) {
+  const auto judge = [&report = checked.report](const AngleBounds& bounds,
+                                                const std::string& whose) {
+    std::string defect = angle_defect(report.quality, bounds, whose);
+    if (!defect.empty()) report.failures.push_back(std::move(defect));
+  };
+  judge(checked.asked, "--min-angle and --max-angle");
+  if (!checked.run) return;
+  const AngleBounds& proven = checked.run->bounds;
+  judge(proven, "theorem " + std::string(proven.theorem));
+}
+
+void judge_options(const CheckOptions& options) {
+  if (options.asked.min_dihedral > options.asked.max_dihedral)
+    throw Error(ErrorCode::bad_option, "--min-angle is above --max-angle");
+  if (options.json.empty() || options.json == "-") return;
+  for (const auto& [input, name] :
+       {std::pair(options.mesh, "the mesh"), std::pair(options.run, "--run")})
+    if (!input.empty() && same_file(input, options.json))
+      throw Error(ErrorCode::bad_option, std::string(name) + " and --json are the same file '" +
+                                             input.string() + "'");
+  judge_output(options.json);
+}
 
 Status check(const CheckOptions& options) {
   const Stopwatch clock;
   Context context;
   context.threads = options.threads;
   const Signals signals(context);
-  if (!options.json.empty() && options.json != "-") {
-    if (same_file(options.mesh, options.json))
-      throw Error(ErrorCode::bad_option, "the mesh and --json are the same file '" +
-                                             options.mesh.string() + "'");
-    judge_output(options.json);
-  }
+  judge_options(options);
   CheckedFile checked;
   checked.file = options.mesh.string();
+  checked.asked = options.asked;
+  if (!options.run.empty()) checked.run = read_run(options.run);
   const FileMesh mesh = read_mesh(options.mesh, context);
   checked.read_seconds = clock.seconds();
   checked.report = certet::check(mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets),
                                 context);
   checked.checksum = checksum(mesh);
+  if (checked.run) {
+    std::string defect = content_defect(*checked.run, options.mesh, mesh, checked.checksum);
+    if (!defect.empty()) checked.report.failures.push_back(std::move(defect));
+  }
+  judge_angles(checked);
   checked.total_seconds = clock.seconds();
   checked.check_seconds = checked.total_seconds - checked.read_seconds;
   checked.memory_peak = peak_memory();
@@ -57,6 +92,18 @@ Run declare_check(CLI::App& app) {
   const auto options = std::make_shared<CheckOptions>();
   app.add_option("mesh", options->mesh, "Mesh: .vtu, .mesh, .meshb or .msh")
       ->required()->option_text("MESH");
+  app.add_option("--run", options->run,
+                 "What `certet mesh --json` told: the file must hold that mesh, with angles "
+                 "within its theorem")
+      ->option_text("FILE");
+  app.add_option("--min-angle", options->asked.min_dihedral,
+                 "Least dihedral angle that will do, in degrees")
+      ->check(CLI::Range(0.0, 180.0))
+      ->option_text("A");
+  app.add_option("--max-angle", options->asked.max_dihedral,
+                 "Greatest dihedral angle that will do, in degrees")
+      ->check(CLI::Range(0.0, 180.0))
+      ->option_text("A");
   app.add_option("--threads", options->threads, "Threads (default: as many as there are)")
       ->check(CLI::Range(0, 1024))
       ->option_text("N");

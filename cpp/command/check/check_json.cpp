@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "check_report.hpp"
 #include "json.hpp"
 
@@ -29,6 +31,10 @@ std::string json(const CheckedFile& checked) {
   json["dihedral"] = {{"min", report.quality.min_dihedral},
                       {"max", report.quality.max_dihedral},
                       {"histogram", report.quality.histogram}};
+  const AngleBounds bounds = checked.run ? checked.run->bounds : checked.asked;
+  json["bounds"] = {{"min", std::max(bounds.min_dihedral, checked.asked.min_dihedral)},
+                    {"max", std::min(bounds.max_dihedral, checked.asked.max_dihedral)}};
+  if (checked.run && report.failures.empty()) json["bounds"]["theorem"] = bounds.theorem;
   json["seconds"] = {{"read", checked.read_seconds},
                      {"check", checked.check_seconds},
                      {"total", checked.total_seconds}};

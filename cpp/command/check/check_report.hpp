@@ -3,16 +3,20 @@
 /// What is known at the end of `certet check`.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "certet/check.hpp"
 #include "report.hpp"
+#include "run_file.hpp"
 
 namespace certet::command {
 
 struct CheckedFile {
   std::string file;
-  CheckReport report;
+  CheckReport report;  ///< with what speaks against the run and the bounds asked for
+  std::optional<RunFile> run;
+  AngleBounds asked{0, 180, {}};  ///< by --min-angle and --max-angle
   std::uint64_t checksum = 0;  ///< of the file's numbers, whatever its format
   double read_seconds = 0, check_seconds = 0, total_seconds = 0;
   std::uint64_t memory_peak = 0;

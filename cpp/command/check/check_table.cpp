@@ -3,6 +3,16 @@
 
 namespace certet::command {
 
+namespace {
+
+std::string covered(const CheckedFile& checked) {
+  return checked.run ? fmt::format("; what the run wrote, within theorem {}",
+                                   checked.run->bounds.theorem)
+                     : "";
+}
+
+}  // namespace
+
 std::string table(const CheckedFile& checked) {
   const CheckReport& report = checked.report;
   Lines lines;
@@ -15,7 +25,7 @@ std::string table(const CheckedFile& checked) {
   for (const std::string& failure : report.failures) lines.add("defect", "{}", failure);
   lines.add("verdict", "{}",
             report.failures.empty()
-                ? "valid, positive, conforming and closed"
+                ? "valid, positive, conforming and closed" + covered(checked)
                 : fmt::format("{} broken", report.failures.size() == 1
                                                ? std::string("one property is")
                                                : fmt::format("{} properties are",

@@ -20,13 +20,17 @@ constexpr const char* footer = R"(
 Labels are kept, and their names and the patches of the boundary where the formats
 have them (.vtu has neither); the boundary is found anew.
 
-Keys of the JSON: certet, command, input, output {file, format, bytes}, mesh
+All formats but .stl have coordinates of double precision.  A boundary that single
+precision cannot hold is not written (status 6): where points would fall together, or
+triangles lose their area or turn by more than 4.5 degrees.
+
+Keys of the JSON: certet, command, input, output {file, format, bytes, origin}, mesh
 {points, tets, regions, boundary_faces, checksum}, seconds.)";
 
 /// What the user asks of `certet convert`.
 struct ConvertOptions {
   std::filesystem::path input, output, label_names;
-  std::string format, json;
+  std::string format, json, origin;
   bool compress = false;
 };
 
@@ -34,6 +38,7 @@ struct ConvertOptions {
 struct ConvertReport {
   std::string input, output, format;
   std::uint64_t bytes = 0, points = 0, tets = 0, regions = 0, boundary_faces = 0, checksum = 0;
+  Point3 output_origin{};  ///< in the input: where the coordinates of the output have their 0
   double seconds = 0;
 };
 
@@ -41,6 +46,9 @@ std::string table(const ConvertReport& report) {
   Lines lines;
   lines.add("input", "{}", report.input);
   lines.add("output", "{} ({}, {})", report.output, report.format, bytes(report.bytes));
+  if (report.output_origin != Point3{})
+    lines.add("origin", "0 in the output is ({:.17g}, {:.17g}, {:.17g}) in the input",
+              report.output_origin[0], report.output_origin[1], report.output_origin[2]);
   lines.add("mesh", "{} points, {} tetrahedra, {} regions, {} boundary faces",
             grouped(report.points), grouped(report.tets), grouped(report.regions),
             grouped(report.boundary_faces));
@@ -55,7 +63,8 @@ std::string json(const ConvertReport& report) {
   json["command"] = "convert";
   json["input"] = report.input;
   json["output"] = {
-      {"file", report.output}, {"format", report.format}, {"bytes", report.bytes}};
+      {"file", report.output}, {"format", report.format}, {"bytes", report.bytes},
+      {"origin", report.output_origin}};
   json["mesh"] = {{"points", report.points},
                   {"tets", report.tets},
                   {"regions", report.regions},
@@ -115,6 +124,7 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
   judge_files(options, format);
   FileMesh mesh = read_mesh(options.input, context);
   judge_indices(options, mesh);
+  const Point3 moved_to = options.origin == "0" ? move_to_zero(mesh) : Point3{};
   if (!options.label_names.empty()) mesh.names = read_label_names(options.label_names);
   auto found = std::make_shared<Survey>(survey(mesh.points.size(), mesh.tets, mesh.labels, context));
   set_border(*found, std::move(mesh.border));
@@ -130,6 +140,7 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
   report.regions = found->regions.size();
   report.boundary_faces = found->boundary.size();
   report.checksum = checksum(mesh);
+  report.output_origin = moved_to;
   report.seconds = clock.seconds();
   return report;
 }
@@ -156,6 +167,11 @@ Run declare_convert(CLI::App& app) {
   app.add_option("--format", options->format, format_names() + " (default: by the extension)")
       ->option_text("F");
   app.add_flag("--compress", options->compress, "Compress .vtu");
+  app.add_option("--origin", options->origin,
+                 "world: coordinates are the input's (default); 0: a mesh that is farther from 0 "
+                 "than it is long is moved there, exactly, which table and JSON tell")
+      ->check(CLI::IsMember({"world", "0"}))
+      ->option_text("world|0");
   app.add_option("--label-names", options->label_names,
                  "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
       ->option_text("FILE");

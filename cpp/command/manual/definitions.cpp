@@ -2,20 +2,19 @@
 
 #include <CLI/CLI.hpp>
 #include <sstream>
-#include <string_view>
 
 namespace certet::command {
 namespace {
 
-/// CLI11 describes a choice among words as {word->number,...}.
+/// CLI11 describes a choice among words as {word->number,...} or {word,...}.
 std::vector<std::string> choices(const CLI::Option& option) {
-  constexpr std::string_view arrow = "->";
   const std::string type = option.get_type_name();
+  const std::size_t begin = type.find('{'), end = type.find('}');
   std::vector<std::string> found;
-  for (std::size_t at = type.find(arrow); at != type.npos; at = type.find(arrow, at + 1)) {
-    const std::size_t before = type.find_last_of("{, ", at) + 1;  // 0 at the beginning
-    found.push_back(type.substr(before, at - before));
-  }
+  if (begin == type.npos || end == type.npos) return found;
+  std::istringstream words(type.substr(begin + 1, end - begin - 1));
+  for (std::string word; std::getline(words, word, ',');)
+    found.push_back(word.substr(0, word.find("->")));
   return found;
 }
 

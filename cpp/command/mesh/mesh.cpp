@@ -87,16 +87,36 @@ Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report) {
   return slabs;
 }
 
-[[noreturn]] void refuse_mesh(const MeshReport& report) {
-  const bool placed_well = holds(report, report.written.world);
-  const Quality& quality = placed_well ? report.written.lattice : report.written.world;
+[[noreturn]] void refuse_angles(const MeshReport& report) {
+  const Quality& lattice = report.written.lattice;
+  const bool in_lattice = within(lattice, report.bounds, shown_rounding);
+  const Quality& quality = in_lattice ? report.written.world : lattice;
   throw Error(ErrorCode::check_failed,
               fmt::format("'{}' was not written: {} has angles from {:.6f} to {:.6f} degrees and "
-                          "{} tetrahedra that are flat or turned over, which {} rules out{}",
-                          report.output, placed_well ? "the mesh" : "the mesh in the world",
+                          "{} tetrahedra that are flat or turned over, which {} rules out",
+                          report.output, in_lattice ? "the mesh in the world" : "the mesh",
                           quality.min_dihedral, quality.max_dihedral, quality.nonpositive,
-                          report.bounds.theorem,
-                          placed_well ? "" : "; so far from the origin its points are rounded"));
+                          report.bounds.theorem));
+}
+
+/// The mesh is sound, but not where it is to be.
+[[noreturn]] void refuse_place(const MeshReport& report) {
+  const Quality& world = report.written.world;
+  throw Error(
+      ErrorCode::write_failed,
+      fmt::format("cannot write '{}': so far from the origin double precision cannot hold the "
+                  "mesh, whose angles would be from {:.6f} to {:.6f} degrees, with {} tetrahedra "
+                  "flat or turned over and {} points upon others; --origin 0 writes it near 0",
+                  report.output, world.min_dihedral, world.max_dihedral, world.nonpositive,
+                  report.written.coincident_points));
+}
+
+void judge_written(const MeshReport& report) {
+  switch (standing(report)) {
+    case Standing::within: return;
+    case Standing::blurred: refuse_place(report);
+    case Standing::outside: refuse_angles(report);
+  }
 }
 
 /// What the format says of the mesh before its numbers.
@@ -120,9 +140,11 @@ void write(const MeshOptions& options, const Counted& counted, const Slabs& slab
   judge_room(options.output, report.output_bytes);
   const auto file = open_writer(options.output, options.format, size);
   WatchedWriter writer(*file, size, progress);
+  Frame frame = source.frame;
+  if (options.origin == OutputOrigin::lattice) frame.origin = {0, 0, 0};
   report.written =
-      write_mesh(stuffing, source.frame, slabs, watch.watch(source.labeller), writer, context);
-  if (!holds(report)) refuse_mesh(report);
+      write_mesh(stuffing, frame, slabs, watch.watch(source.labeller), writer, context);
+  judge_written(report);
   const Stopwatch finishing;
   writer.finish();
   report.written.write_seconds += finishing.seconds();
@@ -172,6 +194,7 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
   const auto& [source, stuffing] = counted;
   report.cells = source.lattice.cells;
   report.size = source.frame.size;
+  if (options.origin == OutputOrigin::lattice) report.output_origin = source.frame.origin;
   report.used = stuffing.guarantee();
   report.inverted_tets = stuffing.inverted_tets();
   report.bounds = proven_bounds(options.stuffing.cuts, report.used);

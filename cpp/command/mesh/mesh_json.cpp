@@ -16,7 +16,7 @@ Json guarantee(const MeshReport& report) {
             {"min_dihedral", report.bounds.min_dihedral},
             {"max_dihedral", report.bounds.max_dihedral},
             {"inverted_tets", report.inverted_tets}};
-  if (!report.dry_run) json["holds"] = holds(report);
+  if (!report.dry_run) json["holds"] = standing(report) == Standing::within;
   return json;
 }
 
@@ -70,7 +70,8 @@ std::string json(const MeshReport& report) {
   json["input"] = {{"kind", report.input_kind}, {"name", report.input_name},
                    {"notes", report.input_notes}};
   json["output"] = {
-      {"file", report.output}, {"format", report.format}, {"bytes", report.output_bytes}};
+      {"file", report.output}, {"format", report.format}, {"bytes", report.output_bytes},
+      {"origin", report.output_origin}};
   json["lattice"] = {
       {"cells", report.cells}, {"size", report.size}, {"cuts", name(report.cuts)}};
   if (report.target_tets != 0) {
@@ -81,10 +82,12 @@ std::string json(const MeshReport& report) {
   if (!report.dry_run) {
     json["mesh"]["volume"] = written.world.volume;
     json["mesh"]["checksum"] = hexadecimal(written.checksum);
+    json["mesh"]["file_checksum"] = hexadecimal(written.file_checksum);
     json["dihedral"] = {{"min", written.world.min_dihedral},
                         {"max", written.world.max_dihedral},
                         {"lattice_min", written.lattice.min_dihedral},
                         {"lattice_max", written.lattice.max_dihedral},
+                        {"rounding", written.rounding},
                         {"histogram", written.lattice.histogram}};
   }
   json["guarantee"] = guarantee(report);

@@ -37,16 +37,25 @@ edges and corners or not.  Pieces are counted where --size is above the smallest
 voxel spacing, and with --smooth; not with --crop.  At the smallest spacing, without
 --smooth, no label and no piece is lost.
 
+A solid far from the origin of the world may be finer than the numbers of a file are
+apart there.  A mesh that they cannot hold is not written (status 6): in .stl, of
+single precision, where points would fall together or triangles lose their area or
+turn by more than 4.5 degrees; elsewhere, where points would fall together, or
+tetrahedra turn over, or angles leave their bounds by what tables show of them.
+
 Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file,
-format, bytes}, lattice {cells, size, cuts, and with --target-tets: target_tets,
-tries}, mesh {points, tets, volume, checksum}, dihedral {min, max, lattice_min,
-lattice_max, histogram}, guarantee {asked, used,
+format, bytes, origin}, lattice {cells, size, cuts, and with --target-tets:
+target_tets, tries}, mesh {points, tets, volume, checksum, file_checksum}, dihedral
+{min, max, lattice_min, lattice_max, rounding, histogram}, guarantee {asked, used,
 theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
 cut, warp, count, emit, measure, write, total}, memory {limit, needed, least,
 peak}, warnings, and for images regions [{label, voxels, tets, and where pieces were
 counted: pieces, image_pieces {by_corners, by_faces}}], with --smooth: smoothing
 {sigma, voxel_volume, mesh_volume, change}.  Lengths are in world units, angles in degrees, memory in bytes; the
-histogram has 36 bins of 5 degrees, counted before coordinates are rounded; the
+histogram has 36 bins of 5 degrees, counted before coordinates are rounded; rounding
+is what the doubles of the world can turn an angle by; output.origin is where in the
+world the output has its 0; file_checksum is what `certet check` tells of a file with
+this mesh, checksum is of the lattice and the same wherever the mesh is; the
 seconds of emit, measure and write overlap and are those of all threads together;
 a dry run leaves out what it does not know.)";
 
@@ -56,7 +65,8 @@ a dry run leaves out what it does not know.)";
 
 /// Options whose values need more than CLI11's own reading.
 struct RawMesh {
-  std::string size, relative_size, target_tets, iso, labels, spacing, smooth, crop, bounds, format;
+  std::string size, relative_size, target_tets, iso, labels, spacing, smooth, crop, bounds, format,
+      origin;
   bool compress = false;
 };
 
@@ -131,6 +141,11 @@ void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("--format", raw.format, format_names() + " (default: by the extension)")
       ->option_text("F");
   mesh.add_flag("--compress", raw.compress, "Compress .vtu");
+  mesh.add_option("--origin", raw.origin,
+                  "world: coordinates are the input's (default); 0: they are relative to the "
+                  "lattice's origin, which lies at the solid and is told in table and JSON")
+      ->check(CLI::IsMember({"world", "0"}))
+      ->option_text("world|0");
   mesh.add_option("--label-names", options.label_names,
                   "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
       ->option_text("FILE");
@@ -205,6 +220,7 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   if (!raw.bounds.empty()) options.bounds = parse_bounds(raw.bounds);
   if (options.output.empty() && !options.dry_run) refuse("mesh needs an output: -o OUT");
   options.format = choose_format(options.output, raw.format, raw.compress);
+  if (raw.origin == "0") options.origin = OutputOrigin::lattice;
   return options;
 }
 

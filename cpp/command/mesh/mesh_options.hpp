@@ -17,6 +17,12 @@
 
 namespace certet::command {
 
+/// What the coordinates of the output are relative to.
+enum class OutputOrigin {
+  world,    ///< the input's own origin
+  lattice,  ///< where the lattice has its 0, which is at the solid
+};
+
 /// What the user asks of `certet mesh`.
 struct MeshOptions {
   std::filesystem::path input;  ///< of these three one is not empty
@@ -39,6 +45,7 @@ struct MeshOptions {
   bool dry_run = false;
   std::filesystem::path output;
   Format format = Format::vtu;
+  OutputOrigin origin = OutputOrigin::world;
   std::filesystem::path label_names;  ///< empty: labels have no names
   std::string json;  ///< a file, - for stdout, or empty
 };

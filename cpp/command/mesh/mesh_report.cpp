@@ -2,13 +2,9 @@
 
 namespace certet::command {
 
-bool holds(const MeshReport& report) {
-  return holds(report, report.written.lattice) && holds(report, report.written.world);
-}
-
-bool holds(const MeshReport& report, const Quality& measured) {
-  constexpr double rounding = 1e-6;  // degrees
-  return measured.tets == report.tets && within(measured, report.bounds, rounding);
+Standing standing(const MeshReport& report) {
+  if (report.written.lattice.tets != report.tets) return Standing::outside;
+  return judge(report.written, report.bounds);
 }
 
 std::string name(Cuts cuts) { return cuts == Cuts::bisect ? "bisect" : "midpoint"; }

@@ -26,6 +26,7 @@ struct MeshReport {
   bool counted_pieces = false;
   std::optional<Smoothing> smoothing;
   std::string output, format;
+  Point3 output_origin{};  ///< in the world: where the coordinates of the output have their 0
   std::uint64_t output_bytes = 0;
 
   std::array<std::int32_t, 3> cells{};
@@ -48,11 +49,8 @@ struct MeshReport {
   std::uint64_t memory_peak = 0;    ///< what the process had in the end
 };
 
-/// Whether the measured angles are within the proven ones, up to the rounding of
-/// world coordinates.
-bool holds(const MeshReport& report);
-/// The same for one of its two measurements.
-bool holds(const MeshReport& report, const Quality& measured);
+/// How the mesh that was measured stands to its theorem.
+Standing standing(const MeshReport& report);
 
 std::string name(Cuts cuts);
 std::string name(Guarantee guarantee);

@@ -6,9 +6,11 @@
 namespace certet::command {
 namespace {
 
+/// Nothing is called proven that was not measured.
 void add_guarantee(Lines& lines, const MeshReport& report) {
-  lines.add("proven", "{:.3f}° to {:.3f}°, theorem {}", report.bounds.min_dihedral,
-            report.bounds.max_dihedral, report.bounds.theorem);
+  lines.add(report.dry_run ? "bounds" : "proven", "{:.3f}° to {:.3f}°, theorem {}{}",
+            report.bounds.min_dihedral, report.bounds.max_dihedral, report.bounds.theorem,
+            report.dry_run ? "; no angle was measured" : "");
   if (report.cuts == Cuts::midpoint) return;
   lines.add("thresholds", "{}{}", name(report.used),
             report.used == report.asked
@@ -35,6 +37,9 @@ std::string table(const MeshReport& report) {
     lines.add("output", "{} ({}, {}){}",
               report.output.empty() ? "none" : report.output, report.format,
               bytes(report.output_bytes), report.dry_run ? ", not written" : "");
+  if (report.output_origin != Point3{})
+    lines.add("origin", "0 in the output is ({:.17g}, {:.17g}, {:.17g}) in the world",
+              report.output_origin[0], report.output_origin[1], report.output_origin[2]);
   lines.add("lattice", "{} x {} x {} cells of size {:.6g}, cuts {}", report.cells[0],
             report.cells[1], report.cells[2], report.size, name(report.cuts));
   if (report.target_tets != 0)

@@ -64,7 +64,11 @@ struct MeshSize {
 /// target's name in `finish`; a writer destroyed before that leaves nothing.
 /// The bytes do not depend on how the mesh is cut in pieces.
 /// All members throw Error `write_failed`; also where more or fewer points or
-/// tetrahedra come than were announced, or an index without a point.
+/// tetrahedra come than were announced, or an index without a point, and, in `finish`,
+/// where the format's numbers cannot hold the mesh: .stl has single precision, in which
+/// points must stay distinct and triangles keep an area and, but for 4.5 degrees, their
+/// normals.  All other formats have doubles, those of text in the shortest form that
+/// reads back the same.
 class MeshWriter {
  public:
   virtual ~MeshWriter() = default;
@@ -101,6 +105,11 @@ struct FileMesh {
 /// `check`.
 /// \throws Error `bad_input` with one sentence that names the file; `cancelled`.
 FileMesh read_mesh(const std::filesystem::path& file, const Context& context = {});
+
+/// Moves a mesh to 0, exactly: along each axis on which it is farther from 0 than it is
+/// long, the end that is nearer to 0 comes to 0.  \returns where the new 0 is in the old
+/// coordinates.
+Point3 move_to_zero(FileMesh& mesh);
 
 /// A hash of the points, bit by bit, and the tetrahedra, but not of labels: the
 /// same for all files of one mesh, whatever their format.

@@ -42,16 +42,23 @@ struct Frame {
     return std::ldexp(farthest / size + 16 * (0.5 * reach), -53);
   }
 
-  /// Whether `axes` are orthonormal but for `tolerance`.
-  [[nodiscard]] bool is_rotation(double tolerance) const {
+  /// How far `axes` are from orthonormal: the greatest magnitude of an element of
+  /// axesᵀ axes - 1.  Not a number where one of them is none.
+  [[nodiscard]] double skew() const {
+    double greatest = 0;
     for (std::size_t a = 0; a < 3; ++a)
       for (std::size_t b = 0; b <= a; ++b) {
         double dot = 0;
         for (std::size_t r = 0; r < 3; ++r) dot += axes[r][a] * axes[r][b];
-        if (!(std::fabs(dot - (a == b ? 1 : 0)) <= tolerance)) return false;
+        const double off = std::fabs(dot - (a == b ? 1 : 0));
+        if (std::isnan(off)) return off;
+        greatest = std::max(greatest, off);
       }
-    return true;
+    return greatest;
   }
+
+  /// Whether `axes` are orthonormal but for `tolerance`.
+  [[nodiscard]] bool is_rotation(double tolerance) const { return skew() <= tolerance; }
 };
 
 }  // namespace certet

@@ -21,14 +21,19 @@ struct PageRow {
 struct PageFacts {
   std::string name;           ///< of the mesh, the title of the page
   std::vector<PageRow> rows;  ///< where it comes from
-  std::vector<AngleBounds> bounds;  ///< that the theorem on it gives; where there are
-                                    ///< several, it is not known which
+  /// That a mesh made as this one is said to be has; where there are several, it is not
+  /// known which.  Angles outside of a single one are a defect.
+  std::vector<AngleBounds> bounds;
+  /// Whether the mesh is known to be, bit by bit, what a run under these bounds wrote;
+  /// only then is their theorem said to cover it.
+  bool is_of_run = false;
+  std::vector<std::string> defects;  ///< that are known before the mesh is looked at
 };
 
 /// A page and what it says of the mesh.
 struct Page {
   std::string html;  ///< UTF-8; needs no other file and no network
-  CheckReport report;
+  CheckReport report;  ///< with the defects of the facts and of angles
 };
 
 /// Checks and measures a mesh and packs what the view needs of it: the surface,

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "certet/mesh.hpp"
@@ -47,6 +48,9 @@ struct Quality {
   /// cot |cot| of the two extreme angles, which are these, in degrees.
   double sharpest = -std::numeric_limits<double>::infinity();
   double bluntest = std::numeric_limits<double>::infinity();
+  /// The square of twice the least area of a face, in the units measured; over the
+  /// tetrahedra whose faces are neither so small nor so large that it leaves the range.
+  double least_face = std::numeric_limits<double>::infinity();
   /// Six times the volume in steps cubed, where lattice coordinates were
   /// measured; then `volume` is this, in other units.
   WideSum steps_volume;
@@ -91,5 +95,16 @@ AngleBounds proven_bounds(Cuts cuts, Guarantee guarantee);
 /// Whether all tetrahedra are positive and all angles within the bounds, but for
 /// `rounding` degrees.
 bool within(const Quality& quality, const AngleBounds& bounds, double rounding);
+
+/// Angles are shown in thousandths of a degree, and those of world coordinates are
+/// judged as they are shown: rounding has its part in them, and a theorem whose
+/// bounds are attained leaves it no room.
+inline constexpr double shown_rounding = 0.0005;
+
+/// What is wrong with the angles of a mesh in world coordinates, judged as they are
+/// shown, in one sentence; empty where nothing is.  `whose` says where the bounds
+/// come from.  Tetrahedra that are not positive have no angles.
+std::string angle_defect(const Quality& world, const AngleBounds& bounds,
+                         std::string_view whose);
 
 }  // namespace certet

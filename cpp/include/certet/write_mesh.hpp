@@ -8,7 +8,7 @@
 #include "certet/context.hpp"
 #include "certet/formats.hpp"
 #include "certet/frame.hpp"
-#include "certet/quality.hpp"
+#include "certet/placed_quality.hpp"
 #include "certet/stuffing.hpp"
 #include "certet/survey.hpp"
 
@@ -27,19 +27,16 @@ struct Slabs {
 Slabs cut_slabs(const Stuffing& stuffing, std::uint64_t max_bytes);
 
 /// What is known of a mesh that has been written.
-struct WrittenMesh {
-  Quality lattice;  ///< in exact lattice coordinates
-  /// In the coordinates that the file has; without histogram.  That of the lattice
-  /// where rounding cannot turn an angle by 1e-6 degrees, and measured elsewhere.
-  Quality world;
-  std::uint64_t checksum = 0;
+struct WrittenMesh : PlacedQuality {
+  std::uint64_t checksum = 0;       ///< of the mesh in lattice coordinates
+  std::uint64_t file_checksum = 0;  ///< that of a `FileMesh` with what was written
   /// Of all threads together; they overlap.
   double emit_seconds = 0, measure_seconds = 0, write_seconds = 0;
 };
 
 /// Writes all points, then all tetrahedra, with labels if there is a labeller.
 /// While one slab is written, the next is made.
-/// Does not finish the file, so that the caller may judge the mesh first.  What
+/// Does not finish the file, so that the caller may `judge` the mesh first.  What
 /// is written and returned (but for the seconds) does not depend on slabs and
 /// threads.
 /// \throws Error `write_failed`, `cancelled`, `too_large` (out of memory), and as

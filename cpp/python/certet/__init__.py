@@ -38,11 +38,12 @@ class Quality(NamedTuple):
     histogram: NDArray[np.uint64]
     """Shape (36,): all six dihedral angles of each tetrahedron, in bins of 5 degrees."""
     theorem: str
-    """The theorem of the certificate that covers the mesh."""
+    """The theorem of the certificate for such meshes; it covers this one where `holds`."""
     proven_min: float
     proven_max: float
     holds: bool
-    """Whether all tetrahedra are positive and all angles within the proven bounds."""
+    """Whether all tetrahedra are positive and all angles within the proven bounds: exactly in
+    the lattice, and to a thousandth of a degree in the world, where no two points coincide."""
 
 
 class Mesh:

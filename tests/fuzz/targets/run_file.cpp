@@ -1,4 +1,4 @@
-#include "report/run_file.hpp"
+#include "run_file.hpp"
 
 #include "reader.hpp"
 #include "targets.hpp"

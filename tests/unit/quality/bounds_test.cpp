@@ -37,5 +37,20 @@ TEST(ProvenBounds, AnInvertedTetrahedronIsOutsideOfAny) {
   EXPECT_FALSE(within(quality, b, 0));
 }
 
+/// To half a thousandth of a degree, as tables round.
+TEST(AngleDefect, JudgesWhatIsShown) {
+  const AngleBounds b{30, 135, {}};
+  EXPECT_EQ(angle_defect(measured(30, 135), b, "x"), "");
+  EXPECT_EQ(angle_defect(measured(29.99951, 135.00049), b, "x"), "");
+  EXPECT_EQ(angle_defect(measured(29.9994, 90), b, "x"),
+            "the dihedral angles are from 29.999 to 90 degrees, outside of the 30 to 135 of x");
+  EXPECT_NE(angle_defect(measured(60, 135.0006), b, "x"), "");
+  EXPECT_NE(angle_defect(measured(std::nan(""), 90), b, "x"), "");
+  // Without a positive tetrahedron there are no angles.
+  Quality none = measured(180, 0);
+  none.nonpositive = none.tets;
+  EXPECT_EQ(angle_defect(none, b, "x"), "");
+}
+
 }  // namespace
 }  // namespace certet
