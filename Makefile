@@ -6,7 +6,8 @@
 #
 #   make deps             install the Debian packages (asks nothing; needs root or sudo)
 #   make proofs           replay all proofs from clean
-#   make audit            statements, assumptions, leftovers, coqchk, and the C++ tables
+#   make audit            statements, definitions, assumptions, leftovers, coqchk, and the C++ tables
+#   make audit-selftest   attacks on the proofs and on the audit, each of which it must refuse
 #   make check-extracted  re-extract the OCaml reference and compare
 #   make conformance      write the conformance kit anew, from the certified functions
 #   make build            the library and the command, build/bin/certet
@@ -27,7 +28,7 @@
 
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: demo test deps proofs audit check-extracted conformance build bench certified-tables clean \
+.PHONY: demo test deps proofs audit audit-selftest check-extracted conformance build bench certified-tables clean \
   install package repeatability checksums tidy sanitize leaks tsan valgrind mutation soak fuzz
 .NOTPARALLEL:
 
@@ -71,6 +72,9 @@ coq/Certificate.vo: | deps
 audit: coq/Certificate.vo certified-tables
 	$(MAKE) -C coq audit
 
+audit-selftest: coq/Certificate.vo
+	$(MAKE) -C coq audit-selftest
+
 # The tables that the C++ engine runs on, proved equal to the certified
 # functions; with planted defects that the proof must refuse.
 certified-tables: coq/Certificate.vo build
@@ -82,7 +86,7 @@ check-extracted: coq/Certificate.vo
 conformance: deps
 	$(MAKE) -C extracted conformance
 
-test: proofs build audit check-extracted
+test: proofs build audit audit-selftest check-extracted
 	ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
 
 ATLAS := /usr/share/mricron/templates/aal.nii.gz
