@@ -4,6 +4,8 @@ A line of the walk is a parenthesized tree; its leaves are names in full, bound 
 distance (#1 is the nearest), names of binders, and sorts.
 """
 
+from rules import Refused
+
 WIDTH = 100
 NUMBERS = "Coq.Numbers.BinNums."
 
@@ -222,6 +224,10 @@ class Printer:
         return box(0, *joined)
 
     show_cofix = show_fix
+
+    def show_unprintable(self, tree, scope):
+        raise Refused("the theorems speak of machine numbers, arrays or primitive projections, "
+                      "which the audit does not read.")
 
     # -- one line of the walk --
 
