@@ -65,10 +65,10 @@ def extracted(root):
 
 # -- every file ---------------------------------------------------------------
 
-def check_import(file, sentence, exported=()):
-    """From Coq or Certet, nothing but modules; what Certificate.v does not export, none else does."""
+def check_import(file, sentence, exported=(), others=()):
+    """From Coq, Certet or the others, nothing but modules; what Certificate.v does not export, none else does."""
     words = sentence.words
-    plain = words[1] in ("Coq", "Certet") and words[2:3] == ("Require",)
+    plain = words[1] in ("Coq", "Certet", *others) and words[2:3] == ("Require",)
     modules = words[4:] if words[3:4] in (("Import",), ("Export",)) else words[3:]
     if not plain or not modules or not all(m[0].isalpha() for m in modules):
         refuse(file, sentence, "a file is required in an unusual way.")
@@ -77,13 +77,13 @@ def check_import(file, sentence, exported=()):
         refuse(file, sentence, "Certificate.v does not export this, so no other file may.")
 
 
-def check_command(file, sentence, allowed, depth, exported):
+def check_command(file, sentence, allowed, depth, exported, others):
     words = sentence.words
     command = words[0]
     if command not in allowed:
         refuse(file, sentence, "no file, or no file of this kind, may say this.")
     if command == "From":
-        check_import(file, sentence, exported)
+        check_import(file, sentence, exported, others)
     if command == "Import" and not set(words[1:]) <= IMPORTS:
         refuse(file, sentence, "only notations of lists are imported.")
     if command == "Open" and (words[1] != "Scope" or len(words) != 3 or words[2] not in SCOPES):
@@ -96,10 +96,9 @@ def check_command(file, sentence, allowed, depth, exported):
         refuse(file, sentence, "what is defined is written out, not proved.")
 
 
-def check_file(root, file, allowed):
+def check_file(root, file, allowed, exported, others=()):
     """Every command is allowed, every proof is between Proof and Qed, every section ends."""
     open_sections, in_proof = [], False
-    exported = exported_files(root)
     for sentence in read(root, file):
         words = sentence.words
         if not words:
@@ -114,7 +113,7 @@ def check_file(root, file, allowed):
             elif words != ("Proof",) and not (words[0][0].islower() or words[0][0] in "[(_="):
                 refuse(file, sentence, "within a proof stand only tactics.")
             continue
-        check_command(file, sentence, allowed, len(open_sections), exported)
+        check_command(file, sentence, allowed, len(open_sections), exported, others)
         if words[0] == "Section":
             open_sections.append(words[1])
         elif words[0] == "End" and (not open_sections or open_sections.pop() != words[1]):
@@ -126,9 +125,9 @@ def check_file(root, file, allowed):
 
 # -- one kind each ------------------------------------------------------------
 
-def check_definitions(root, file):
+def check_definitions(root, file, exported):
     """A file that Certificate.v exports: plain definitions."""
-    check_file(root, file, DEFINING)
+    check_file(root, file, DEFINING, exported)
     for sentence in read(root, file):
         if TRICKS & set(sentence.tokens) or any(t.startswith('"') for t in sentence.tokens):
             refuse(file, sentence, "a definition that users read has no notation, coercion, attribute or tactic.")

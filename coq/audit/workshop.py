@@ -34,6 +34,7 @@ class Workshop:
     def write(self, file, text):
         path = self.root / file
         self.keep(path)
+        path.parent.mkdir(exist_ok=True)
         path.write_text(text)
 
     def append(self, file, text):
@@ -76,8 +77,8 @@ class Workshop:
     # -- asking --
 
     def audit(self, *arguments):
-        return subprocess.run([self.root / "audit/audit", *arguments], text=True, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, check=False)
+        return subprocess.run([self.root / "audit/audit", *arguments], cwd=self.root, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
 
     # -- smaller copies of the project --
 
