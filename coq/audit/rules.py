@@ -20,7 +20,7 @@ IMPORTS = {"ListNotations"}
 # Tactics that leave a proof open, and the one that trusts a second compiler.
 OPEN_TACTICS = {"admit", "give_up", "native_compute", "native_cast_no_check"}
 # What has no place in a definition: tactics, generalization, attributes, coercions.
-TRICKS = {"ltac", "`", ":>", "#", "#[", "@{"}
+TRICKS = {"ltac", "`", ":>", "#", "#["}
 # In the string of a notation: what Coq could read as a quote, as a comment, or as an end.
 ODD_STRING = re.compile(r'"|\(\*|\*\)|\.(?!\.)(?<!\.\.)')
 
