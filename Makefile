@@ -7,7 +7,8 @@
 #   make deps             install the Debian packages of all targets (asks nothing; needs root
 #                         or sudo); each target installs its own anyway
 #   make proofs           replay all proofs from clean
-#   make audit            statements, assumptions, leftovers, coqchk, and the C++ tables
+#   make audit            statements, definitions, assumptions, leftovers, coqchk, and the C++ tables
+#   make audit-selftest   attacks on the proofs and on the audit, each of which it must refuse
 #   make check-extracted  re-extract the OCaml reference and compare
 #   make conformance      write the conformance kit anew, from the certified functions
 #   make build            the library and the command, build/bin/certet
@@ -28,8 +29,8 @@
 
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: demo test proofs audit check-extracted conformance build bench certified-tables clean \
-  deps build-deps demo-deps proof-deps test-deps bench-deps configured everything \
+.PHONY: demo test proofs audit audit-selftest check-extracted conformance build bench certified-tables \
+  deps build-deps demo-deps proof-deps test-deps bench-deps configured everything clean \
   install package repeatability checksums tidy sanitize leaks tsan valgrind mutation soak fuzz
 .NOTPARALLEL:
 
@@ -101,6 +102,10 @@ coq/Certificate.vo: | proof-deps
 
 audit: coq/Certificate.vo certified-tables
 	$(MAKE) -C coq audit
+	coq/audit/audit --read tests/certified_tables CertetTables
+
+audit-selftest: coq/Certificate.vo
+	$(MAKE) -C coq audit-selftest
 
 # The tables that the C++ engine runs on, proved equal to the certified
 # functions; with a defect in every entry that the proof must refuse.
@@ -113,7 +118,7 @@ check-extracted: coq/Certificate.vo
 conformance: proof-deps
 	$(MAKE) -C extracted conformance
 
-test: proofs everything audit check-extracted
+test: proofs everything audit audit-selftest check-extracted
 	ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
 
 ATLAS := /usr/share/mricron/templates/aal.nii.gz

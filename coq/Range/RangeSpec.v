@@ -42,15 +42,6 @@ Fixpoint Fits (bits : Z) (f : Formula) : Prop :=
 Definition Computes (bits : Z) (f : Formula) (answer : Z) : Prop :=
   Fits bits f /\ Value f = answer.
 
-Coercion Number : Z >-> Formula.
-
-Declare Scope formula_scope.
-Delimit Scope formula_scope with formula.
-Infix "+" := Sum : formula_scope.
-Infix "-" := Less : formula_scope.
-Infix "*" := Product : formula_scope.
-Bind Scope formula_scope with Formula.
-
 (** ** The range *)
 
 (** Lattice points in use have coordinates of at most [LatticeLimit]; a lattice
@@ -75,47 +66,61 @@ Definition Bounded (limit : Z) (v : Coord3) : Prop :=
 
 (** ** What the library computes *)
 
-Section Formulas.
-  Open Scope formula_scope.
+(** The first coordinate past a lattice that begins at [low] and has [cells]
+    indices along the axis; it is computed once, at the door:
+    low + 2 cells + 1. *)
+Definition DoorFormula (low cells : Z) : Formula :=
+  Sum (Sum (Number low) (Product (Number 2) (Number cells))) (Number 1).
 
-  (** The first coordinate past a lattice that begins at [low] and has [cells]
-      indices along the axis; it is computed once, at the door. *)
-  Definition DoorFormula (low cells : Z) : Formula := low + 2%Z * cells + 1%Z.
+(** A lattice point of grid 0 (even) or 1 (odd), [shift] indices away from
+    index [i]: low + 2 (i + shift) + grid. *)
+Definition LatticePointFormula (low i shift grid : Z) : Formula :=
+  Sum (Sum (Number low) (Product (Number 2) (Sum (Number i) (Number shift))))
+      (Number grid).
 
-  (** A lattice point of grid 0 (even) or 1 (odd), [shift] indices away from
-      index [i]. *)
-  Definition LatticePointFormula (low i shift grid : Z) : Formula :=
-    low + 2%Z * (i + shift) + grid.
+(** A point moved [t] steps along an edge whose offset is [e]: Steps v + t e. *)
+Definition WarpedFormula (v t e : Z) : Formula :=
+  Sum (Product (Number Steps) (Number v)) (Product (Number t) (Number e)).
 
-  (** A point moved [t] steps along an edge whose offset is [e]. *)
-  Definition WarpedFormula (v t e : Z) : Formula := Steps * v + t * e.
+(** The cut of an edge, Steps plus + t (minus - plus); and what bisection looks
+    at, where the step [t] is low + half. *)
+Definition CutFormula (plus minus t : Z) : Formula :=
+  Sum (Product (Number Steps) (Number plus))
+      (Product (Number t) (Less (Number minus) (Number plus))).
+Definition MiddleFormula (plus minus low half : Z) : Formula :=
+  Sum (Product (Number Steps) (Number plus))
+      (Product (Sum (Number low) (Number half))
+               (Less (Number minus) (Number plus))).
 
-  (** The cut of an edge; and what bisection looks at, where the step is a sum. *)
-  Definition CutFormula (plus minus t : Z) : Formula :=
-    Steps * plus + t * (minus - plus).
-  Definition MiddleFormula (plus minus low half : Z) : Formula :=
-    Steps * plus + (low + half) * (minus - plus).
+(** A cut seen from the other end, a threshold in steps, and the square of a
+    distance. *)
+Definition OtherEndFormula (t : Z) : Formula := Less (Number Steps) (Number t).
+Definition ThresholdFormula (alpha : Z) : Formula :=
+  Product (Number alpha) (Number 256).
+Definition DistanceFormula (length_squared t : Z) : Formula :=
+  Product (Product (Number length_squared) (Number t)) (Number t).
 
-  (** A cut seen from the other end, a threshold in steps, and the square of a
-      distance. *)
-  Definition OtherEndFormula (t : Z) : Formula := Steps - t.
-  Definition ThresholdFormula (alpha : Z) : Formula := alpha * 256%Z.
-  Definition DistanceFormula (length_squared t : Z) : Formula :=
-    length_squared * t * t.
+(** Six times a volume, as the engine decides orientation: with x, y and z of
+    an edge from [a], xb (yc zd - zc yd) - yb (xc zd - zc xd)
+    + zb (xc yd - yc xd); *)
+Definition SixVolumeFormula (a b c d : Coord3) : Formula :=
+  let x p := Less (Number (Along AxisX p)) (Number (Along AxisX a)) in
+  let y p := Less (Number (Along AxisY p)) (Number (Along AxisY a)) in
+  let z p := Less (Number (Along AxisZ p)) (Number (Along AxisZ a)) in
+  Sum
+    (Less
+      (Product (x b) (Less (Product (y c) (z d)) (Product (z c) (y d))))
+      (Product (y b) (Less (Product (x c) (z d)) (Product (z c) (x d)))))
+    (Product (z b) (Less (Product (x c) (y d)) (Product (y c) (x d)))).
 
-  (** Six times a volume, as the engine decides orientation, *)
-  Definition SixVolumeFormula (a b c d : Coord3) : Formula :=
-    let x p := Along AxisX p - Along AxisX a in
-    let y p := Along AxisY p - Along AxisY a in
-    let z p := Along AxisZ p - Along AxisZ a in
-    x b * (y c * z d - z c * y d) - y b * (x c * z d - z c * x d)
-    + z b * (x c * y d - y c * x d).
-
-  (** and as it is measured. *)
-  Definition DeterminantFormula (a b c d : Coord3) : Formula :=
-    let x p := Along AxisX p - Along AxisX a in
-    let y p := Along AxisY p - Along AxisY a in
-    let z p := Along AxisZ p - Along AxisZ a in
-    x b * (y c * z d - z c * y d) + y b * (z c * x d - x c * z d)
-    + z b * (x c * y d - y c * x d).
-End Formulas.
+(** and as it is measured: xb (yc zd - zc yd) + yb (zc xd - xc zd)
+    + zb (xc yd - yc xd). *)
+Definition DeterminantFormula (a b c d : Coord3) : Formula :=
+  let x p := Less (Number (Along AxisX p)) (Number (Along AxisX a)) in
+  let y p := Less (Number (Along AxisY p)) (Number (Along AxisY a)) in
+  let z p := Less (Number (Along AxisZ p)) (Number (Along AxisZ a)) in
+  Sum
+    (Sum
+      (Product (x b) (Less (Product (y c) (z d)) (Product (z c) (y d))))
+      (Product (y b) (Less (Product (z c) (x d)) (Product (x c) (z d)))))
+    (Product (z b) (Less (Product (x c) (y d)) (Product (y c) (x d)))).

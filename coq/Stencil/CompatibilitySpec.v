@@ -192,9 +192,8 @@ Section Compatibility.
     let '((p1, p2), (q1, q2)) := ee in
     TwoEdgesCompatible p1 p2 q1 q2.
 
-  (** The cartesian product, which the standard library calls [list_prod]. *)
-  Local Notation list_produces := list_prod (only parsing).
-
+  (** Every edge of one with every edge of the other: the cartesian product,
+      [list_prod], which the paper calls list_produces. *)
   Definition AllEdgesCompatible
       (u1 u2 u3 u4 v1 v2 v3 v4 : Vertex) : Prop :=
     let T := GetUnstructuredTets Vertex
@@ -203,6 +202,6 @@ Section Compatibility.
       List.In t1 (T u1 u2 u3 u4) ->
       List.In t2 (T v1 v2 v3 v4) ->
       Forall EdgePairCompatible
-        (list_produces (Edges t1) (Edges t2)).
+        (list_prod (Edges t1) (Edges t2)).
 
 End Compatibility.

@@ -1,0 +1,176 @@
+"""What a source file may say.  Whatever is not named here is refused.
+
+Four kinds of files: Certificate.v states; the files that it exports define (and those named *Spec.v
+are some of them); Extraction.v lists what runs; all others prove.
+"""
+
+import re
+
+from vernacular import Unreadable, sentences
+
+DEFINING = {"From", "Import", "Open", "Section", "End", "Variable", "Variables",
+            "Definition", "Fixpoint", "Inductive", "Record", "Arguments"}
+PROVING = DEFINING | {"Theorem", "Lemma", "Corollary", "Let", "Hypothesis", "Hypotheses", "Ltac", "Local"}
+STARTING_PROOF = {"Theorem", "Lemma", "Corollary"}
+OF_SECTIONS = {"Variable", "Variables", "Hypothesis", "Hypotheses", "Let"}
+LOCAL = {"Notation", "Infix", "Ltac", "Opaque", "Strategy"}  # after the word Local, in proofs
+SCOPES = {"Z_scope", "R_scope", "nat_scope", "bool_scope", "list_scope", "positive_scope", "N_scope"}
+IMPORTS = {"ListNotations"}
+
+# Tactics that leave a proof open, and the one that trusts a second compiler.
+OPEN_TACTICS = {"admit", "give_up", "native_compute", "native_cast_no_check"}
+# What has no place in a definition: tactics, generalization, attributes, coercions.
+TRICKS = {"ltac", "`", ":>", "#", "#["}
+# In the string of a notation: what Coq could read as a quote, as a comment, or as an end.
+ODD_STRING = re.compile(r'"|\(\*|\*\)|\.(?!\.)(?<!\.\.)')
+
+
+class Refused(Exception):
+    """A file says what its kind may not say."""
+
+
+def refuse(file, sentence, why):
+    said = str(sentence)
+    raise Refused(f"{file}:{sentence.line}: {said if len(said) < 70 else said[:70] + ' ...'}\n{why}")
+
+
+def read(root, file):
+    try:
+        return sentences(root / file)
+    except Unreadable as problem:
+        raise Refused(f"{file}: {problem}\nit cannot be told what this file says.") from problem
+
+
+def exported_files(root):
+    """The files that Certificate.v exports, in order."""
+    found = []
+    for sentence in read(root, "Certificate.v"):
+        if sentence.tokens[:4] == ("From", "Certet", "Require", "Export"):
+            found += [module.replace(".", "/") + ".v" for module in sentence.tokens[4:]]
+    return found
+
+
+def headlines(root):
+    """The theorems of Certificate.v, in order."""
+    return [s.tokens[1] for s in read(root, "Certificate.v") if s.tokens[0] in STARTING_PROOF]
+
+
+def extracted(root):
+    """The sentences of Extraction.v that import, and the names that it extracts."""
+    said = read(root, "Extraction.v")
+    return ([str(s).replace(" . ", ".") + "." for s in said if s.tokens[0] == "From"],
+            [name for s in said if s.tokens[:2] == ("Extraction", '"certified.ml"')
+             for name in s.tokens[2:]])
+
+
+# -- every file ---------------------------------------------------------------
+
+def check_import(file, sentence, exported=(), others=()):
+    """From Coq, Certet or the others, nothing but modules; what Certificate.v does not export, none else does."""
+    words = sentence.words
+    plain = words[1] in ("Coq", "Certet", *others) and words[2:3] == ("Require",)
+    modules = words[4:] if words[3:4] in (("Import",), ("Export",)) else words[3:]
+    if not plain or not modules or not all(m[0].isalpha() for m in modules):
+        refuse(file, sentence, "a file is required in an unusual way.")
+    onward = {module.replace(".", "/") + ".v" for module in words[4:]}
+    if words[3:4] == ("Export",) and (words[1] != "Certet" or not onward <= set(exported)):
+        refuse(file, sentence, "Certificate.v does not export this, so no other file may.")
+
+
+def check_command(file, sentence, allowed, depth, exported, others):
+    words = sentence.words
+    command = words[0]
+    if command not in allowed:
+        refuse(file, sentence, "no file, or no file of this kind, may say this.")
+    if command == "From":
+        check_import(file, sentence, exported, others)
+    if command == "Import" and not set(words[1:]) <= IMPORTS:
+        refuse(file, sentence, "only notations of lists are imported.")
+    if command == "Open" and (words[1] != "Scope" or len(words) != 3 or words[2] not in SCOPES):
+        refuse(file, sentence, "only a scope of numbers or lists is opened.")
+    if command == "Local" and words[1] not in LOCAL:
+        refuse(file, sentence, "nothing else is local.")
+    if command in OF_SECTIONS and depth == 0:
+        refuse(file, sentence, "outside a section this is an axiom.")
+    if command in ("Definition", "Fixpoint") and ":=" not in words:
+        refuse(file, sentence, "what is defined is written out, not proved.")
+
+
+def check_file(root, file, allowed, exported, others=()):
+    """Every command is allowed, every proof is between Proof and Qed, every section ends."""
+    open_sections, in_proof = [], False
+    for sentence in read(root, file):
+        words = sentence.words
+        if not words:
+            refuse(file, sentence, "an empty sentence.")
+        if OPEN_TACTICS & set(words):
+            refuse(file, sentence, "a proof is left open, or trusts what Coq's kernel does not check.")
+        if any(ODD_STRING.search(token[1:-1]) for token in words if token[0] == '"'):
+            refuse(file, sentence, "this could change how Coq reads what follows.")
+        if in_proof:
+            if words == ("Qed",):
+                in_proof = False
+            elif words != ("Proof",) and not (words[0][0].islower() or words[0][0] in "[(_="):
+                refuse(file, sentence, "within a proof stand only tactics.")
+            continue
+        check_command(file, sentence, allowed, len(open_sections), exported, others)
+        if words[0] == "Section":
+            open_sections.append(words[1])
+        elif words[0] == "End" and (not open_sections or open_sections.pop() != words[1]):
+            refuse(file, sentence, "no such section is open.")
+        in_proof = words[0] in STARTING_PROOF or words[0] == "Let" and ":=" not in words
+    if in_proof or open_sections:
+        raise Refused(f"{file}\na proof or a section has no end.")
+
+
+# -- one kind each ------------------------------------------------------------
+
+def check_definitions(root, file, exported):
+    """A file that Certificate.v exports: plain definitions."""
+    check_file(root, file, DEFINING, exported)
+    for sentence in read(root, file):
+        if TRICKS & set(sentence.tokens) or any(t.startswith('"') for t in sentence.tokens):
+            refuse(file, sentence, "a definition that users read has no notation, coercion, attribute or tactic.")
+        if sentence.tokens[0] == "Arguments" and not set(sentence.tokens[2:]) <= set(
+                "{}[]") | {t for t in sentence.tokens if t[0].isalpha()}:
+            refuse(file, sentence, "arguments are made implicit, and no more.")
+
+
+def check_certificate(root):
+    """Nothing but imports and theorems, each proved by one exact."""
+    said, exported = read(root, "Certificate.v"), exported_files(root)
+    while said:
+        sentence = said.pop(0)
+        words = sentence.tokens
+        if words[0] == "From":
+            check_import("Certificate.v", sentence, exported)
+        elif words[0] in STARTING_PROOF:
+            proof = [s.tokens for s in said[:3]]
+            if (TRICKS | {"exact"}) & set(words) or any(t.startswith('"') for t in words):
+                refuse("Certificate.v", sentence, "a statement holds a trick.")
+            if (len(proof) < 3 or proof[0] != ("Proof",) or proof[2] != ("Qed",)
+                    or proof[1][0] != "exact" or len(proof[1]) != 2):
+                refuse("Certificate.v", sentence, "a headline is proved by exact and a name alone.")
+            del said[:3]
+        elif words != ("Open", "Scope", "Z_scope"):
+            refuse("Certificate.v", sentence, "Certificate.v only imports and states.")
+
+
+def check_extraction(root):
+    """The extracted functions are OCaml as Coq gives it, from the files that Certificate.v exports."""
+    said = read(root, "Extraction.v")
+    exported = {file[:-2].replace("/", ".") for file in exported_files(root)}
+    outputs = 0
+    for sentence in said:
+        words = sentence.tokens
+        if words[0] == "From":
+            known = {"Extraction", "ExtrOcamlBasic"} if words[1] == "Coq" else exported
+            check_import("Extraction.v", sentence)
+            if words[2:4] != ("Require", "Import") or not set(words[4:]) <= known:
+                refuse("Extraction.v", sentence, "only ExtrOcamlBasic and what Certificate.v exports.")
+        elif words[:2] == ("Extraction", '"certified.ml"') and all(w[0].isalpha() for w in words[2:]):
+            outputs += 1
+        elif words != ("Extraction", "Language", "OCaml"):
+            refuse("Extraction.v", sentence, "this could put other code in the place of a function.")
+    if outputs != 1:
+        raise Refused("Extraction.v\none list of functions is extracted.")
