@@ -43,7 +43,7 @@ PACKAGES := \
   python3 python3-numpy python3-meshio python3-matplotlib \
   libboost-dev libassimp-dev libopenvdb-dev libblosc-dev libimath-dev \
   clang clang-tidy libclang-rt-14-dev valgrind dpkg-dev mandoc groff pkg-config \
-  libtiff-dev python3-tifffile python3-pydicom \
+  libtiff-dev python3-tifffile python3-pydicom python3-nibabel \
   libpng-dev libjs-three chromium chromium-driver python3-selenium \
   pybind11-dev python3-dev python3-gmsh python3-vtk9 mricron-data
 

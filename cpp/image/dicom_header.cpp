@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <fstream>
 #include <string_view>
 #include <vector>
@@ -134,12 +135,22 @@ class Walker {
     return true;
   }
 
+  bool keep_frames(const std::string& text) {
+    const char* const first = text.data() + std::min(text.find_first_not_of(" +"), text.size());
+    const char* const end = text.data() + text.size();
+    const auto [stop, failure] = std::from_chars(first, end, header_.frames);
+    return text.empty() || (failure == std::errc() && stop == end && header_.frames >= 1 &&
+                            header_.frames <= std::uint64_t{1} << 31);
+  }
+
   bool keep(const Element& element) {
     switch (element.tag) {
       case recognition_code: return false;
       case 0x00020010: syntax_ = text(element); return true;
+      case 0x00080016: header_.kind = text(element); return true;
       case 0x0020000e: header_.series = text(element); return true;
       case 0x00280002: return keep_number(header_.samples);
+      case 0x00280008: return keep_frames(text(element));
       case 0x00280010: return keep_number(header_.rows);
       case 0x00280011: return keep_number(header_.columns);
       case 0x00280100: return keep_number(header_.bits);
@@ -230,10 +241,12 @@ class Walker {
     for (int number = 0; here() < end_; ++number) {
       Element fragment;
       if (!head(fragment)) return false;
-      if (fragment.tag == sequence_end) return fragment.length == 0 && (!in_runs || number == 2);
+      if (fragment.tag == sequence_end)
+        return fragment.length == 0 &&
+               (!in_runs || static_cast<std::uint64_t>(number) == header_.frames + 1);
       if (fragment.tag != item || fragment.length > end_ - here()) return false;
       // The first one says where frames begin.
-      if (in_runs && number == 1 ? !runs(fragment) : !skip(fragment, end_)) return false;
+      if (in_runs && number >= 1 ? !runs(fragment) : !skip(fragment, end_)) return false;
     }
     return false;
   }
@@ -255,10 +268,16 @@ class Walker {
 
 bool DicomHeader::holds_voxels() const {
   if (rows == 0) return true;
+  const bool single_bits = bits == 1 && bits_stored == 1 && is_segmentation();
   const bool whole_bytes = bits == 8 || bits == 16 || bits == 32 || bits == 64;
-  return whole_bytes && bits_stored > 0 && bits_stored <= bits && high_bit + 1 == bits_stored &&
-         is_signed <= 1 && samples >= 1 && samples <= 4 &&
-         (packed || pixel_bytes >= rows * columns * samples * (bits / 8));
+  return (whole_bytes || single_bits) && bits_stored > 0 && bits_stored <= bits &&
+         high_bit + 1 == bits_stored && is_signed <= 1 && samples >= 1 && samples <= 4 &&
+         (packed || (pixel_bytes >= (rows * columns * bits + 7) / 8 &&
+                     pixel_bytes / frames >= rows * columns * samples * bits / 8));
+}
+
+bool DicomHeader::is_segmentation() const {
+  return kind == "1.2.840.10008.5.1.4.1.1.66.4" || kind == "1.2.840.10008.5.1.4.1.1.66.7";
 }
 
 std::optional<DicomHeader> read_dicom_header(const fs::path& file) {

@@ -15,12 +15,16 @@ struct DicomHeader {
   std::string series;             ///< UID; empty where there is none
   std::uint64_t pixel_bytes = 0;  ///< of voxels that are not packed
   bool packed = false;
-  std::uint64_t rows = 0, columns = 0, samples = 1;
+  std::string kind;               ///< UID of the SOP class
+  std::uint64_t rows = 0, columns = 0, samples = 1, frames = 1;
   std::uint64_t bits = 0, bits_stored = 0, high_bit = 0, is_signed = 0;
 
   /// Whether there is as much as the header announces, as far as this is known,
   /// and of a kind that numbers have.  Reports have no voxels, and are whole.
   [[nodiscard]] bool holds_voxels() const;
+  [[nodiscard]] bool is_segmentation() const;
+  /// Whether it is more than one slice of a series: several frames, or segments.
+  [[nodiscard]] bool holds_frames() const { return frames > 1 || is_segmentation(); }
 };
 
 /// Nothing for a file whose elements do not fit into each other and the file, or

@@ -1,6 +1,7 @@
 #include "geometry.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "certet/error.hpp"
@@ -27,6 +28,21 @@ std::array<Point3, 3> columns(const Image& image) {
   return column;
 }
 
+/// Axes a and b, which may be the same one.
+[[noreturn]] void refuse_axes(const Image& image, const std::array<Point3, 3>& column,
+                              std::size_t a, std::size_t b) {
+  const std::string reason = "has a direction matrix that is not orthonormal: ";
+  const double lengths = std::sqrt(dot(column[a], column[a]) * dot(column[b], column[b]));
+  const double angle = std::acos(dot(column[a], column[b]) / lengths) * 180 / std::acos(-1.0);
+  if (a == b || !(angle > 0.1 && angle < 179.9)) refuse(image, reason + "it is singular");
+  constexpr const char* names[3] = {"first", "second", "third"};
+  std::array<char, 32> degrees{};
+  std::snprintf(degrees.data(), degrees.size(), "%.1f", angle);
+  refuse(image, reason + "it has shear, for its " + names[b] + " and " + names[a] +
+                    " axis meet at " + degrees.data() +
+                    " degrees; resample the image on a grid with right angles");
+}
+
 }  // namespace
 
 void judge_geometry(const Image& image) {
@@ -38,7 +54,7 @@ void judge_geometry(const Image& image) {
     if (!std::isfinite(image.origin[a])) refuse(image, "has an origin that is not finite");
     for (std::size_t b = 0; b <= a; ++b)
       if (!(std::abs(dot(column[a], column[b]) - (a == b ? 1 : 0)) <= direction_tolerance))
-        refuse(image, "has a direction matrix that is not orthonormal (sheared or singular)");
+        refuse_axes(image, column, a, b);
   }
 }
 

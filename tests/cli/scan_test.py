@@ -210,7 +210,7 @@ class TiffStack(ScanTest):
         self.assertAlmostEqual(report["lattice"]["size"], 0.1, delta=1e-6)
 
     def test_level(self):
-        write_tiff(self.path, self.stack.astype("float32"))
+        write_tiff(self.path, self.stack.astype("float32") + 0.25)
         self.refused(USAGE, "--iso", file="scan.tif")
         self.mesh("scan.tif", "--iso", "2.5", "-o", "scan.vtu")
         self.check("scan.vtu")
