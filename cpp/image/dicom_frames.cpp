@@ -24,7 +24,9 @@ constexpr DicomTag segment_sequence = 0x00620002, segment_number = 0x00620004,
                    greatest_fraction = 0x0062000e;
 constexpr DicomTag rows = 0x00280010, columns = 0x00280011, samples = 0x00280002;
 constexpr DicomTag frame_offsets = 0x3004000c, dose_scale = 0x3004000e;
-constexpr DicomTag increment = 0x00280009, frame_time = 0x00181063, frame_times = 0x00181065;
+constexpr DicomTag columns_of_slide = 0x00480006;
+constexpr DicomTag increment = 0x00280009, frame_time = 0x00181063, frame_times = 0x00181065,
+                   slice_vector = 0x00540080;
 
 /// The groups of one frame, and the others it may take an element from.
 struct Groups {
@@ -108,6 +110,12 @@ void place_along_normal(const fs::path& file, const gdcm::DataSet& data, DicomFr
     refuse(file, "has frames whose offsets are not as many as they are");
   if (offsets.empty() && step <= 0 && result.frames.size() > 1)
     refuse(file, "has frames that do not tell how far apart they are");
+  if (origin.size() != 3)
+    result.notes.push_back("the file says nothing of the place of its frames; the first is at the "
+                           "origin");
+  if (offsets.empty() && result.distance == 0 && result.frames.size() > 1)
+    result.notes.push_back("the file says nothing of the distance of its frames, which was taken "
+                           "to be the slices' thickness");
   for (std::size_t f = 0; f < result.frames.size(); ++f) {
     Point3 place{};
     const double along =
@@ -118,7 +126,7 @@ void place_along_normal(const fs::path& file, const gdcm::DataSet& data, DicomFr
   }
 }
 
-/// The increment names an element whose numbers are times.
+/// The increment names an element by which frames differ.
 void judge_not_times(const fs::path& file, const gdcm::DataSet& data) {
   const auto group = dicom_text(data, increment);
   if (group.size() < 4) return;
@@ -128,6 +136,8 @@ void judge_not_times(const fs::path& file, const gdcm::DataSet& data) {
   const DicomTag tag = (byte(0) | byte(1) << 8) << 16 | (byte(2) | byte(3) << 8);
   if (tag == frame_time || tag == frame_times)
     refuse(file, "has frames that are times of one picture, not slices of a volume");
+  if (tag >> 16 == 0x0054 && tag != slice_vector)
+    refuse(file, "has frames that are energies, detectors or times, not slices of a volume alone");
 }
 
 void read_segments(const gdcm::DataSet& data, DicomFrames& result) {
@@ -152,6 +162,8 @@ DicomFrames read_dicom_frame_headers(const fs::path& file, const gdcm::DataSet& 
   if (const auto count = dicom_short(data, samples).value_or(1); count != 1)
     refuse(file, "has " + std::to_string(count) + " numbers per voxel, not 1");
   judge_not_times(file, data);
+  if (!dicom_text(data, columns_of_slide).empty())
+    refuse(file, "has frames that are tiles of a slide, not slices of a volume");
   const auto shared = dicom_items(data, shared_groups);
   const auto own = dicom_items(data, groups_of_frames);
   if (!own.empty() && own.size() != frames)

@@ -31,6 +31,7 @@ struct DicomFrames {
   std::vector<Segment> segments;
   enum class Kind { values, binary, fractional, labels } kind = Kind::values;
   double greatest_fraction = 0;
+  std::vector<std::string> notes;  ///< what is doubtful, a sentence each
 };
 
 /// By the functional groups of each frame, those that all share or, as files had it

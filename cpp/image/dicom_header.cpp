@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dicom_runs.hpp"
+#include "image_file.hpp"
 
 namespace certet {
 namespace {
@@ -60,14 +61,15 @@ static_assert(std::ranges::is_sorted(types, {}, &Type::tag));
 /// Elements from the beginning to the voxels, nested ones too.
 class Walker {
  public:
-  explicit Walker(const fs::path& file) : stream_(file, std::ios::binary) {
+  explicit Walker(const fs::path& file) : file_(file), stream_(file, std::ios::binary) {
     std::error_code failure;
     end_ = fs::file_size(file, failure);
     stream_.seekg(132);
   }
 
   std::optional<DicomHeader> walk() {
-    if (!walk_meta() || !syntax_is_known()) return {};
+    if (!walk_meta()) return {};
+    judge_syntax();
     explicit_ = syntax_ != "1.2.840.10008.1.2";
     return elements(end_, 0) ? std::optional(header_) : std::nullopt;
   }
@@ -180,11 +182,16 @@ class Walker {
     return here() == end;
   }
 
-  [[nodiscard]] bool syntax_is_known() const {
+  void judge_syntax() const {
     constexpr std::string_view big_endian = "1.2.840.10008.1.2.2";
     constexpr std::string_view deflated = "1.2.840.10008.1.2.1.99";
-    return syntax_.rfind("1.2.840.10008.1.2", 0) == 0 && syntax_ != big_endian &&
-           syntax_ != deflated;
+    const auto refuse_syntax = [&](const std::string& what) {
+      refuse(file_, "is DICOM " + what + ", which is not supported");
+    };
+    if (syntax_ == big_endian) refuse_syntax("with the highest byte first");
+    if (syntax_ == deflated) refuse_syntax("that is deflated as a whole");
+    if (syntax_.rfind("1.2.840.10008.1.2", 0) != 0)
+      refuse_syntax("of an unknown transfer syntax, '" + syntax_ + "'");
   }
 
   /// Up to `end`, or to the mark that ends an item; their tags ascend.
@@ -195,8 +202,12 @@ class Walker {
       if (element.tag == item_end) return depth > 0 && element.length == 0;
       if (element.tag <= before) return false;
       before = element.tag;
-      const bool are_voxels = element.tag == pixels && depth == 0;
-      if (!(are_voxels ? voxels(element) : value(element, end, depth))) return false;
+      const bool own_voxels = element.tag == pixels && depth == 0;
+      const bool icon = element.tag == pixels && depth > 0 && element.length == undefined;
+      if (!(own_voxels ? voxels(element)
+            : icon     ? fragments(end, false)
+                       : value(element, end, depth)))
+        return false;
     }
     return here() == end;
   }
@@ -237,16 +248,19 @@ class Walker {
     header_.packed = element.length == undefined;
     header_.pixel_bytes = header_.packed ? 0 : element.length;
     if (!header_.packed) return skip(element, end_);
-    const bool in_runs = syntax_ == "1.2.840.10008.1.2.5";
-    for (int number = 0; here() < end_; ++number) {
+    return fragments(end_, syntax_ == "1.2.840.10008.1.2.5");
+  }
+
+  /// Of packed voxels, a fragment for each frame where these are in runs.  The first
+  /// one says where frames begin.
+  bool fragments(std::uint64_t end, bool in_runs) {
+    for (std::uint64_t number = 0; here() < end; ++number) {
       Element fragment;
       if (!head(fragment)) return false;
       if (fragment.tag == sequence_end)
-        return fragment.length == 0 &&
-               (!in_runs || static_cast<std::uint64_t>(number) == header_.frames + 1);
-      if (fragment.tag != item || fragment.length > end_ - here()) return false;
-      // The first one says where frames begin.
-      if (in_runs && number >= 1 ? !runs(fragment) : !skip(fragment, end_)) return false;
+        return fragment.length == 0 && (!in_runs || number == header_.frames + 1);
+      if (fragment.tag != item || here() > end || fragment.length > end - here()) return false;
+      if (in_runs && number >= 1 ? !runs(fragment) : !skip(fragment, end)) return false;
     }
     return false;
   }
@@ -257,6 +271,7 @@ class Walker {
            whole_runs(packed, header_.samples * (header_.bits / 8), header_.rows * header_.columns);
   }
 
+  fs::path file_;
   std::ifstream stream_;
   std::uint64_t end_ = 0;
   bool explicit_ = true;

@@ -27,8 +27,9 @@ struct DicomHeader {
   [[nodiscard]] bool holds_frames() const { return frames > 1 || is_segmentation(); }
 };
 
-/// Nothing for a file whose elements do not fit into each other and the file, or
-/// whose transfer syntax is big-endian or deflated.
+/// Nothing for a file whose elements do not fit into each other and the file.
+/// \throws Error `bad_input` for a transfer syntax that is big-endian, deflated or not
+/// known.
 std::optional<DicomHeader> read_dicom_header(const std::filesystem::path& file);
 
 }  // namespace certet

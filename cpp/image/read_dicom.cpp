@@ -203,6 +203,7 @@ Image read_dicom_file(const fs::path& file, std::uint64_t max_bytes, const Image
   if (!choice.series.empty() && header->series != choice.series)
     throw Error(ErrorCode::bad_option,
                 "'" + file.string() + "' holds no DICOM series '" + choice.series + "'");
+  if (header->rows == 0) refuse(file, "is DICOM without an image");
   if (!header->holds_frames())
     refuse(file, "is one file of DICOM; give the folder that holds its series");
   return read_dicom_frames(file, max_bytes, choice);

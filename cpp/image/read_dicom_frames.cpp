@@ -167,6 +167,8 @@ Image read_values(const fs::path& file, const DicomFrames& frames, const gdcm::D
   const bool single = slices.size() == 1;
   Image image = slice_grid(file, frames.form, slices.front().origin, slices.size(),
                            single ? frames.thickness : slice_distance(file, slices));
+  image.notes = frames.notes;
+  if (single) image.notes.push_back("the image is a single slice, as thick as its header says");
   const Stored stored = read_stored(file, data, header, frames.frames.size());
   fill_values(file, frames, stored, slices, image);
   return image;
@@ -230,6 +232,7 @@ Image read_segments(const fs::path& file, const DicomFrames& frames, const gdcm:
   SegmentGrid grid = segment_grid(file, frames);
   judge_memory(file, judge_count(file, grid.image.size, 4) * 4, max_bytes);
   const Stored stored = read_stored(file, data, header, frames.frames.size());
+  grid.image.notes = frames.notes;
   const auto numbers = numbers_of(frames.segments);
   if (frames.kind == Kind::fractional)
     grid.image.notes.push_back(
