@@ -297,6 +297,86 @@ class Volumes(StoredTest):
         self.refused(USAGE, "no volume 1", options=["--volume", 1])
 
 
+class Layers(StoredTest):
+    """Segments of 3D Slicer, in one layer or several."""
+
+    def segments(self, layers, segments, kind="uint8"):
+        """`layers` by [i, j, k]; a segment is (layer, value, name)."""
+        array = numpy.stack([a.flatten("F") for a in layers], axis=1)
+        several = len(layers) > 1
+        head = (f"NRRD0004\ntype: {kind}\ndimension: {3 + several}\n"
+                f"space: left-posterior-superior\nsizes: {f'{len(layers)} ' * several}9 7 6\n"
+                f"kinds: {'list ' * several}domain domain domain\n"
+                f"space directions: {'none ' * several}(1,0,0) (0,1,0) (0,0,1)\n"
+                "space origin: (0,0,0)\nendian: little\nencoding: gzip\n")
+        for n, (layer, value, name) in enumerate(segments):
+            head += (f"Segment{n}_Color:=0.5 0.6 0.7\nSegment{n}_ID:=Segment_{n + 1}\n"
+                     f"Segment{n}_LabelValue:={value}\nSegment{n}_Layer:={layer}\n")
+            head += f"Segment{n}_Name:={name}\n" if name else ""
+        (self.folder / "a.seg.nrrd").write_bytes(
+            head.encode() + b"\n" + gzip.compress(array.astype(kind).tobytes()))
+
+    def read(self):
+        found, report = self.voxels("a.seg.nrrd")
+        return (found, {r["label"]: r.get("name") for r in report["regions"]},
+                report["input"]["notes"])
+
+    def test_one_layer(self):
+        self.segments([lopsided()], [(0, 3, "left part"), (0, 5, None)])
+        found, names, notes = self.read()
+        self.assertEqual(found, {3: (lopsided() == 3).sum(), 5: (lopsided() == 5).sum()})
+        self.assertEqual((names, notes), ({3: "left part", 5: "Segment_2"}, []))
+
+    def test_the_later_segment_wins(self):
+        one, other = lopsided(), numpy.indices(SIZE)[0]  # values of both are all different
+        two = numpy.where(other > 4, 9, 0)
+        both = int(((one == 5) & (two == 9)).sum())
+        self.segments([one, two], [(0, 3, "a"), (1, 9, "b"), (0, 5, "c")])
+        found, names, notes = self.read()
+        threes = (one == 3) & (two == 0)
+        self.assertEqual(found, {3: threes.sum(), 5: (one == 5).sum(),
+                                 9: ((two == 9) & (one != 5)).sum()})
+        self.assertEqual(names, {3: "a", 9: "b", 5: "c"})
+        self.assertEqual(notes, [
+            f"segments overlap, where the later one wins: 'b' covers 'a' in "
+            f"{((one == 3) & (two == 9)).sum()} voxels",
+            f"segments overlap, where the later one wins: 'c' covers 'b' in {both} voxels"])
+
+    def test_values_that_layers_share(self):
+        """As Slicer writes them: each layer begins with 1."""
+        one, two = (lopsided() == 3) * 1, (lopsided() == 5) * 1
+        self.segments([one, two], [(0, 1, "three"), (1, 1, "five")], "int16")
+        found, names, notes = self.read()
+        self.assertEqual(found, {1: one.sum(), 2: two.sum()})
+        self.assertEqual(names, {1: "three", 2: "five"})
+        self.assertIn("numbers from 1", notes[0])
+
+    def test_values_without_a_segment(self):
+        one, two = (lopsided() == 3) * 1, (lopsided() > 0) * 1
+        self.segments([one, two], [(0, 1, "three")])
+        found, names, notes = self.read()
+        self.assertEqual(found, {1: one.sum(), 2: (lopsided() == 5).sum()})
+        self.assertEqual(names, {1: "three", 2: None})
+        self.assertIn("value 1 of layer 1 is label 2", notes[0])
+        self.assertIn("'three' covers label 2 in", notes[1])
+
+    def test_one_layer_of_several(self):
+        self.segments([lopsided(), lopsided() // 3], [(0, 3, "a"), (1, 1, "b")])
+        found, report = self.voxels("a.seg.nrrd", "--volume", 1)
+        self.assertEqual(found, {1: (lopsided() > 0).sum()})
+        self.assertEqual(report["regions"][0]["name"], "b")
+
+    def test_names_are_in_the_mesh(self):
+        self.segments([lopsided()], [(0, 3, "left part"), (0, 5, "right")])
+        (self.folder / "names.txt").write_text("5 other\n")
+        self.mesh("a.seg.nrrd", "-o", "a.msh")
+        self.assertIn('3 3 "left part"', (self.folder / "a.msh").read_text(errors="replace"))
+        self.mesh("a.seg.nrrd", "--label-names", "names.txt", "-o", "a.msh")
+        text = (self.folder / "a.msh").read_text(errors="replace")
+        self.assertIn('3 3 "left part"', text)
+        self.assertIn('3 5 "other"', text)
+
+
 class MetaVoxels(StoredTest):
     """The ways in which a MetaImage says where its voxels are."""
 
