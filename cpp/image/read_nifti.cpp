@@ -24,9 +24,12 @@ std::string text(double number) {
   return digits;
 }
 
+/// Along the axes of the world that this program has, x to the left, y to the back, as
+/// ITK places such files too.
 NiftiPlace without_form(const NiftiHeader& header) {
   NiftiPlace place;
-  for (std::size_t a = 0; a < 3; ++a) place.rows[a][a] = header.spacing[a];
+  for (std::size_t a = 0; a < 3; ++a)
+    place.rows[a][a] = (a < 2 ? -1 : 1) * header.spacing[a];
   return place;
 }
 
@@ -54,8 +57,9 @@ double distance(const NiftiHeader& header, const NiftiPlace& one, const NiftiPla
 NiftiPlace choose(const NiftiHeader& header, Image& image) {
   if (!header.sform && !header.qform) {
     image.notes.push_back(
-        "the file says nothing of the place of its voxels (qform_code and sform_code are 0); "
-        "the first voxel is at the origin");
+        std::string("the file says nothing of the place of its voxels (") +
+        (header.version == 0 ? "it is ANALYZE" : "qform_code and sform_code are 0") +
+        "); the first is at the origin, their axes are those of the world");
     return without_form(header);
   }
   if (!header.sform || !header.qform) return header.sform ? *header.sform : *header.qform;
@@ -85,8 +89,6 @@ void place(const NiftiHeader& header, Image& image) {
 }
 
 void note_doubts(const fs::path& file, const NiftiHeader& header, bool packed, Image& image) {
-  if (header.version == 0)
-    image.notes.push_back("the file is ANALYZE, which does not say which side is left");
   if (header.unit != 1)
     image.notes.push_back(std::string("lengths in the file are in ") +
                           (header.unit > 1 ? "metres" : "micrometres") +

@@ -169,6 +169,15 @@ class Placed(StoredTest):
         self.assertEqual((self.folder / "a.nii").read_bytes()[:4], b"\0\0\1\x5c")
         self.assert_placed("a.nii", lopsided(), TURNED)
 
+    def test_mirrored_quaternions(self):
+        for signs in ((-1, 1, 1), (1, -1, -1), (-1, -1, -1)):
+            image = nibabel.Nifti1Image(lopsided(), None)
+            affine = TURNED @ numpy.diag([*signs, 1])
+            image.set_qform(affine, 1)
+            nibabel.save(image, self.folder / "a.nii")
+            with self.subTest(signs):
+                self.assert_placed("a.nii", lopsided(), affine)
+
     def test_forms_that_disagree(self):
         image = nibabel.Nifti1Image(lopsided(), TURNED)
         moved = TURNED.copy()
@@ -189,7 +198,12 @@ class Placed(StoredTest):
         image.header.set_zooms((1.5, 2, 3))
         nibabel.save(image, self.folder / "a.nii")
         self.assertIn("place", self.voxels("a.nii")[1]["input"]["notes"][0])
-        self.assert_placed("a.nii", lopsided(), numpy.diag([1.5, 2, 3, 1]))
+        self.assert_placed("a.nii", lopsided(), numpy.diag([-1.5, -2, 3, 1]))
+        image = nibabel.AnalyzeImage(lopsided(), None)
+        image.header.set_zooms((1.5, 2, 3))
+        nibabel.save(image, self.folder / "old.img")
+        self.assertIn("ANALYZE", self.voxels("old.hdr")[1]["input"]["notes"][0])
+        self.assert_placed("old.img", lopsided(), numpy.diag([-1.5, -2, 3, 1]))
 
     def test_micrometres(self):
         image = nibabel.Nifti1Image(lopsided(), numpy.diag([1500, 2000, 3000, 1]))

@@ -28,9 +28,16 @@ Shapes, around the origin of the world: sphere:R, torus:R,r (around z), box:a,b,
 wall at least THICKNESS thick, in a cube of SIDE; default: two periods).
 
 World coordinates are the image's own: millimetres, LPS (x to the left, y to the
-back, z to the head), as ITK has them, for NIfTI too.  The slices of a DICOM series
-are ordered by their positions.  The first voxel of a TIFF file is at the origin, x
-along its rows, y down its columns, z through its pages.
+back, z to the head), as ITK has them, for NIfTI too, whose sform is taken where it
+is set, else its qform.  The slices of a DICOM series, and the frames of a DICOM
+file, are ordered by their positions.  The first voxel of a TIFF file is at the
+origin, x along its rows, y down its columns, z through its pages.
+
+Values are those that an image's file means: slope and intercept of NIfTI and DICOM
+are applied.  Labels may be floating point numbers that are whole.  A file of several
+volumes, or of several numbers per voxel, is read with --volume.  The segments of 3D
+Slicer (.seg.nrrd) and of DICOM SEG are labels with the names that the file has;
+where they overlap the later one wins, which a note counts.
 
 A label that the lattice is too coarse for is named in a warning, and so is one that
 has more or fewer pieces in the mesh than in the image, where voxels may touch at
