@@ -138,6 +138,7 @@ class Walker {
   }
 
   bool keep_frames(const std::string& text) {
+    header_.counts_frames = true;
     const char* const first = text.data() + std::min(text.find_first_not_of(" +"), text.size());
     const char* const end = text.data() + text.size();
     const auto [stop, failure] = std::from_chars(first, end, header_.frames);
@@ -153,6 +154,7 @@ class Walker {
       case 0x0020000e: header_.series = text(element); return true;
       case 0x00280002: return keep_number(header_.samples);
       case 0x00280008: return keep_frames(text(element));
+      case 0x00280009: return header_.tells_increment = true;
       case 0x00280010: return keep_number(header_.rows);
       case 0x00280011: return keep_number(header_.columns);
       case 0x00280100: return keep_number(header_.bits);

@@ -17,14 +17,19 @@ struct DicomHeader {
   bool packed = false;
   std::string kind;               ///< UID of the SOP class
   std::uint64_t rows = 0, columns = 0, samples = 1, frames = 1;
+  bool counts_frames = false, tells_increment = false;
   std::uint64_t bits = 0, bits_stored = 0, high_bit = 0, is_signed = 0;
 
   /// Whether there is as much as the header announces, as far as this is known,
   /// and of a kind that numbers have.  Reports have no voxels, and are whole.
   [[nodiscard]] bool holds_voxels() const;
   [[nodiscard]] bool is_segmentation() const;
-  /// Whether it is more than one slice of a series: several frames, or segments.
-  [[nodiscard]] bool holds_frames() const { return frames > 1 || is_segmentation(); }
+  /// Whether it is more than one slice of a series: several frames, or segments; or
+  /// says by what its frames differ but not how many they are, of which ITK's reader
+  /// would die.
+  [[nodiscard]] bool holds_frames() const {
+    return frames > 1 || is_segmentation() || (tells_increment && !counts_frames);
+  }
 };
 
 /// Nothing for a file whose elements do not fit into each other and the file.

@@ -43,11 +43,16 @@ Reader::Pointer open(const fs::path& file) {
   return reader;
 }
 
-/// \throws Error for what is no single slice of one number per voxel.
-OneForm form_of_slice(const fs::path& file, const Reader& header) {
-  if (header.GetNumberOfDimensions() > 2 && header.GetDimensions(2) > 1)
+/// Before ITK's reader sees it.
+void judge_single(const fs::path& file) {
+  const auto header = read_dicom_header(file);
+  if (!header || header->holds_frames())
     refuse(file, "is DICOM with several frames in one file, among other files of its series; "
                  "give that file alone");
+}
+
+/// \throws Error for what is not one number per voxel.
+OneForm form_of_slice(const fs::path& file, const Reader& header) {
   if (header.GetNumberOfComponents() != 1)
     refuse(file, "has " + std::to_string(header.GetNumberOfComponents()) +
                      " numbers per voxel, not 1");
@@ -103,6 +108,7 @@ Stack read_headers(const fs::path& folder, const std::vector<fs::path>& files) {
   Stack stack;
   stack.files = files;
   for (const fs::path& file : files) {
+    judge_single(file);
     const auto header = open(file);
     const OneForm own = form_of_slice(file, *header);
     if (stack.slices.empty()) stack.form = own;

@@ -190,6 +190,22 @@ class Enhanced(FramesTest):
         self.assertEqual(self.voxels("scan.dcm", "--volume", 1)[0], {3: COUNTS[3]})
         self.refused(USAGE, "no volume 2", options=["--volume", 2])
 
+    def test_uncounted_frames(self):
+        """GDCM's reader of images ends the program there."""
+        data = dataset("a", VOXELS[:1])
+        del data.NumberOfFrames
+        data.SOPClassUID = data.file_meta.MediaStorageSOPClassUID = "1.2.840.10008.5.1.4.1.1.481.2"
+        data.PixelSpacing, data.ImageOrientationPatient = [1, 0.5], list(AXIAL)
+        data.ImagePositionPatient, data.GridFrameOffsetVector = list(ORIGIN), self.alongs
+        data.FrameIncrementPointer = 0x3004000c
+        (self.folder / "scan").mkdir()
+        for name in ("scan.dcm", "scan/1.dcm"):
+            self.save(data, name)
+            self.refused(BAD_INPUT, "offsets", file=name.split("/")[0])
+        data.file_meta.MediaStorageSOPInstanceUID = data.SOPInstanceUID = "1.2.3.2"
+        self.save(data, "scan/2.dcm")
+        self.refused(BAD_INPUT, "several frames", file="scan")
+
     def test_what_is_no_volume(self):
         def changed(change):
             data = describe(dataset("a", VOXELS), self.alongs)
@@ -313,6 +329,16 @@ class SlopesOfSlices(FramesTest):
             with self.subTest(level):
                 self.assertEqual(self.voxels("scan", f"--iso={level}")[0],
                                  {0: (values > level).sum()})
+
+    def test_slopes_of_magnetic_resonance(self):
+        """There the standard knows of none, but scanners write them."""
+        write_series(self.folder / "scan", VOXELS, spacing=SPACING, origin=ORIGIN)
+        for path in (self.folder / "scan").iterdir():
+            data = pydicom.dcmread(path)
+            data.SOPClassUID = data.file_meta.MediaStorageSOPClassUID = "1.2.840.10008.5.1.4.1.1.4"
+            data.Modality, data.RescaleSlope = "MR", 1.5
+            data.save_as(path)
+        self.assertEqual(self.voxels("scan", "--iso=5.5")[0], {0: (1.5 * VOXELS > 5.5).sum()})
 
 
 if __name__ == "__main__":

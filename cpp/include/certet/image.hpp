@@ -88,9 +88,10 @@ Image with_labels(Image image, std::optional<std::int32_t> nan = {});
 /// Puts a value in the place of all that are NaN.  \returns how many there were.
 std::uint64_t replace_nan(Image& image, double value);
 
-/// Whether whole numbers look like shades of gray rather than labels: more than 50 of
-/// them, and most voxels, but for those of the commonest, differ from both neighbours
-/// along the first axis; or more than 1000.
+/// Whether whole numbers look like shades of gray rather than labels: there are more
+/// than 50, and those that are neither 0 nor the commonest come in short runs along the
+/// first axis, of less than 2.5 voxels on average; of less than 5 where there are more
+/// than 1000.
 bool looks_grayscale(const Image& image);
 
 /// Labels first, first + 1, …, last.
