@@ -13,6 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t longest_key = 80, longest_value = 1000;
 constexpr std::string_view separators = "=:", last_key = "ElementDataFile";
 
 /// As far as a header may reach.
@@ -66,6 +67,9 @@ MetaHeader read_meta_header(const fs::path& file) {
     if (!is_field(line)) refuse(file, "has a header that is not lines of 'key = value'");
     header.fields.push_back(split_line(line, separators));
     const auto& [key, value] = header.fields.back();
+    // MetaIO has arrays of a fixed length for both, and writes beyond them.
+    if (key.size() > longest_key || value.size() > longest_value)
+      refuse(file, "has a header with a line that is too long for its format");
     if (key != last_key) continue;
     if (!is_place(file, value, end < text.size())) break;
     header.length = begin;
