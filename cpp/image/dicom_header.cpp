@@ -153,6 +153,7 @@ class Walker {
       case 0x00080016: header_.kind = text(element); return true;
       case 0x0020000e: header_.series = text(element); return true;
       case 0x00280002: return keep_number(header_.samples);
+      case 0x00280004: header_.photometric = text(element); return true;
       case 0x00280008: return keep_frames(text(element));
       case 0x00280009: return header_.tells_increment = true;
       case 0x00280010: return keep_number(header_.rows);

@@ -49,6 +49,8 @@ void judge_single(const fs::path& file) {
   if (!header || header->holds_frames())
     refuse(file, "is DICOM with several frames in one file, among other files of its series; "
                  "give that file alone");
+  if (header->samples == 1 && !header->is_gray())
+    refuse(file, "has colours for voxels ('" + header->photometric + "'), not 1 number each");
 }
 
 /// \throws Error for what is not one number per voxel.

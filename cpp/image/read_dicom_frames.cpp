@@ -260,6 +260,8 @@ Image read_segments(const fs::path& file, const DicomFrames& frames, const gdcm:
 Image read_dicom_frames(const fs::path& file, std::uint64_t max_bytes, const ImageChoice& choice) {
   const DicomHeader header = *read_dicom_header(file);
   judge_memory(file, header.rows * header.columns * header.frames * sizeof(double), max_bytes);
+  if (header.packed && header.samples == 1 && !header.is_gray())
+    refuse(file, "has colours for voxels ('" + header.photometric + "'), not 1 number each");
   gdcm::Reader reader;
   reader.SetFileName(file.c_str());
   if (!reader.Read()) refuse_dicom(file);
