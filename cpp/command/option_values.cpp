@@ -62,6 +62,15 @@ std::uint64_t parse_count(const std::string& option, const std::string& text) {
   return value;
 }
 
+std::uint64_t parse_whole(const std::string& option, const std::string& text) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, failure] = std::from_chars(text.data(), end, value);
+  if (failure != std::errc{} || stop != end)
+    refuse(option + " takes a whole number, 0 or more, not '" + text + "'");
+  return value;
+}
+
 std::vector<double> parse_numbers(const std::string& option, const std::string& text) {
   std::vector<double> numbers;
   for (std::size_t begin = 0; begin <= text.size();) {

@@ -24,6 +24,9 @@ Point3 parse_spacing(const std::string& text);
 /// A whole number of at least 1.  \throws Error `bad_option` naming the option.
 std::uint64_t parse_count(const std::string& option, const std::string& text);
 
+/// From 0 upwards.
+std::uint64_t parse_whole(const std::string& option, const std::string& text);
+
 /// A finite number.  \throws Error `bad_option` naming the option.
 double parse_number(const std::string& option, const std::string& text);
 

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <fstream>
 #include <string_view>
 #include <vector>
 
 #include "dicom_runs.hpp"
+#include "dicom_types.hpp"
+#include "image_file.hpp"
 
 namespace certet {
 namespace {
@@ -28,45 +31,18 @@ struct Element {
   bool sequence = false, unknown = false;
 };
 
-/// The types of what places and shows an image.
-struct Type {
-  std::uint32_t tag;
-  std::string_view names;
-};
-constexpr auto types = std::to_array<Type>({
-    {0x00020001, "OB"}, {0x00020002, "UI"}, {0x00020003, "UI"}, {0x00020010, "UI"},
-    {0x00020012, "UI"}, {0x00020013, "SH"}, {0x00020016, "AE"},
-    {0x00080008, "CS"}, {0x00080016, "UI"}, {0x00080018, "UI"}, {0x00080060, "CS"},
-    {0x00180050, "DS"}, {0x00180088, "DS"}, {0x00181114, "DS"}, {0x00181164, "DS"},
-    {0x0020000d, "UI"}, {0x0020000e, "UI"}, {0x00200013, "IS"}, {0x00200032, "DS"},
-    {0x00200037, "DS"}, {0x00200052, "UI"},
-    {0x00280002, "US"}, {0x00280004, "CS"}, {0x00280006, "US"}, {0x00280008, "IS"},
-    {0x00280009, "AT"}, {0x00280010, "US"}, {0x00280011, "US"}, {0x00280030, "DS"},
-    {0x00280034, "IS"}, {0x00280100, "US"}, {0x00280101, "US"}, {0x00280102, "US"},
-    {0x00280103, "US"}, {0x00280106, "US SS"}, {0x00280107, "US SS"}, {0x00280120, "US SS"},
-    {0x00281050, "DS"}, {0x00281051, "DS"}, {0x00281052, "DS"}, {0x00281053, "DS"},
-    {0x00281054, "LO"}, {0x00281055, "LO"}, {0x00281101, "US SS"}, {0x00281102, "US SS"},
-    {0x00281103, "US SS"}, {0x00281201, "OW"}, {0x00281202, "OW"}, {0x00281203, "OW"},
-    {0x00282110, "CS"}, {0x00282112, "DS"}, {0x00282114, "CS"}, {pixels, "OB OW"},
-});
-
-bool is_of_its_type(std::uint32_t tag, std::string_view name) {
-  const auto at = std::ranges::lower_bound(types, tag, {}, &Type::tag);
-  return at == types.end() || at->tag != tag || at->names.find(name) != at->names.npos;
-}
-static_assert(std::ranges::is_sorted(types, {}, &Type::tag));
-
 /// Elements from the beginning to the voxels, nested ones too.
 class Walker {
  public:
-  explicit Walker(const fs::path& file) : stream_(file, std::ios::binary) {
+  explicit Walker(const fs::path& file) : file_(file), stream_(file, std::ios::binary) {
     std::error_code failure;
     end_ = fs::file_size(file, failure);
     stream_.seekg(132);
   }
 
   std::optional<DicomHeader> walk() {
-    if (!walk_meta() || !syntax_is_known()) return {};
+    if (!walk_meta()) return {};
+    judge_syntax();
     explicit_ = syntax_ != "1.2.840.10008.1.2";
     return elements(end_, 0) ? std::optional(header_) : std::nullopt;
   }
@@ -94,6 +70,7 @@ class Walker {
   /// Tag, type and length.
   bool head(Element& element) {
     if (!tag(element.tag)) return false;
+    element.sequence = !explicit_ && is_known_sequence(element.tag);
     if (element.tag >> 16 == 0xfffe || !explicit_) return number(4, element.length);
     char type[3] = "";
     if (!stream_.read(type, 2)) return false;
@@ -134,12 +111,25 @@ class Walker {
     return true;
   }
 
+  bool keep_frames(const std::string& text) {
+    header_.counts_frames = true;
+    const char* const first = text.data() + std::min(text.find_first_not_of(" +"), text.size());
+    const char* const end = text.data() + text.size();
+    const auto [stop, failure] = std::from_chars(first, end, header_.frames);
+    return text.empty() || (failure == std::errc() && stop == end && header_.frames >= 1 &&
+                            header_.frames <= std::uint64_t{1} << 31);
+  }
+
   bool keep(const Element& element) {
     switch (element.tag) {
       case recognition_code: return false;
       case 0x00020010: syntax_ = text(element); return true;
+      case 0x00080016: header_.kind = text(element); return true;
       case 0x0020000e: header_.series = text(element); return true;
       case 0x00280002: return keep_number(header_.samples);
+      case 0x00280004: header_.photometric = text(element); return true;
+      case 0x00280008: return keep_frames(text(element));
+      case 0x00280009: return header_.tells_increment = true;
       case 0x00280010: return keep_number(header_.rows);
       case 0x00280011: return keep_number(header_.columns);
       case 0x00280100: return keep_number(header_.bits);
@@ -169,11 +159,16 @@ class Walker {
     return here() == end;
   }
 
-  [[nodiscard]] bool syntax_is_known() const {
+  void judge_syntax() const {
     constexpr std::string_view big_endian = "1.2.840.10008.1.2.2";
     constexpr std::string_view deflated = "1.2.840.10008.1.2.1.99";
-    return syntax_.rfind("1.2.840.10008.1.2", 0) == 0 && syntax_ != big_endian &&
-           syntax_ != deflated;
+    const auto refuse_syntax = [&](const std::string& what) {
+      refuse(file_, "is DICOM " + what + ", which is not supported");
+    };
+    if (syntax_ == big_endian) refuse_syntax("with the highest byte first");
+    if (syntax_ == deflated) refuse_syntax("that is deflated as a whole");
+    if (syntax_.rfind("1.2.840.10008.1.2", 0) != 0)
+      refuse_syntax("of an unknown transfer syntax, '" + syntax_ + "'");
   }
 
   /// Up to `end`, or to the mark that ends an item; their tags ascend.
@@ -184,8 +179,12 @@ class Walker {
       if (element.tag == item_end) return depth > 0 && element.length == 0;
       if (element.tag <= before) return false;
       before = element.tag;
-      const bool are_voxels = element.tag == pixels && depth == 0;
-      if (!(are_voxels ? voxels(element) : value(element, end, depth))) return false;
+      const bool own_voxels = element.tag == pixels && depth == 0;
+      const bool icon = element.tag == pixels && depth > 0 && element.length == undefined;
+      if (!(own_voxels ? voxels(element)
+            : icon     ? fragments(end, false)
+                       : value(element, end, depth)))
+        return false;
     }
     return here() == end;
   }
@@ -226,14 +225,19 @@ class Walker {
     header_.packed = element.length == undefined;
     header_.pixel_bytes = header_.packed ? 0 : element.length;
     if (!header_.packed) return skip(element, end_);
-    const bool in_runs = syntax_ == "1.2.840.10008.1.2.5";
-    for (int number = 0; here() < end_; ++number) {
+    return fragments(end_, syntax_ == "1.2.840.10008.1.2.5");
+  }
+
+  /// Of packed voxels, a fragment for each frame where these are in runs.  The first
+  /// one says where frames begin.
+  bool fragments(std::uint64_t end, bool in_runs) {
+    for (std::uint64_t number = 0; here() < end; ++number) {
       Element fragment;
       if (!head(fragment)) return false;
-      if (fragment.tag == sequence_end) return fragment.length == 0 && (!in_runs || number == 2);
-      if (fragment.tag != item || fragment.length > end_ - here()) return false;
-      // The first one says where frames begin.
-      if (in_runs && number == 1 ? !runs(fragment) : !skip(fragment, end_)) return false;
+      if (fragment.tag == sequence_end)
+        return fragment.length == 0 && (!in_runs || number == header_.frames + 1);
+      if (fragment.tag != item || here() > end || fragment.length > end - here()) return false;
+      if (in_runs && number >= 1 ? !runs(fragment) : !skip(fragment, end)) return false;
     }
     return false;
   }
@@ -244,6 +248,7 @@ class Walker {
            whole_runs(packed, header_.samples * (header_.bits / 8), header_.rows * header_.columns);
   }
 
+  fs::path file_;
   std::ifstream stream_;
   std::uint64_t end_ = 0;
   bool explicit_ = true;
@@ -255,10 +260,16 @@ class Walker {
 
 bool DicomHeader::holds_voxels() const {
   if (rows == 0) return true;
+  const bool single_bits = bits == 1 && bits_stored == 1 && is_segmentation();
   const bool whole_bytes = bits == 8 || bits == 16 || bits == 32 || bits == 64;
-  return whole_bytes && bits_stored > 0 && bits_stored <= bits && high_bit + 1 == bits_stored &&
-         is_signed <= 1 && samples >= 1 && samples <= 4 &&
-         (packed || pixel_bytes >= rows * columns * samples * (bits / 8));
+  return (whole_bytes || single_bits) && bits_stored > 0 && bits_stored <= bits &&
+         high_bit + 1 == bits_stored && is_signed <= 1 && samples >= 1 && samples <= 4 &&
+         (packed || (pixel_bytes >= (rows * columns * bits + 7) / 8 &&
+                     pixel_bytes / frames >= rows * columns * samples * bits / 8));
+}
+
+bool DicomHeader::is_segmentation() const {
+  return kind == "1.2.840.10008.5.1.4.1.1.66.4" || kind == "1.2.840.10008.5.1.4.1.1.66.7";
 }
 
 std::optional<DicomHeader> read_dicom_header(const fs::path& file) {

@@ -29,8 +29,7 @@ Series all_series(const fs::path& folder) {
   Series series;
   for (const fs::path& file : regular_files(folder)) {
     const auto header = read_dicom_header(file);
-    if (!header || !header->holds_voxels())
-      refuse(file, "is truncated or damaged, or of a kind of DICOM that is not supported");
+    if (!header || !header->holds_voxels()) refuse_dicom(file);
     if (!header->series.empty() && header->rows > 0) series[header->series].push_back(file);
   }
   return series;

@@ -1,6 +1,7 @@
 #include "geometry.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "certet/error.hpp"
@@ -27,6 +28,21 @@ std::array<Point3, 3> columns(const Image& image) {
   return column;
 }
 
+const std::string not_orthonormal = "has a direction matrix that is not orthonormal: ";
+
+[[noreturn]] void refuse_angle(const Image& image, const std::array<Point3, 3>& column,
+                               std::size_t a, std::size_t b) {
+  const double lengths = std::sqrt(dot(column[a], column[a]) * dot(column[b], column[b]));
+  const double angle = std::acos(dot(column[a], column[b]) / lengths) * 180 / std::acos(-1.0);
+  if (!(angle > 0.1 && angle < 179.9)) refuse(image, not_orthonormal + "it is singular");
+  constexpr const char* names[3] = {"first", "second", "third"};
+  std::array<char, 32> degrees{};
+  std::snprintf(degrees.data(), degrees.size(), "%.1f", angle);
+  refuse(image, not_orthonormal + "it has shear, for its " + names[b] + " and " + names[a] +
+                    " axis meet at " + degrees.data() +
+                    " degrees; resample the image on a grid with right angles");
+}
+
 }  // namespace
 
 void judge_geometry(const Image& image) {
@@ -36,10 +52,14 @@ void judge_geometry(const Image& image) {
     if (!std::isfinite(image.spacing[a]) || image.spacing[a] <= 0)
       refuse(image, "has a voxel spacing that is not a positive number");
     if (!std::isfinite(image.origin[a])) refuse(image, "has an origin that is not finite");
-    for (std::size_t b = 0; b <= a; ++b)
-      if (!(std::abs(dot(column[a], column[b]) - (a == b ? 1 : 0)) <= direction_tolerance))
-        refuse(image, "has a direction matrix that is not orthonormal (sheared or singular)");
   }
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (!(std::abs(dot(column[a], column[b])) <= direction_tolerance))
+        refuse_angle(image, column, a, b);
+  for (const Point3& axis : column)
+    if (!(std::abs(dot(axis, axis) - 1) <= direction_tolerance))
+      refuse(image, not_orthonormal + "an axis is not of length 1");
 }
 
 /// Gram and Schmidt.

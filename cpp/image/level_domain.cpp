@@ -9,6 +9,7 @@
 #include "certet/image.hpp"
 #include "geometry.hpp"
 #include "placement.hpp"
+#include "voxel_place.hpp"
 
 namespace certet {
 namespace {
@@ -112,13 +113,21 @@ template <class T>
 void refuse_wild_voxels(const Image& image, const Buffer<T>& voxels) {
   constexpr double greatest = 1e300;
   if constexpr (std::is_floating_point_v<T>) {
-    const auto bad = std::count_if(voxels.begin(), voxels.end(), [](T value) {
-      return !(std::abs(double{value}) <= greatest);
-    });
-    if (bad != 0)
-      throw Error(ErrorCode::bad_input, "'" + image.name + "' has " + std::to_string(bad) +
-                                            (bad == 1 ? " voxel that is" : " voxels that are") +
-                                            " NaN, infinite or beyond 1e300");
+    std::uint64_t nan = 0, wild = 0, first = 0;
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+      if (std::abs(double{voxels[i]}) <= greatest) continue;
+      if (wild++ == 0) first = i;
+      nan += std::isnan(voxels[i]) ? 1 : 0;
+    }
+    if (wild == 0) return;
+    const std::string verb = wild == 1 ? " voxel that is " : " voxels that are ";
+    throw Error(ErrorCode::bad_input,
+                "'" + image.name + "' has " + std::to_string(wild) + verb +
+                    (nan == wild ? "NaN"
+                     : nan == 0  ? "infinite or beyond 1e300"
+                                 : "NaN (" + std::to_string(nan) + "), infinite or beyond 1e300") +
+                    (wild == 1 ? ", at " : ", the first at ") + voxel_place(image, first) +
+                    (nan == wild ? ": --nan V reads them as the value V" : ""));
   }
 }
 

@@ -13,12 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t longest_key = 80, longest_value = 1000;
 constexpr std::string_view separators = "=:", last_key = "ElementDataFile";
-
-bool is_meta(const fs::path& file) {
-  const std::string extension = lower(file.extension().string());
-  return extension == ".mha" || extension == ".mhd";
-}
 
 /// As far as a header may reach.
 std::string beginning(const fs::path& file) {
@@ -53,19 +49,14 @@ bool is_number_in(std::string_view text, double least, double greatest) {
   return end != text.data() && number >= least && number <= greatest;
 }
 
-/// Judges every field of that name, for it is not said here which of them counts.
-void judge_number(const fs::path& file, std::string_view key, double least, double greatest,
-                  const std::string& reason) {
-  const auto header = meta_header(file);
-  if (!header) return;
-  for (const HeaderLine& field : header->fields)
-    if (field.key == key && !is_number_in(field.value, least, greatest)) refuse(file, reason);
-}
-
 }  // namespace
 
-std::optional<MetaHeader> meta_header(const fs::path& file) {
-  if (!is_meta(file)) return {};
+bool is_meta(const fs::path& file) {
+  const std::string extension = lower(file.extension().string());
+  return extension == ".mha" || extension == ".mhd";
+}
+
+MetaHeader read_meta_header(const fs::path& file) {
   const std::string text = beginning(file);
   MetaHeader header;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -76,21 +67,28 @@ std::optional<MetaHeader> meta_header(const fs::path& file) {
     if (!is_field(line)) refuse(file, "has a header that is not lines of 'key = value'");
     header.fields.push_back(split_line(line, separators));
     const auto& [key, value] = header.fields.back();
+    // MetaIO has arrays of a fixed length for both, and writes beyond them.
+    if (key.size() > longest_key || value.size() > longest_value)
+      refuse(file, "has a header with a line that is too long for its format");
     if (key != last_key) continue;
     if (!is_place(file, value, end < text.size())) break;
     header.length = begin;
+    for (const HeaderLine& field : header.fields)  // it is not said which of them counts
+      if (field.key == "NDims" && !is_number_in(field.value, 1, 10))
+        refuse(file, "has an impossible number of dimensions");
     return header;
   }
   refuse(file, "does not say where its voxels are");
 }
 
-void judge_meta_header(const fs::path& file) {
-  judge_number(file, "NDims", 1, 10, "has an impossible number of dimensions");
+std::string MetaHeader::value(std::string_view key) const {
+  const auto found = std::ranges::find(fields.rbegin(), fields.rend(), key, &HeaderLine::key);
+  return found == fields.rend() ? "" : found->value;
 }
 
-void judge_meta_packed_size(const fs::path& file, std::uint64_t voxel_bytes) {
-  judge_number(file, "CompressedDataSize", 0, 2 * static_cast<double>(voxel_bytes) + 4096,
-               "has an impossible size of packed data");
+bool MetaHeader::is_true(std::string_view key) const {
+  const std::string text = value(key);
+  return !text.empty() && (text[0] == 'T' || text[0] == 't' || text[0] == '1');
 }
 
 }  // namespace certet

@@ -1,16 +1,19 @@
 // A folder of DICOM slices as one image.  Each slice is read by ITK's reader; that
-// the slices make a regular grid is judged here, from their positions alone.
+// the slices make a regular grid is judged here.
 
+#include <gdcmImageHelper.h>
 #include <itkGDCMImageIO.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <utility>
 
+#include "dicom_header.hpp"
 #include "dicom_series.hpp"
-#include "geometry.hpp"
 #include "image_file.hpp"
-#include "itk_voxels.hpp"
+#include "itk_header.hpp"
+#include "slice_stack.hpp"
+#include "volumes.hpp"
 
 namespace certet {
 namespace {
@@ -18,26 +21,20 @@ namespace {
 namespace fs = std::filesystem;
 using Reader = itk::GDCMImageIO;
 
-/// Where a slice lies.
-struct Slice {
-  fs::path file;
-  Point3 origin;
-  double along = 0;  ///< of the origin, along the normal
-  [[nodiscard]] std::string name() const {
-    std::string text = "'";
-    text += file.filename().string();
-    return text + '\'';
-  }
+/// Of one slice.
+struct OneForm {
+  SliceForm form;
+  double thickness = 0;
+  NumberType type{};            ///< of the values
+  std::uint64_t bits = 0, is_signed = 0;  ///< of what is stored
+  std::uint64_t voxels = 0;
 };
 
-/// What all slices of a series share.
-struct Form {
-  std::array<std::int64_t, 2> size;
-  std::array<double, 3> spacing;  ///< the last one is the slices' thickness
-  std::array<Point3, 3> axes;     ///< directions of rows, columns and normal
-  itk::IOComponentEnum type;
-  std::uint64_t bytes;            ///< of one slice
-};
+std::string quoted(const fs::path& file) {
+  std::string text = "'";
+  text += file.filename().string();
+  return text + '\'';
+}
 
 Reader::Pointer open(const fs::path& file) {
   const auto reader = Reader::New();
@@ -46,165 +43,178 @@ Reader::Pointer open(const fs::path& file) {
   return reader;
 }
 
-/// \throws Error for what is no single slice of one number per voxel.
-Form form_of(const fs::path& file, const Reader& header) {
-  if (header.GetNumberOfDimensions() > 2 && header.GetDimensions(2) > 1)
-    refuse(file, "is DICOM with several frames in one file, which is not supported");
+/// Before ITK's reader sees it.
+void judge_single(const fs::path& file) {
+  const auto header = read_dicom_header(file);
+  if (!header || header->holds_frames())
+    refuse(file, "is DICOM with several frames in one file, among other files of its series; "
+                 "give that file alone");
+  if (header->samples == 1 && !header->is_gray())
+    refuse(file, "has colours for voxels ('" + header->photometric + "'), not 1 number each");
+}
+
+/// \throws Error for what is not one number per voxel.
+OneForm form_of_slice(const fs::path& file, const Reader& header) {
   if (header.GetNumberOfComponents() != 1)
     refuse(file, "has " + std::to_string(header.GetNumberOfComponents()) +
                      " numbers per voxel, not 1");
-  Form form{};
-  form.type = header.GetComponentType();
-  form.bytes = header.GetComponentSize();
+  OneForm one;
+  one.type = number_type(file, header.GetComponentType());
+  one.voxels = 1;
   for (unsigned a = 0; a < 2; ++a) {
-    form.size[a] = static_cast<std::int64_t>(header.GetDimensions(a));
-    form.bytes *= header.GetDimensions(a);
+    one.form.size[a] = static_cast<std::int64_t>(header.GetDimensions(a));
+    one.form.spacing[a] = header.GetSpacing(a);
+    one.voxels *= header.GetDimensions(a);
   }
-  if (form.bytes == 0) refuse(file, "has no voxels");
+  one.thickness = header.GetSpacing(2);
+  if (one.voxels == 0) refuse(file, "has no voxels");
   for (unsigned a = 0; a < 3; ++a) {
-    form.spacing[a] = header.GetSpacing(a);
     const std::vector<double> direction = header.GetDirection(a);
-    std::copy_n(direction.begin(), 3, form.axes[a].begin());
+    std::copy_n(direction.begin(), 3, one.form.axes[a].begin());
   }
-  return form;
+  if (const auto own = read_dicom_header(file)) {
+    one.bits = own->bits;
+    one.is_signed = own->is_signed;
+  }
+  return one;
 }
 
-bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
-
-void judge_same(const Slice& slice, const Form& form, const Form& first) {
-  if (form.size != first.size) refuse(slice.file, "has not the size of the series' other slices");
-  if (form.type != first.type)
-    refuse(slice.file, "has voxels of another type than the series' other slices");
+void judge_same(const fs::path& file, const OneForm& one, const OneForm& first) {
+  if (one.form.size != first.form.size)
+    refuse(file, "has not the size of the series' other slices");
+  if (one.bits != first.bits || one.is_signed != first.is_signed)
+    refuse(file, "has voxels of another type than the series' other slices");
   for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t r = 0; r < 3; ++r)
-      if (!near(form.axes[a][r], first.axes[a][r], 1e-3))
-        refuse(slice.file, "lies in another direction than the series' other slices");
+      if (!is_near(one.form.axes[a][r], first.form.axes[a][r], 1e-3))
+        refuse(file, "lies in another direction than the series' other slices");
   for (std::size_t a = 0; a < 2; ++a)
-    if (!near(form.spacing[a], first.spacing[a], 1e-3 * first.spacing[a]))
-      refuse(slice.file, "has other spacings than the series' other slices");
+    if (!is_near(one.form.spacing[a], first.form.spacing[a], 1e-3 * first.form.spacing[a]))
+      refuse(file, "has other spacings than the series' other slices");
 }
 
-double dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-std::vector<Slice> read_slices(const std::vector<fs::path>& files, Form& form) {
+/// A series, its slices in the order of their positions.
+struct Stack {
+  std::vector<fs::path> files;    ///< by `Slice::number`
+  std::vector<NumberType> types;  ///< of the values of each file
   std::vector<Slice> slices;
+  OneForm form;  ///< that of the first file
+
+  /// Slices that are rescaled each by its own slope may have values of several types.
+  [[nodiscard]] bool one_type() const {
+    return std::ranges::all_of(types, [&](NumberType type) { return type == types[0]; });
+  }
+};
+
+Stack read_headers(const fs::path& folder, const std::vector<fs::path>& files) {
+  Stack stack;
+  stack.files = files;
   for (const fs::path& file : files) {
+    judge_single(file);
     const auto header = open(file);
-    Slice slice{file, {header->GetOrigin(0), header->GetOrigin(1), header->GetOrigin(2)}};
-    const Form own = form_of(file, *header);
-    if (slices.empty()) form = own;
-    judge_same(slice, own, form);
-    slice.along = dot(slice.origin, form.axes[2]);
-    if (!std::isfinite(slice.along)) refuse(file, "lies nowhere: its position is not finite");
-    slices.push_back(std::move(slice));
+    const OneForm own = form_of_slice(file, *header);
+    if (stack.slices.empty()) stack.form = own;
+    judge_same(file, own, stack.form);
+    stack.types.push_back(own.type);
+    stack.slices.push_back(
+        {quoted(file), stack.slices.size(),
+         {header->GetOrigin(0), header->GetOrigin(1), header->GetOrigin(2)}});
   }
-  std::sort(slices.begin(), slices.end(), [](const Slice& a, const Slice& b) {
-    return a.along != b.along ? a.along < b.along : a.file < b.file;
-  });
-  return slices;
+  sort_slices(folder, stack.slices, stack.form.form);
+  return stack;
 }
 
-/// The distance of most neighbours.
-double usual_gap(const std::vector<Slice>& slices) {
-  std::vector<double> gaps;
-  for (std::size_t k = 1; k < slices.size(); ++k)
-    gaps.push_back(slices[k].along - slices[k - 1].along);
-  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-  std::nth_element(gaps.begin(), middle, gaps.end());
-  return *middle;
-}
-
-/// Positions are rounded when they are written, so a tenth of a gap is let pass.
-void judge_gaps(const fs::path& folder, const std::vector<Slice>& slices) {
-  const double usual = usual_gap(slices);
-  for (std::size_t k = 1; k < slices.size(); ++k) {
-    const double gap = slices[k].along - slices[k - 1].along;
-    const std::string where = slices[k - 1].name() + " and " + slices[k].name();
-    if (!(gap > 1e-4 * usual) || !(gap > 0))
-      refuse(folder, "has two slices at one position, " + where);
-    if (near(gap, usual, 0.1 * usual)) continue;
-    if (gap > 1.5 * usual)
-      refuse(folder, "has a gap of " + std::to_string(gap) + " between " + where +
-                         ", where slices are " + std::to_string(usual) +
-                         " apart: slices are missing");
-    refuse(folder, "has slices that are not equally spaced: " + std::to_string(gap) +
-                       " between " + where + ", elsewhere " + std::to_string(usual));
-  }
-}
-
-/// Slices that slide sideways, as those of a tilted gantry do.
-void judge_stack(const fs::path& folder, const std::vector<Slice>& slices, const Form& form) {
-  for (const Slice& slice : slices)
-    for (std::size_t a = 0; a < 2; ++a) {
-      const double aside =
-          dot(slice.origin, form.axes[a]) - dot(slices.front().origin, form.axes[a]);
-      if (!near(aside, 0, 0.1 * form.spacing[a]))
-        refuse(folder, "has slices that do not lie straight above each other (a tilted "
-                       "gantry): " + slice.name() + " is " + std::to_string(aside) + " aside");
-    }
-}
-
-/// Positions are decimal numbers: what projecting them adds is not to be seen.
-double rounded(double length) {
-  const double unit = std::pow(10, std::floor(std::log10(length)) - 9);
-  return std::round(length / unit) * unit;
-}
-
-Image grid(const fs::path& folder, const std::vector<Slice>& slices, const Form& form) {
-  Image image;
-  image.name = folder.string();
-  image.size = {form.size[0], form.size[1], static_cast<std::int64_t>(slices.size())};
-  image.spacing = form.spacing;
-  if (slices.size() > 1) {
-    judge_gaps(folder, slices);
-    judge_stack(folder, slices, form);
-    image.spacing[2] = rounded((slices.back().along - slices.front().along) /
-                               static_cast<double>(slices.size() - 1));
-  } else {
+Image grid(const fs::path& folder, const Stack& stack) {
+  const bool single = stack.slices.size() == 1;
+  const double distance =
+      single ? stack.form.thickness : slice_distance(folder, stack.slices);
+  judge_straight(folder, stack.slices, stack.form.form);
+  Image image = slice_grid(folder, stack.form.form, stack.slices.front().origin,
+                           stack.slices.size(), distance);
+  if (single)
     image.notes.push_back("the series is a single slice, as thick as its header says");
-  }
-  image.origin = slices.front().origin;
-  for (std::size_t r = 0; r < 3; ++r)
-    for (std::size_t a = 0; a < 3; ++a) image.axes[r][a] = form.axes[a][r];
-  judge_geometry(image);
-  orthonormalise(image);
   return image;
 }
 
-void fill_slice(const Slice& slice, const Form& form, char* voxels) {
-  const auto reader = open(slice.file);
+void fill_slice(const fs::path& file, NumberType type, std::uint64_t voxels, char* to) {
+  const auto reader = open(file);
   itk::ImageIORegion region(reader->GetNumberOfDimensions());
   for (unsigned d = 0; d < reader->GetNumberOfDimensions(); ++d)
     region.SetSize(d, reader->GetDimensions(d));
   reader->SetIORegion(region);
   // Its header is read again; the file may have changed meanwhile.
-  if (form_of(slice.file, *reader).bytes != form.bytes) refuse(slice.file, "has changed");
+  const OneForm own = form_of_slice(file, *reader);
+  if (own.voxels != voxels || own.type != type) refuse(file, "has changed");
+  std::fill_n(to, voxels * bytes_of(type), '\0');
   try {
-    reader->Read(voxels);
+    reader->Read(to);
   } catch (const itk::ExceptionObject&) {
-    refuse(slice.file, "is truncated or damaged");
+    refuse(file, "is truncated or damaged");
   }
+}
+
+Voxels load_same(const fs::path& folder, const Stack& stack) {
+  const std::uint64_t voxels = stack.form.voxels;
+  return load_voxels(folder, stack.types[0], voxels * stack.slices.size(), [&](char* to) {
+    for (const Slice& slice : stack.slices) {
+      fill_slice(stack.files[slice.number], stack.types[0], voxels, to);
+      to += voxels * bytes_of(stack.types[0]);
+    }
+  });
+}
+
+Voxels load_mixed(const Stack& stack) {
+  const std::uint64_t voxels = stack.form.voxels;
+  Buffer<double> all(voxels * stack.slices.size());
+  double* to = all.begin();
+  for (const Slice& slice : stack.slices) {
+    const fs::path& file = stack.files[slice.number];
+    const NumberType type = stack.types[slice.number];
+    const Voxels one = load_voxels(file, type, voxels, [&](char* raw) {
+      fill_slice(file, type, voxels, raw);
+    });
+    to = std::visit([&](const auto& from) {
+      return std::ranges::transform(from, to, [](auto v) { return static_cast<double>(v); }).out;
+    }, one);
+  }
+  return all;
+}
+
+Image read_slices(const fs::path& folder, const std::vector<fs::path>& files,
+                  std::uint64_t max_bytes, const ImageChoice& choice) {
+  chosen_volume(folder, 1, "", choice.volume);
+  const Stack stack = read_headers(folder, files);
+  const std::size_t bytes = stack.one_type() ? bytes_of(stack.types[0]) : sizeof(double);
+  const auto count = static_cast<std::int64_t>(files.size());
+  const auto& size = stack.form.form.size;
+  judge_memory(folder, judge_count(folder, {size[0], size[1], count}, bytes) * bytes, max_bytes);
+  Image image = grid(folder, stack);
+  image.voxels = stack.one_type() ? load_same(folder, stack) : load_mixed(stack);
+  return image;
 }
 
 }  // namespace
 
-Image read_dicom(const fs::path& folder, std::uint64_t max_bytes, const std::string& series) {
-  itk::Object::SetGlobalWarningDisplay(false);
-  Form form{};
-  const std::vector<Slice> slices = read_slices(series_files(folder, series), form);
-  if (form.bytes > std::numeric_limits<std::int64_t>::max() / slices.size())
-    refuse(folder, "has impossible dimensions");
-  const std::uint64_t bytes = form.bytes * slices.size();
-  judge_memory(folder, bytes, max_bytes);
-  Image image = grid(folder, slices, form);
-  image.voxels = load_voxels(folder, form.type, bytes, [&](void* voxels) {
-    char* slice_voxels = static_cast<char*>(voxels);
-    for (const Slice& slice : slices) {
-      fill_slice(slice, form, slice_voxels);
-      slice_voxels += form.bytes;
-    }
-  });
-  return image;
+Image read_dicom(const fs::path& folder, std::uint64_t max_bytes, const ImageChoice& choice) {
+  // Slope and intercept count wherever they are written, in images of MR too.
+  gdcm::ImageHelper::SetForceRescaleInterceptSlope(true);
+  const std::vector<fs::path> files = series_files(folder, choice.series);
+  if (files.size() == 1)
+    if (const auto header = read_dicom_header(files[0]); header && header->holds_frames())
+      return read_dicom_frames(files[0], max_bytes, choice);
+  return read_slices(folder, files, max_bytes, choice);
+}
+
+Image read_dicom_file(const fs::path& file, std::uint64_t max_bytes, const ImageChoice& choice) {
+  const auto header = read_dicom_header(file);
+  if (!header || !header->holds_voxels()) refuse_dicom(file);
+  if (!choice.series.empty() && header->series != choice.series)
+    throw Error(ErrorCode::bad_option,
+                "'" + file.string() + "' holds no DICOM series '" + choice.series + "'");
+  if (header->rows == 0) refuse(file, "is DICOM without an image");
+  if (!header->holds_frames())
+    refuse(file, "is one file of DICOM; give the folder that holds its series");
+  return read_dicom_frames(file, max_bytes, choice);
 }
 
 }  // namespace certet

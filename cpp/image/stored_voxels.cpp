@@ -2,93 +2,133 @@
 
 #include <zlib.h>
 
-#include <array>
-#include <bit>
+#include <algorithm>
+#include <cstddef>
 #include <fstream>
-#include <memory>
-#include <string>
+#include <vector>
 
-#include "header_lines.hpp"
-#include "meta_header.hpp"
+#include "image_file.hpp"
 
 namespace certet {
 namespace {
 
 namespace fs = std::filesystem;
 
-template <class T>
-T number(const unsigned char* bytes, bool swapped) {
-  std::array<unsigned char, sizeof(T)> copy;
-  for (std::size_t i = 0; i < sizeof(T); ++i)
-    copy[i] = bytes[swapped ? sizeof(T) - 1 - i : i];
-  return std::bit_cast<T>(copy);
-}
-
-/// The field `vox_offset` of NIfTI-1 or NIfTI-2, in either byte order.
-std::uint64_t nifti_offset(const std::array<unsigned char, 540>& header) {
-  for (const bool swapped : {false, true}) {
-    const auto size = number<std::int32_t>(header.data(), swapped);
-    if (size == 540) return number<std::uint64_t>(header.data() + 168, swapped);
-    if (size != 348) continue;
-    const auto offset = number<float>(header.data() + 108, swapped);
-    return offset > 0 && offset < 1e9F ? static_cast<std::uint64_t>(offset) : 0;
+/// Unpacks gzip or zlib data; keeps the bytes of one stretch of it.
+class Unpacker {
+ public:
+  /// Keeps nothing where `to` is null.
+  Unpacker(char* to, const StoredPart& part) : to_(to), lead_(part.lead), left_(part.bytes) {
+    ready_ = inflateInit2(&stream_, automatic_header) == Z_OK;
   }
-  return 0;
-}
-
-std::optional<StoredVoxels> in_nifti(const fs::path& file, bool packed) {
-  // Reads files that are not packed as well.
-  const std::unique_ptr<gzFile_s, decltype(&gzclose)> stream(gzopen(file.c_str(), "rb"),
-                                                             &gzclose);
-  std::array<unsigned char, 540> header{};
-  if (!stream) return {};
-  gzread(stream.get(), header.data(), static_cast<unsigned>(header.size()));
-  return StoredVoxels{file, 0, nifti_offset(header), packed};
-}
-
-/// The voxels begin behind the first empty line.
-std::optional<StoredVoxels> in_nrrd(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string line, encoding;
-  while (std::getline(stream, line)) {
-    const auto [key, value] = split_line(line, ":");
-    if (key.empty() && value.empty()) break;
-    if (key == "encoding") encoding = lower(value);
-    if (key == "data file" || key == "datafile" || key == "line skip" || key == "byte skip")
-      return {};
+  ~Unpacker() {
+    if (ready_) inflateEnd(&stream_);
   }
-  const bool packed = encoding == "gzip" || encoding == "gz";
-  if (!stream || (!packed && encoding != "raw")) return {};
-  return StoredVoxels{file, static_cast<std::uint64_t>(stream.tellg()), 0, packed};
+  Unpacker(const Unpacker&) = delete;
+  Unpacker& operator=(const Unpacker&) = delete;
+
+  /// False where the data is damaged or ends.
+  bool take(std::vector<unsigned char>& packed, std::size_t count) {
+    stream_.next_in = packed.data();
+    stream_.avail_in = static_cast<unsigned>(count);
+    while (ready_ && stream_.avail_in > 0) {
+      if (at_end_ && inflateReset(&stream_) != Z_OK) return false;  // another member
+      at_end_ = false;
+      if (!step()) return false;
+    }
+    return ready_;
+  }
+
+  /// Whether all was there, and the data ended where it says.
+  [[nodiscard]] bool whole() const { return at_end_ && lead_ == 0 && left_ == 0; }
+
+ private:
+  static constexpr int automatic_header = 32 + 15;
+
+  bool step() {
+    const bool kept = lead_ == 0 && left_ > 0 && to_ != nullptr;
+    const std::uint64_t wanted = lead_ > 0 ? lead_ : left_ > 0 ? left_ : sink_.size();
+    const std::uint64_t room = std::min<std::uint64_t>(wanted, kept ? 1U << 30 : sink_.size());
+    stream_.next_out = kept ? reinterpret_cast<unsigned char*>(to_) : sink_.data();
+    stream_.avail_out = static_cast<unsigned>(room);
+    const int result = inflate(&stream_, Z_NO_FLUSH);
+    const std::uint64_t got = room - stream_.avail_out;
+    if (kept) to_ += got;
+    std::uint64_t& counted = lead_ > 0 ? lead_ : left_;
+    counted -= std::min(counted, got);
+    if (result == Z_STREAM_END) return at_end_ = had_whole_member_ = true;
+    if (result == Z_OK || result == Z_BUF_ERROR) return true;
+    at_end_ = had_whole_member_;  // padding behind a whole member does no harm
+    return false;
+  }
+
+  z_stream stream_{};
+  char* to_;
+  std::uint64_t lead_, left_;
+  bool ready_ = false, at_end_ = false, had_whole_member_ = false;
+  std::vector<unsigned char> sink_ = std::vector<unsigned char>(1 << 17);
+};
+
+bool unpack(const StoredPart& part, char* to) {
+  std::ifstream stream(part.file, std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(part.offset));
+  std::vector<unsigned char> packed(1 << 16);
+  Unpacker unpacker(to, part);
+  while (stream) {
+    stream.read(reinterpret_cast<char*>(packed.data()),
+                static_cast<std::streamsize>(packed.size()));
+    if (!unpacker.take(packed, static_cast<std::size_t>(stream.gcount()))) break;
+  }
+  return unpacker.whole();
 }
 
-/// The voxels begin behind the line ElementDataFile, or in the file it names.
-std::optional<StoredVoxels> in_meta(const fs::path& file) {
-  const auto header = meta_header(file);
-  if (!header) return {};
-  bool packed = false;
-  for (const auto& [key, value] : header->fields) {
-    if (key == "CompressedData") packed = lower(value) == "true";
-    if (key == "BinaryData" && lower(value) == "false") return {};
-    if (key == "HeaderSize") return {};
-  }
-  const std::string& place = header->fields.back().value;
-  if (lower(place) == "local") return StoredVoxels{file, header->length, 0, packed};
+std::uint64_t bytes_behind(const StoredPart& part) {
   std::error_code failure;
-  const fs::path other = file.parent_path() / place;
-  if (!fs::is_regular_file(other, failure)) return {};  // a list or a pattern of files
-  return StoredVoxels{other, 0, 0, packed};
+  const std::uint64_t length = fs::file_size(part.file, failure);
+  return failure || length < part.offset ? 0 : length - part.offset;
+}
+
+/// Read in steps, for a stream's count has a sign.
+bool copy(const StoredPart& part, char* to) {
+  std::ifstream stream(part.file, std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(part.offset + part.lead));
+  for (std::uint64_t left = part.bytes; left > 0 && stream;) {
+    const auto step = static_cast<std::streamsize>(std::min<std::uint64_t>(left, 1U << 30));
+    stream.read(to, step);
+    if (stream.gcount() != step) return false;
+    to += step;
+    left -= static_cast<std::uint64_t>(step);
+  }
+  return static_cast<bool>(stream);
 }
 
 }  // namespace
 
-std::optional<StoredVoxels> stored_voxels(const fs::path& file) {
-  const std::string extension = lower(file.extension().string());
-  if (extension == ".nii") return in_nifti(file, false);
-  if (extension == ".gz" && lower(file.stem().extension().string()) == ".nii")
-    return in_nifti(file, true);
-  if (extension == ".nrrd") return in_nrrd(file);
-  return in_meta(file);
+bool is_packed(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  char b[2] = {};
+  stream.read(b, 2);
+  return stream && b[0] == '\x1f' && b[1] == '\x8b';
+}
+
+void judge_length(const StoredPart& part) {
+  const std::uint64_t greatest_ratio = part.packed ? 1040 : 1;
+  const std::uint64_t there = bytes_behind(part);
+  if ((part.lead + part.bytes) / greatest_ratio <= there) return;
+  if (there > 0 || part.packed)
+    refuse(part.file, "is truncated or damaged: it is too short for the dimensions in its header");
+  refuse(part.file, "is truncated or damaged: it has no voxels");
+}
+
+void read_part(const StoredPart& part, char* to) {
+  judge_length(part);
+  if (!(part.packed ? unpack(part, to) : copy(part, to)))
+    refuse(part.file, "is truncated or damaged");
+}
+
+void check_part(const StoredPart& part) {
+  judge_length(part);
+  if (part.packed && !unpack(part, nullptr)) refuse(part.file, "is truncated or damaged");
 }
 
 }  // namespace certet

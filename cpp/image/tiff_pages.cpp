@@ -29,7 +29,7 @@ void judge_page(const fs::path& file, const TiffPage& page) {
   if (page.samples != 1)
     refuse(file, "has " + std::to_string(page.samples) + " numbers per voxel, not 1");
   if (page.width == 0 || page.height == 0) refuse(file, "has no voxels");
-  if (page.bits % 8 != 0)
+  if (page.bits % 8 != 0 && page.bits != 1 && page.bits != 2 && page.bits != 4)
     refuse(file, "has " + std::to_string(page.bits) + " bits per voxel, which is not supported");
   if (page.orientation != ORIENTATION_TOPLEFT)
     refuse(file, "has rows that do not begin at the top left, which is not supported");
@@ -135,6 +135,8 @@ TiffPage page_of(TIFF* tiff) {
   page.samples = tag<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
   page.format = tag<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT);
   page.orientation = tag<std::uint16_t>(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
+  page.zero_is_white =
+      tag<std::uint16_t>(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK) == PHOTOMETRIC_MINISWHITE;
   return page;
 }
 

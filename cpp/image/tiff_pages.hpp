@@ -24,9 +24,13 @@ Tiff open_tiff(const std::filesystem::path& file);
 struct TiffPage {
   std::uint32_t width = 0, height = 0;
   std::uint16_t bits = 1, samples = 1, format = SAMPLEFORMAT_UINT, orientation = 1;
+  bool zero_is_white = false;
   bool operator==(const TiffPage&) const = default;
 
-  [[nodiscard]] std::uint64_t bytes() const { return std::uint64_t{width} * height * bits / 8; }
+  /// As stored, each row in whole bytes.
+  [[nodiscard]] std::uint64_t row_bytes() const { return (std::uint64_t{width} * bits + 7) / 8; }
+  [[nodiscard]] std::uint64_t bytes() const { return row_bytes() * height; }
+  [[nodiscard]] std::uint64_t voxels() const { return std::uint64_t{width} * height; }
 };
 
 /// Of the page that is open.

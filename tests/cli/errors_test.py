@@ -164,9 +164,9 @@ class Images(ProgramTest):
         write_plain_nrrd(self.path, (5, 5))
         self.refused(BAD_INPUT, "2 dimensions")
         write_plain_nrrd(self.path, (5, 5, 5, 2))
-        self.refused(BAD_INPUT, "4 dimensions")
+        self.refused(BAD_INPUT, "4 dimensions", "--volume N, from 0 to 1")
         write_meta(self.folder / "a.mha", SIZE, self.values * 3, channels=3)
-        self.refused(BAD_INPUT, "3 numbers per voxel", file="a.mha")
+        self.refused(BAD_INPUT, "3 numbers per voxel", "--volume", file="a.mha")
 
     def test_direction(self):
         for matrix in (((1, 0.1, 0), (0, 1, 0), (0, 0, 1)), ((1, 0, 0), (1, 0, 0), (0, 0, 1))):
@@ -175,15 +175,15 @@ class Images(ProgramTest):
                 self.refused(BAD_INPUT)
         write_meta(self.folder / "a.mha", SIZE, self.values,
                    matrix=((1, 0.1, 0), (0, 1, 0), (0, 0, 1)))
-        self.refused(BAD_INPUT, "orthonormal", file="a.mha")
+        self.refused(BAD_INPUT, "orthonormal", "shear", "84.3 degrees", file="a.mha")
 
     def test_almost_orthonormal_is_fine(self):
         write_nrrd(self.path, SIZE, self.values,
                    directions=((1, 0.0001, 0), (0, 1, 0), (0, 0, 1)))
         self.mesh("a.nrrd", "-o", "a.vtu")
 
-    def test_floats_need_a_level(self):
-        write_nrrd(self.path, SIZE, self.values, kind="f")
+    def test_fractions_need_a_level(self):
+        write_nrrd(self.path, SIZE, [0.5] * 125, kind="f")
         self.refused(USAGE, "--iso")
         self.refused(USAGE, "--iso", options=["--labels", "1"])
 

@@ -8,7 +8,7 @@ from program import ProgramTest
 
 try:
     import numpy
-    from scans import (AXIAL, ImplicitVRLittleEndian, RLELossless, volume, write_imagej, write_series, write_slice, write_tiff)
+    from scans import (AXIAL, ImplicitVRLittleEndian, RLELossless, volume, write_imagej, write_packed_tiff, write_series, write_slice, write_tiff)
 except ImportError as missing:  # libraries that only these tests need
     raise unittest.SkipTest(str(missing)) from missing
 
@@ -189,6 +189,24 @@ class TiffStack(ScanTest):
                 write_tiff(self.path, self.stack.astype("uint16"), **settings)
                 self.assert_as_nrrd(["--spacing", "0.5,1,2"])
 
+    def test_one_two_and_four_bits(self):
+        """Rows of 9 voxels do not fill their bytes; as black is 0 or 1."""
+        for bits, values, settings in ((1, self.stack == 3, {}),
+                                       (1, self.stack == 3, {"photometric": "minisblack"}),
+                                       (1, self.stack == 3, {"rowsperstrip": 2}),
+                                       (2, self.stack % 4, {}), (4, self.stack, {})):
+            with self.subTest(bits, settings=settings):
+                if bits == 1:
+                    import tifffile
+                    tifffile.imwrite(str(self.path), values.astype(bool), **settings)
+                else:
+                    write_packed_tiff(self.path, values, bits)
+                report = self.mesh("scan.tif", "--dry-run")
+                self.assertEqual({r["label"]: r["voxels"] for r in report["regions"]},
+                                 {int(v): int((values == v).sum()) for v in numpy.unique(values) if v})
+                white = settings.get("photometric") != "minisblack" and bits == 1
+                self.assertEqual(any("white" in n for n in report["input"]["notes"]), white)
+
     def test_imagej_spacing(self):
         for unit, scale in (("mm", 1), ("micron", 1000), ("cm", 0.1)):
             with self.subTest(unit):
@@ -210,7 +228,7 @@ class TiffStack(ScanTest):
         self.assertAlmostEqual(report["lattice"]["size"], 0.1, delta=1e-6)
 
     def test_level(self):
-        write_tiff(self.path, self.stack.astype("float32"))
+        write_tiff(self.path, self.stack.astype("float32") + 0.25)
         self.refused(USAGE, "--iso", file="scan.tif")
         self.mesh("scan.tif", "--iso", "2.5", "-o", "scan.vtu")
         self.check("scan.vtu")

@@ -1,6 +1,8 @@
 """Small scans as DICOM series and TIFF stacks, written by libraries that share no
 code with the program's readers."""
 
+import struct
+
 import numpy
 import pydicom
 import tifffile
@@ -74,11 +76,31 @@ def write_tiff(path, voxels, **settings):
     tifffile.imwrite(str(path), voxels, photometric="minisblack", **settings)
 
 
+def write_packed_tiff(path, voxels, bits):
+    """Voxels of 2 or 4 bits, rows filled up to whole bytes; one strip a page."""
+    depth, rows, columns = voxels.shape
+    pages, at = b"", 8
+    for n, page in enumerate(voxels.astype("uint8")):
+        lines = [numpy.unpackbits(row[:, None], axis=1)[:, 8 - bits:].flatten() for row in page]
+        data = b"".join(numpy.packbits(line).tobytes() for line in lines)
+        data += b"\0" * (len(data) % 2)
+        tags = ((256, 3, columns), (257, 3, rows), (258, 3, bits), (259, 3, 1), (262, 3, 1),
+                (273, 4, at), (277, 3, 1), (278, 3, rows), (279, 4, len(data)))
+        directory = at + len(data)
+        following = directory + 2 + 12 * len(tags) + 4
+        pages += data + struct.pack("<H", len(tags)) + b"".join(
+            struct.pack("<HHII", tag, kind, 1, value) for tag, kind, value in tags)
+        pages += struct.pack("<I", 0 if n + 1 == depth else following + len(data))
+        at = following
+    first = 8 + len(data)
+    path.write_bytes(b"II*\0" + struct.pack("<I", first) + pages)
+
+
 def write_imagej(path, voxels, spacing, unit="mm"):
     tifffile.imwrite(str(path), voxels, imagej=True,
                      resolution=(1 / spacing[0], 1 / spacing[1]),
                      metadata={"spacing": spacing[2], "unit": unit, "axes": "ZYX"})
 
 
-__all__ = ["AXIAL", "ImplicitVRLittleEndian", "RLELossless", "pydicom", "volume", "write_imagej", "write_series", "write_slice",
+__all__ = ["AXIAL", "ImplicitVRLittleEndian", "RLELossless", "pydicom", "volume", "write_imagej", "write_packed_tiff", "write_series", "write_slice",
            "write_tiff"]

@@ -76,6 +76,10 @@ class MetaHeaders(HostileTest):
         self.changed(b"ObjectType", b"word\nObjectType")
         self.changed(b"ObjectType", b"word = \0\nObjectType")
 
+    def test_long_lines(self):
+        self.changed(b"ElementType", b"E" * 300 + b" = 1\nElementType")
+        self.changed(b"ElementType", b"Comment = " + b"c" * 40000 + b"\nElementType")
+
     def test_no_place(self):
         path = self.folder / "a.mha"
         write_meta(path, SIZE, ONES, packed=True)

@@ -90,20 +90,67 @@ def tiff(width, height, pages):
     return bytes(out)
 
 
+def short(number):
+    return struct.pack("<H", number)
+
+
+def dicom_element(implicit, group, number, kind, value):
+    value = value.encode() if isinstance(value, str) else value
+    value += (b"\0" if kind in ("UI", "OB") else b" ") * (len(value) % 2)
+    head = struct.pack("<HH", group, number)
+    if implicit:
+        return head + struct.pack("<I", len(value)) + value
+    if kind in ("OB", "OW", "SQ"):
+        return head + kind.encode() + struct.pack("<HI", 0, len(value)) + value
+    return head + kind.encode() + struct.pack("<H", len(value)) + value
+
+
+def dicom_frames(implicit=False, segments=False):
+    """Three frames of 4 x 3 voxels with functional groups; of one bit for segments."""
+    def element(*e):
+        return dicom_element(implicit, *e)
+
+    def sequence(group, number, *items):
+        data = b"".join(struct.pack("<HHI", 0xfffe, 0xe000, len(i)) + i for i in items)
+        return element(group, number, "SQ", data)
+
+    kind = "1.2.840.10008.5.1.4.1.1." + ("66.4" if segments else "2.1")
+    syntax = "1.2.840.10008.1.2" + ("" if implicit else ".1")
+    meta = b"".join(dicom_element(False, 2, number, "UI", value) for number, value in
+                    ((2, kind), (3, "1.2.3.1"), (0x10, syntax)))
+    bits = 1 if segments else 16
+    body = [element(*e) for e in (
+        (8, 0x16, "UI", kind), (8, 0x18, "UI", "1.2.3.1"), (8, 0x60, "CS", "CT"),
+        (0x20, 0xd, "UI", "1.2"), (0x20, 0xe, "UI", "1.2.3"), (0x28, 2, "US", short(1)),
+        (0x28, 4, "CS", "MONOCHROME2"), (0x28, 8, "IS", "3"), (0x28, 0x10, "US", short(3)),
+        (0x28, 0x11, "US", short(4)), (0x28, 0x100, "US", short(bits)),
+        (0x28, 0x101, "US", short(bits)), (0x28, 0x102, "US", short(bits - 1)),
+        (0x28, 0x103, "US", short(0)))]
+    if segments:
+        body += [element(0x62, 1, "CS", "BINARY"), sequence(0x62, 2, *(
+            element(0x62, 4, "US", short(n)) + element(0x62, 5, "LO", f"part {n}")
+            for n in (1, 2)))]
+    shared = (sequence(0x20, 0x9116, element(0x20, 0x37, "DS", "1\\0\\0\\0\\1\\0")) +
+              sequence(0x28, 0x9110, element(0x18, 0x50, "DS", "2") + element(0x18, 0x88, "DS", "2")
+                       + element(0x28, 0x30, "DS", "1\\1")) +
+              sequence(0x28, 0x9145, element(0x28, 0x1052, "DS", "-3")
+                       + element(0x28, 0x1053, "DS", "0.5")))
+    frames = []
+    for n in range(3):
+        frame = sequence(0x20, 0x9113, element(0x20, 0x32, "DS", f"0\\0\\{2 * n}"))
+        if segments:
+            frame += sequence(0x62, 0xa, element(0x62, 0xb, "US", short(1 + n // 2)))
+        frames.append(frame)
+    body += [sequence(0x5200, 0x9229, shared), sequence(0x5200, 0x9230, *frames)]
+    voxels = b"\xa5\x5a\xff\x0f\x3c\0" if segments else struct.pack("<36H", *range(36))
+    return (bytes(128) + b"DICM" + dicom_element(False, 2, 0, "UL", struct.pack("<I", len(meta)))
+            + meta + b"".join(body) + element(0x7fe0, 0x10, "OB" if segments else "OW", voxels))
+
+
 def dicom_slice(along, implicit=False, packed=False):
     """4 x 3 voxels of 16 bits; a sequence of one item among the elements."""
     def element(group, number, kind, value, implicit=implicit):
-        value = value.encode() if isinstance(value, str) else value
-        value += (b"\0" if kind in ("UI", "OB") else b" ") * (len(value) % 2)
-        head = struct.pack("<HH", group, number)
-        if implicit:
-            return head + struct.pack("<I", len(value)) + value
-        if kind in ("OB", "OW", "SQ"):
-            return head + kind.encode() + struct.pack("<HI", 0, len(value)) + value
-        return head + kind.encode() + struct.pack("<H", len(value)) + value
-
-    def short(number):
-        return struct.pack("<H", number)
+        return dicom_element(implicit, group, number, kind, value)
 
     image = "1.2.840.10008.5.1.4.1.1.2"  # CT
     syntax = "1.2.840.10008.1.2" + ("" if implicit else ".5" if packed else ".1")
@@ -133,6 +180,40 @@ def dicom_slice(along, implicit=False, packed=False):
             + b"".join(element(*e) for e in body) + last)
 
 
+def nifti_2(size, voxels, datatype, bits, slope):
+    """Of version 2, with a matrix, a slope and an intercept; two volumes."""
+    head = bytearray(544)
+    struct.pack_into("<i8s2h", head, 0, 540, b"n+2\0\r\n\032\n", datatype, bits)
+    struct.pack_into("<8q", head, 16, 4, *size, 2, 1, 1, 1)
+    struct.pack_into("<8d", head, 104, 1, 1, 1, 1, 1, 1, 1, 1)
+    struct.pack_into("<q2d", head, 168, 544, slope, 1)
+    struct.pack_into("<2i", head, 344, 1, 2)
+    struct.pack_into("<12d", head, 400, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0)
+    struct.pack_into("<i", head, 500, 2)
+    return bytes(head) + voxels * 2
+
+
+def segments():
+    """Two layers of 3D Slicer that overlap."""
+    head = ("NRRD0004\ntype: uint8\ndimension: 4\nspace: left-posterior-superior\n"
+            "sizes: 2 3 4 2\nkinds: list domain domain domain\n"
+            "space directions: none (1,0,0) (0,1,0) (0,0,1)\nencoding: raw\nspace origin: (0,0,0)\n")
+    for n in range(2):
+        head += (f"Segment{n}_ID:=S{n}\nSegment{n}_LabelValue:=1\nSegment{n}_Layer:={n}\n"
+                 f"Segment{n}_Name:=part {n}\n")
+    return head.encode() + b"\n" + bytes(n % 3 != 0 for n in range(48))
+
+
+def bits_tiff():
+    """A page of 11 x 3 voxels of one bit."""
+    tags = ((256, 3, 11), (257, 3, 3), (258, 3, 1), (259, 3, 1), (262, 3, 0), (273, 4, 8),
+            (277, 3, 1), (278, 3, 3), (279, 4, 6))
+    return (b"II*\0" + struct.pack("<I", 14) + b"\xaa\xa0\x55\x40\xff\xe0"
+            + struct.pack("<H", len(tags))
+            + b"".join(struct.pack("<HHII", tag, kind, 1, value) for tag, kind, value in tags)
+            + bytes(4))
+
+
 def images():
     for name, settings in (("explicit", {}), ("implicit", {"implicit": True}),
                            ("packed", {"packed": True})):
@@ -148,6 +229,18 @@ def images():
     put("image", "raw.mha", mha(size, voxels), 3)
     put("image", "zlib.mha", mha(size, voxels, True), 3)
     put("image", "pages.tif", tiff(4, 3, 3), 4)
+    put("image", "scaled-2.nii", nifti_2(size, voxels, 2, 8, 0.5), 0)
+    put("image", "packed-2.nii.gz", gzip.compress(nifti_2(size, floats, 16, 32, 0), mtime=0), 1)
+    put("image", "layers.nrrd", segments(), 2)
+    put("image", "text.mha", mha(size, b" ".join(b"%d" % v for v in voxels)).replace(
+        b"BinaryData = True", b"BinaryData = False"), 3)
+    put("image", "no-size.mha", mha(size, voxels, True).replace(b"CompressedDataSize", b"Comment"), 3)
+    put("image", "channels.mha", mha(size, voxels * 2).replace(
+        b"ElementType", b"ElementNumberOfChannels = 2\nElementType"), 3)
+    put("image", "bits.tif", bits_tiff(), 4)
+    for name, settings in (("frames", {}), ("frames-implicit", {"implicit": True}),
+                           ("segments", {"segments": True})):
+        put("image", name + ".dcm", dicom_frames(**settings), 5)
 
 
 POINTS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]

@@ -221,6 +221,8 @@ MeshReport run(const MeshOptions& options, Context& context) {
   LabelNames names;
   if (!options.label_names.empty()) names = read_label_names(options.label_names);
   const Source source = open_source(options, report.memory_limit, context);
+  names.insert(source.names.begin(), source.names.end());
+  report.names = names;
   report.read_seconds = clock.seconds();
   describe(options, source, report);
   Progress progress(context);

@@ -39,6 +39,8 @@ Json regions(const MeshReport& report) {
   Json all = Json::array();
   for (const auto& [region, tets] : report.regions) {
     Json one{{"label", region.label}, {"voxels", region.voxels}};
+    if (const auto name = report.names.find(region.label); name != report.names.end())
+      one["name"] = name->second;
     if (!report.dry_run) one["tets"] = tets;
     if (report.counted_pieces) {
       one["pieces"] = region.lattice_pieces;

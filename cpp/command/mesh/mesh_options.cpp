@@ -1,6 +1,7 @@
 #include "mesh_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <map>
 #include <memory>
 
@@ -27,9 +28,16 @@ Shapes, around the origin of the world: sphere:R, torus:R,r (around z), box:a,b,
 wall at least THICKNESS thick, in a cube of SIDE; default: two periods).
 
 World coordinates are the image's own: millimetres, LPS (x to the left, y to the
-back, z to the head), as ITK has them, for NIfTI too.  The slices of a DICOM series
-are ordered by their positions.  The first voxel of a TIFF file is at the origin, x
-along its rows, y down its columns, z through its pages.
+back, z to the head), as ITK has them, for NIfTI too, whose sform is taken where it
+is set, else its qform.  The slices of a DICOM series, and the frames of a DICOM
+file, are ordered by their positions.  The first voxel of a TIFF file is at the
+origin, x along its rows, y down its columns, z through its pages.
+
+Values are those that an image's file means: slope and intercept of NIfTI and DICOM
+are applied.  Labels may be floating point numbers that are whole.  A file of several
+volumes, or of several numbers per voxel, is read with --volume.  The segments of 3D
+Slicer (.seg.nrrd) and of DICOM SEG are labels with the names that the file has;
+where they overlap the later one wins, which a note counts.
 
 A label that the lattice is too coarse for is named in a warning, and so is one that
 has more or fewer pieces in the mesh than in the image, where voxels may touch at
@@ -49,8 +57,8 @@ target_tets, tries}, mesh {points, tets, volume, checksum, file_checksum}, dihed
 {min, max, lattice_min, lattice_max, rounding, histogram}, guarantee {asked, used,
 theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
 cut, warp, count, emit, measure, write, total}, memory {limit, needed, least,
-peak}, warnings, and for images regions [{label, voxels, tets, and where pieces were
-counted: pieces, image_pieces {by_corners, by_faces}}], with --smooth: smoothing
+peak}, warnings, and for images regions [{label, voxels, tets, name where the file or
+--label-names has one, and where pieces were counted: pieces, image_pieces {by_corners, by_faces}}], with --smooth: smoothing
 {sigma, voxel_volume, mesh_volume, change}.  Lengths are in world units, angles in degrees, memory in bytes; the
 histogram has 36 bins of 5 degrees, counted before coordinates are rounded; rounding
 is what the doubles of the world can turn an angle by; output.origin is where in the
@@ -65,14 +73,15 @@ a dry run leaves out what it does not know.)";
 
 /// Options whose values need more than CLI11's own reading.
 struct RawMesh {
-  std::string size, relative_size, target_tets, iso, labels, spacing, smooth, crop, bounds, format,
-      origin;
+  std::string volume, nan, size, relative_size, target_tets, iso, labels, spacing, smooth, crop,
+      bounds, format, origin;
   bool compress = false;
 };
 
 void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("input", options.input,
-                  "Image: NIfTI, NRRD, MetaImage, TIFF, or a folder with a DICOM series; "
+                  "Image: NIfTI, NRRD, MetaImage, TIFF, a folder with a DICOM series, a DICOM "
+                  "file of several frames or a DICOM segmentation; "
                   "surface: STL, OBJ, PLY or OFF; volume: OpenVDB")
       ->option_text("INPUT");
   mesh.add_option("--labels", raw.labels,
@@ -92,6 +101,13 @@ void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("--series", options.image.series,
                   "UID of the DICOM series, where a folder holds several")
       ->option_text("UID");
+  mesh.add_option("--volume", raw.volume,
+                  "Which of several volumes in an image's file, or of several numbers per "
+                  "voxel, counted from 0")
+      ->option_text("N");
+  mesh.add_option("--nan", raw.nan,
+                  "What voxels that are NaN are read as: a label or, with --iso, a value")
+      ->option_text("V");
   mesh.add_option("--grid", options.grid, "Grid of a .vdb file (default: its first level set)")
       ->option_text("NAME");
   mesh.add_option("--expr", options.formula,
@@ -183,6 +199,8 @@ void judge_source(const MeshOptions& options, const RawMesh& raw) {
       image && !is_surface_file(options.input) && !is_volume_file(options.input);
   if (!voxels && (!raw.spacing.empty() || !options.image.series.empty()))
     refuse("--spacing and --series go with an image");
+  if (!voxels && (!raw.volume.empty() || !raw.nan.empty()))
+    refuse("--volume and --nan go with an image");
   if (!voxels && (!raw.smooth.empty() || !raw.crop.empty()))
     refuse("--smooth and --crop go with an image");
   if (!raw.smooth.empty() && !raw.iso.empty())
@@ -206,6 +224,14 @@ void read_size(MeshOptions& options, const RawMesh& raw) {
   if (!raw.target_tets.empty()) options.target_tets = parse_count("--target-tets", raw.target_tets);
 }
 
+/// A value or, for labels, a whole number of 32 bits.
+double parse_nan(const MeshOptions& options, const std::string& text) {
+  const double value = parse_number("--nan", text);
+  if (!options.iso && (value != std::floor(value) || std::fabs(value) > 2147483647))
+    refuse("--nan takes a label, not '" + text + "', unless there is --iso");
+  return value;
+}
+
 MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   judge_source(options, raw);
   read_size(options, raw);
@@ -216,6 +242,8 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
     const Bounds box = parse_bounds(raw.crop, "--crop");
     options.crop = WorldBox{box.low, box.high};
   }
+  if (!raw.volume.empty()) options.image.volume = parse_whole("--volume", raw.volume);
+  if (!raw.nan.empty()) options.nan = parse_nan(options, raw.nan);
   if (!raw.spacing.empty()) options.image.spacing = parse_spacing(raw.spacing);
   if (!raw.bounds.empty()) options.bounds = parse_bounds(raw.bounds);
   if (options.output.empty() && !options.dry_run) refuse("mesh needs an output: -o OUT");

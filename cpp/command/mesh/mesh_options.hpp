@@ -32,6 +32,7 @@ struct MeshOptions {
   std::vector<LabelRange> labels;  ///< empty: all but 0
   std::optional<double> iso;
   ImageChoice image;         ///< what an image's file may leave open
+  std::optional<double> nan;  ///< in the place of voxels that are NaN
   double smooth = 0;         ///< in world units; 0: not at all
   std::optional<WorldBox> crop;
   std::string grid;          ///< of a volume; empty: the one that speaks for itself

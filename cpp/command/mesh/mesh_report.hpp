@@ -23,6 +23,7 @@ struct MeshReport {
   std::vector<std::string> input_notes;
   std::vector<std::string> warnings;
   std::vector<MeshedRegion> regions;  ///< of an image
+  LabelNames names;                   ///< of regions, where they are known
   bool counted_pieces = false;
   std::optional<Smoothing> smoothing;
   std::string output, format;

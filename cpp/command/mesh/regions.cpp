@@ -92,6 +92,10 @@ std::string RegionWatch::other_pieces(std::size_t which) const {
 
 std::vector<std::string> RegionWatch::warnings(bool written) {
   std::vector<std::string> sentences;
+  if (source_.voxels && !source_.voxels->level && looks_grayscale(*source_.voxels->image))
+    sentences.push_back(fmt::format(
+        "the image looks like one of gray values, of which {} became labels; --iso V takes what is "
+        "above a value", regions_.size()));
   std::size_t lost_ones = 0, changed = 0;
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     if (is_lost(r, written)) {

@@ -1,5 +1,7 @@
 #include "source.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "certet/error.hpp"
@@ -135,13 +137,22 @@ Source from_voxels(const std::shared_ptr<const Image>& image, const MeshOptions&
   return {options.iso ? "level" : "labels", image->name, place, image->notes};
 }
 
+/// As the options want it: labels, or values of which none is NaN where that is so.
+Image wanted_image(const MeshOptions& options, std::uint64_t max_bytes) {
+  Image image = read(options, max_bytes);
+  if (options.nan)
+    if (const std::uint64_t count = replace_nan(image, *options.nan); count != 0)
+      image.notes.push_back(fmt::format("{} {} read as {:.9g}", count,
+                                        count == 1 ? "voxel is NaN and was" : "voxels are NaN and were",
+                                        *options.nan));
+  return options.iso ? std::move(image) : with_labels(std::move(image));
+}
+
 Source from_image(const MeshOptions& options, std::uint64_t max_bytes) {
-  const auto image = std::make_shared<const Image>(read(options, max_bytes));
-  if (!options.iso && !image->integral())
-    throw Error(ErrorCode::bad_option, "the voxels of '" + image->name +
-                                           "' are not whole numbers: choose a level with --iso");
+  const auto image = std::make_shared<const Image>(wanted_image(options, max_bytes));
   Source source =
       options.smooth != 0 ? from_smoothed(image, options) : from_voxels(image, options);
+  if (!options.iso) source.names = image->names;
   source.voxels = SolidVoxels{image, options.labels, options.iso, options.smooth != 0,
                               options.crop.has_value()};
   return source;

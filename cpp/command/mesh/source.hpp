@@ -47,6 +47,7 @@ struct Source {
   /// \throws Error.
   std::function<PlacedSource(double size)> place;
   std::vector<std::string> notes = {};  ///< what is doubtful about it, a sentence each
+  LabelNames names = {};                ///< where the input tells some
   std::optional<SolidVoxels> voxels = {};
   std::optional<Smoothing> smoothing = {};
 };

@@ -17,6 +17,7 @@
 #include "certet/buffer.hpp"
 #include "certet/context.hpp"
 #include "certet/placed_domain.hpp"
+#include "certet/survey.hpp"
 
 namespace certet {
 
@@ -39,6 +40,7 @@ struct Image {
   /// right-handed or left-handed.
   std::array<std::array<double, 3>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   Voxels voxels;
+  LabelNames names = {};  ///< of labels, where the file tells some
   std::vector<std::string> notes = {};  ///< what is doubtful about it, a sentence each
 
   /// Whether the voxels are whole numbers, which makes them labels.
@@ -52,11 +54,17 @@ bool can_read_images();
 struct ImageChoice {
   std::string series;             ///< UID of a DICOM series; empty: the only one there is
   std::optional<Point3> spacing;  ///< in the place of the file's own
+  /// Of several volumes in a file, or numbers per voxel, from 0.
+  std::optional<std::uint64_t> volume = {};
 };
 
 /// Reads an image of three dimensions and one number per voxel: a NIfTI, NRRD,
-/// MetaImage or TIFF file, or a folder that holds a DICOM series.  The header is
-/// judged before memory is taken for the voxels.
+/// MetaImage or TIFF file, a folder that holds a DICOM series, or a DICOM file of
+/// several frames.  The header is judged before memory is taken for the voxels.
+///
+/// Values are what the file means and not what it stores: slope and intercept of
+/// NIfTI and DICOM are applied.  Segmentations whose segments may overlap (3D Slicer's
+/// .seg.nrrd, DICOM SEG) become labels, a note says which segment was taken where.
 ///
 /// The slices of a DICOM series are put in the order of their positions, whatever
 /// their names and numbers; the third axis is the normal of the slices.  The pages
@@ -69,6 +77,22 @@ struct ImageChoice {
 /// The sentence names the file.
 Image read_image(const std::filesystem::path& file, std::uint64_t max_bytes,
                  const ImageChoice& choice = {});
+
+/// The image with labels for voxels: as it is where they are whole numbers already,
+/// else made from floating point ones, which must all be whole.  NaN becomes `nan`
+/// where that is given.
+/// \throws Error `bad_input` that says how many voxels are no labels, why, and where the
+/// first is.
+Image with_labels(Image image, std::optional<std::int32_t> nan = {});
+
+/// Puts a value in the place of all that are NaN.  \returns how many there were.
+std::uint64_t replace_nan(Image& image, double value);
+
+/// Whether whole numbers look like shades of gray rather than labels: there are more
+/// than 50, and those that are neither 0 nor the commonest come in short runs along the
+/// first axis, of less than 2.5 voxels on average; of less than 5 where there are more
+/// than 1000.
+bool looks_grayscale(const Image& image);
 
 /// Labels first, first + 1, …, last.
 struct LabelRange {

@@ -20,20 +20,29 @@ std::int64_t voxel_count(const certet::Image& image) {
 
 void place(certet::Image image) {
   const auto shared = std::make_shared<const certet::Image>(std::move(image));
+  certet::looks_grayscale(*shared);
   if (shared->integral())
     certet::label_domain(shared, {}, {});
   else
     certet::level_domain(shared, 0.5, {});
 }
 
-void read_and_place(const std::filesystem::path& path) {
+/// Of floating point ones, too.
+void place_labels(certet::Image image) {
+  certet::replace_nan(image, 1);
+  place(certet::with_labels(std::move(image)));
+}
+
+void read_and_place(const std::filesystem::path& path, const certet::ImageChoice& choice = {}) {
   read_or_refuse([&] {
-    certet::Image image = certet::read_image(path, most_voxel_bytes);
+    certet::Image image = certet::read_image(path, most_voxel_bytes, choice);
     const auto& [a, b, c] = image.size;
     const std::int64_t voxels = voxel_count(image);
     if (a < 1 || b < 1 || c < 1 || a * b * c != voxels)
       throw Finding("an image does not have the voxels that its size says");
-    if (voxels <= most_voxels) place(std::move(image));
+    if (voxels > most_voxels) return;
+    if (!image.integral() && voxels % 2 == 0) place_labels(std::move(image));
+    else place(std::move(image));
   });
 }
 
@@ -41,9 +50,11 @@ void read_and_place(const std::filesystem::path& path) {
 
 void image(Bytes bytes) {
   if (bytes.empty()) return;
-  static constexpr std::array<std::string_view, 5> extensions{".nii", ".nii.gz", ".nrrd", ".mha",
-                                                              ".tif"};
-  read_and_place(chosen_file(bytes, extensions).path());
+  static constexpr std::array<std::string_view, 6> extensions{".nii",  ".nii.gz", ".nrrd",
+                                                              ".mha", ".tif",    ".dcm"};
+  const auto file = chosen_file(bytes, extensions);
+  read_and_place(file.path());
+  read_and_place(file.path(), {.series = {}, .spacing = {}, .volume = 1});
 }
 
 void dicom(Bytes bytes) {
