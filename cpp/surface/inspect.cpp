@@ -1,5 +1,6 @@
 #include "certet/surface.hpp"
 #include "edges.hpp"
+#include "holes.hpp"
 #include "self_intersections.hpp"
 
 namespace certet {
@@ -36,9 +37,12 @@ SurfaceDefects inspect(const TriangleSurface& surface, const Context& context) {
   stop_if_cancelled(context);
   for (const SurfaceEdge& edge : edges_of(surface)) {
     if (edge.open()) note(defects.open_edges, surface, edge);
+    if (edge.odd() && !edge.open()) note(defects.odd_edges, surface, edge);
     if (edge.overfull()) note(defects.overfull_edges, surface, edge);
     if (edge.misoriented()) note(defects.misoriented_edges, surface, edge);
   }
+  if (defects.open_edges.count != 0)
+    defects.holes = measure_holes(surface, hole_loops(surface));
   defects.self_intersections = find_self_intersections(surface, context);
   defects.inside_out = defects.closed() && defects.misoriented_edges.count == 0 &&
                        enclosed(surface) < 0;

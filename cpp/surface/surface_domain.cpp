@@ -79,9 +79,10 @@ enum class Rule { winding, parity };
 Rule rule_for(const TriangleSurface& surface) {
   Rule rule = Rule::winding;
   for (const SurfaceEdge& edge : edges_of(surface)) {
-    if (edge.open())
+    if (edge.odd())
       throw Error(ErrorCode::bad_input,
-                  "'" + surface.name + "' is open: it does not enclose a solid");
+                  "'" + surface.name + "' is " + (edge.open() ? "open" : "non-manifold") +
+                      ": it does not enclose a solid");
     if (edge.misoriented()) rule = Rule::parity;
   }
   return rule;

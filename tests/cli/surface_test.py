@@ -93,7 +93,7 @@ class Defects(SurfaceTest):
 
     def test_disagreeing_triangles(self):
         points, faces = surfaces.cube()
-        self.assertAlmostEqual(self.notes((points, [faces[0][::-1]] + faces[1:]), "4 edges"), 1,
+        self.assertAlmostEqual(self.notes((points, [faces[0][::-1]] + faces[1:]), "2 triangles"), 1,
                                delta=0.01)
 
 

@@ -84,6 +84,8 @@ void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
       ->option_text("UID");
   mesh.add_option("--grid", options.grid, "Grid of a .vdb file (default: its first level set)")
       ->option_text("NAME");
+  mesh.add_flag("--repair", options.repair,
+                "Closes the holes of an open surface; without it, such a surface is refused");
   mesh.add_option("--expr", options.formula,
                   "The solid is where a formula in x, y, z is negative")
       ->option_text("FORMULA");
@@ -160,6 +162,8 @@ void judge_source(const MeshOptions& options, const RawMesh& raw) {
     refuse("--grid goes with a .vdb file");
   if (is_surface_file(options.input) && (!raw.labels.empty() || !raw.iso.empty()))
     refuse("--labels and --iso go with an image or a volume, not with a surface");
+  if (options.repair && !is_surface_file(options.input))
+    refuse("--repair goes with a surface: STL, OBJ, PLY or OFF");
   if (is_volume_file(options.input) && !raw.labels.empty())
     refuse("--labels goes with an image, not with a volume");
   if (!options.label_names.empty() && (!image || !raw.iso.empty()))

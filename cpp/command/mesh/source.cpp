@@ -49,7 +49,7 @@ Source from_shape(const MeshOptions& options) {
 }
 
 Source from_surface(const MeshOptions& options, const Context& context) {
-  JudgedSurface judged = open_surface(options.input, context);
+  JudgedSurface judged = open_surface(options.input, options.repair, context);
   const auto surface = std::make_shared<const TriangleSurface>(std::move(judged.surface));
   const auto place = [surface, margin = options.margin](double size) {
     return placed(surface_domain(*surface, {size, margin}));

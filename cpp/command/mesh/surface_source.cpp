@@ -20,12 +20,9 @@ std::string place(const SurfaceDefect& defect) {
                      y, z);
 }
 
-void refuse_open(const TriangleSurface& surface, const SurfaceDefects& defects) {
-  if (defects.closed()) return;
-  throw Error(ErrorCode::bad_input,
-              fmt::format("the surface '{}' is open: it ends at {}, {}", surface.name,
-                          counted(defects.open_edges, "edge", "edges"),
-                          place(defects.open_edges)));
+std::string remedy(const SurfaceDefects& defects) {
+  if (defects.holes.count == 0) return "--repair drops it";
+  return defects.holes.count == 1 ? "--repair closes it" : "--repair closes them";
 }
 
 std::vector<std::string> notes_on(const TriangleSurface& surface,
@@ -52,15 +49,18 @@ std::vector<std::string> notes_on(const TriangleSurface& surface,
 
 }  // namespace
 
-JudgedSurface open_surface(const std::filesystem::path& file, const Context& context) {
+JudgedSurface open_surface(const std::filesystem::path& file, bool close_holes,
+                           const Context& context) {
   JudgedSurface result;
   {
     const Silence silence;
     result.surface = read_surface(file);
   }
+  result.notes = sentences_on(repair_surface(result.surface, {close_holes}, context));
   const SurfaceDefects defects = inspect(result.surface, context);
-  refuse_open(result.surface, defects);
-  result.notes = notes_on(result.surface, defects);
+  refuse_open(result.surface, defects, close_holes ? "" : remedy(defects));
+  for (std::string& note : notes_on(result.surface, defects))
+    result.notes.push_back(std::move(note));
   return result;
 }
 

@@ -17,7 +17,9 @@ struct JudgedSurface {
   std::vector<std::string> notes;
 };
 
-/// Reads a closed surface.  \throws Error `bad_input`, for an open one too; `cancelled`.
-JudgedSurface open_surface(const std::filesystem::path& file, const Context& context);
+/// Reads a surface and mends what exporters do to it; closes its holes only if that is
+/// asked for.  \throws Error `bad_input`, for an open one too; `cancelled`.
+JudgedSurface open_surface(const std::filesystem::path& file, bool close_holes,
+                           const Context& context);
 
 }  // namespace certet::command
