@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "certet/surface.hpp"
 #include "edges.hpp"
 #include "holes.hpp"
@@ -30,6 +32,13 @@ void note(SurfaceDefect& defect, const TriangleSurface& surface, const SurfaceEd
 }
 
 }  // namespace
+
+bool is_closed(const TriangleSurface& surface) {
+  refuse_malformed(surface);
+  const auto edges = edges_of(surface);
+  return std::none_of(edges.begin(), edges.end(),
+                      [](const SurfaceEdge& edge) { return edge.odd(); });
+}
 
 SurfaceDefects inspect(const TriangleSurface& surface, const Context& context) {
   refuse_malformed(surface);

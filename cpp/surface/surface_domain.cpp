@@ -236,7 +236,9 @@ std::unique_ptr<PlacedDomain> surface_domain(const TriangleSurface& surface,
                                              const SurfaceLattice& lattice) {
   refuse_malformed(surface);
   const Rule rule = rule_for(surface);
-  return std::make_unique<SurfaceDomain>(surface, Place(Box(surface), lattice), rule);
+  SurfaceLattice chosen = lattice;
+  if (chosen.size == 0) chosen.size = default_size(surface, measure(surface)).size;
+  return std::make_unique<SurfaceDomain>(surface, Place(Box(surface), chosen), rule);
 }
 
 }  // namespace certet

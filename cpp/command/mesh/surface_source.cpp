@@ -47,6 +47,17 @@ std::vector<std::string> notes_on(const TriangleSurface& surface,
   return notes;
 }
 
+std::string note_on(const SurfaceSize& size, const SurfaceMeasures& solid) {
+  if (size.size == size.usual) return "";
+  if (!size.limited())
+    return fmt::format("the size {:.6g} is chosen for parts of the solid that are {:.3g} thick",
+                       size.size, solid.thin);
+  return fmt::format("the size {:.6g} is chosen for parts of the solid that are {:.3g} thick; "
+                     "without --size it is not smaller, so that there are no more than some "
+                     "{:.0f} million tetrahedra and {:.0f} million cells",
+                     size.size, solid.thin, most_default_tets / 1e6, most_default_cells / 1e6);
+}
+
 }  // namespace
 
 JudgedSurface open_surface(const std::filesystem::path& file, bool close_holes,
@@ -61,6 +72,9 @@ JudgedSurface open_surface(const std::filesystem::path& file, bool close_holes,
   refuse_open(result.surface, defects, close_holes ? "" : remedy(defects));
   for (std::string& note : notes_on(result.surface, defects))
     result.notes.push_back(std::move(note));
+  result.measures = measure(result.surface, context);
+  result.size = default_size(result.surface, result.measures);
+  result.size_note = note_on(result.size, result.measures);
   return result;
 }
 

@@ -15,6 +15,9 @@ namespace certet::command {
 struct JudgedSurface {
   TriangleSurface surface;
   std::vector<std::string> notes;
+  SurfaceMeasures measures;
+  SurfaceSize size;       ///< if none is asked for
+  std::string size_note;  ///< why it is less than usual, if it is
 };
 
 /// Reads a surface and mends what exporters do to it; closes its holes only if that is

@@ -77,6 +77,10 @@ struct SurfaceDefects {
   [[nodiscard]] bool closed() const { return open_edges.count == 0 && odd_edges.count == 0; }
 };
 
+/// Whether every edge has an even number of triangles, as `SurfaceDefects::closed` has it.
+/// \throws Error `bad_input` as `inspect`.
+bool is_closed(const TriangleSurface& surface);
+
 /// Edges are counted exactly; intersections are decided exactly for the points
 /// rounded to 2^-30 of the longest half side.
 /// \throws Error `bad_input` (no triangles, points that are NaN or infinite,
@@ -138,9 +142,40 @@ std::vector<std::string> sentences_on(const SurfaceRepairs& repairs);
 void refuse_open(const TriangleSurface& surface, const SurfaceDefects& defects,
                  const std::string& remedy);
 
+/// What the solid inside of a closed surface measures.
+struct SurfaceMeasures {
+  /// World units cubed: by the divergence theorem, to rounding, but where the surface
+  /// winds around something more than once (solids overlap), or its triangles do not
+  /// agree; there by some sixty thousand lines through it.
+  double volume = 0;
+  double area = 0;  ///< of the triangles, world units squared
+  /// How thick the solid is, along the normal, behind its surface: of the area, a
+  /// fiftieth has this or less.  World units.
+  double thin = 0;
+};
+
+/// \throws Error as `inspect`.  The surface should be closed.
+SurfaceMeasures measure(const TriangleSurface& surface, const Context& context = {});
+
+/// For the sake of thin parts, a default goes to no more tetrahedra than about these,
+/// and to no more cells of the lattice.
+inline constexpr double most_default_tets = 4e6, most_default_cells = 32e6;
+
+/// The long edge that is taken if none is asked for.
+struct SurfaceSize {
+  /// A 64th of the longest side or, if that is less, `SurfaceMeasures::thin` over 2.5,
+  /// as far as `most_default_tets` and `most_default_cells` allow.
+  double size = 0;
+  double usual = 0;   ///< the 64th
+  double wanted = 0;  ///< as if they allowed any number
+
+  [[nodiscard]] bool limited() const { return wanted < size; }
+};
+SurfaceSize default_size(const TriangleSurface& surface, const SurfaceMeasures& solid);
+
 /// How finely a surface is meshed.
 struct SurfaceLattice {
-  double size = 0;  ///< long edge in world units; 0: a 64th of the longest side
+  double size = 0;  ///< long edge in world units; 0: as `default_size`
   std::int32_t margin = 2;  ///< lattice cells around the surface, at least 1
 };
 
