@@ -35,6 +35,7 @@ class Reader {
   void judge_keyword() {
     const std::string whole = rest_;
     const std::string_view keyword = word();
+    if (keyword == "off") return;
     const std::size_t off = keyword.find("OFF");
     if (off == keyword.npos) {
       rest_ = whole;
