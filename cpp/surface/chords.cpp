@@ -84,8 +84,8 @@ class Lines {
       chords.inside += (one.x - next.x) * step_ * area_;
       chords.wound += winding * ((one.x - next.x) * step_ * area_);
       if (inside(winding + next.direction)) continue;
-      // Near an edge a line meets two of the faces there, which is no wall.
-      constexpr double least_facing = 0.17;
+      // Near a sharp edge a line meets the two faces there, which are no wall.
+      constexpr double least_facing = 0.85;
       if (dot(end->normal, next.normal) < least_facing) continue;
       add(*end, (end->x - next.x) * step_, chords);
       add(next, (end->x - next.x) * step_, chords);

@@ -171,7 +171,7 @@ SurfaceHoles measure_holes(const TriangleSurface& surface, const std::vector<Hol
 }
 
 void close_holes(TriangleSurface& surface, const std::vector<HoleLoop>& loops) {
-  constexpr std::size_t few = 64, many = 1000;
+  constexpr std::size_t few = 64, many = 300;
   for (const HoleLoop& loop : loops) {
     if (loop.size() <= few) LeastArea(loop, surface.points).add(0, loop.size() - 1, surface);
     else if (loop.size() <= many) add_polygon(loop, surface);

@@ -20,7 +20,7 @@ SurfaceHoles measure_holes(const TriangleSurface& surface, const std::vector<Hol
 
 /// Adds triangles that close the loops.  A loop of few points is closed by triangles
 /// between them whose area is the least; one of more by cutting ears off it; one of
-/// more than a thousand by a fan around a new point in its middle.  The triangles run
+/// more than some hundreds by a fan around a new point in its middle.  The triangles run
 /// along the loop the other way than what is around the hole at its first edge.
 void close_holes(TriangleSurface& surface, const std::vector<HoleLoop>& loops);
 

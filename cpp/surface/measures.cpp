@@ -80,7 +80,7 @@ SurfaceMeasures measure(const TriangleSurface& surface, const Context& context) 
 }
 
 SurfaceSize default_size(const TriangleSurface& surface, const SurfaceMeasures& solid) {
-  constexpr double across_thin = 2.5;
+  constexpr double across_thin = 4;
   SurfaceSize result;
   const Point3 box = sides(surface);
   result.usual = result.size = result.wanted = *std::max_element(box.begin(), box.end()) / 64;

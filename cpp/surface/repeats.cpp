@@ -169,10 +169,11 @@ bool has_repeats(const TriangleSurface& surface, std::span<const TriangleSide> e
   const auto third = [&](const TriangleSide& side) {
     return surface.triangles[side.triangle][(side.corner + 2U) % 3];
   };
-  for (std::size_t i = 0; i < edge.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (third(edge[i]) == third(edge[j])) return true;
-  return false;
+  if (edge.size() == 2) return third(edge[0]) == third(edge[1]);
+  std::vector<std::uint32_t> points;
+  for (const TriangleSide& side : edge) points.push_back(third(side));
+  std::sort(points.begin(), points.end());
+  return std::adjacent_find(points.begin(), points.end()) != points.end();
 }
 
 std::uint64_t drop_repeats(TriangleSurface& surface) { return Repeats(surface).drop(); }

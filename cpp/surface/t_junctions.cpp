@@ -67,13 +67,15 @@ class Splitting {
   }
 
  private:
-  /// The mean length of the edges; a walk along one looks at each point once or so.
+  /// The median length of the edges: half of the walks are one step, and few points
+  /// are in a cube.
   [[nodiscard]] double chosen_spacing() const {
-    double sum = 0;
+    std::vector<double> lengths;
     for (const TriangleSide& side : odd_)
-      sum += distance(surface_.points[side.low()], surface_.points[side.high()]);
-    const double mean = odd_.empty() ? 0 : sum / static_cast<double>(odd_.size());
-    return std::max({mean, 4 * tolerance_, 1e-300});
+      lengths.push_back(distance(surface_.points[side.low()], surface_.points[side.high()]));
+    const auto middle = lengths.begin() + std::ssize(lengths) / 2;
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    return std::max({lengths.empty() ? 0 : *middle, 4 * tolerance_, 1e-300});
   }
 
   [[nodiscard]] PointsOnSide points_on(const TriangleSide& side) const {
@@ -85,7 +87,8 @@ class Splitting {
     const double square = dot(along, along);
     std::vector<std::pair<double, std::uint32_t>> found;
     const double walk = std::sqrt(square) / spacing_;
-    if (!(square > 0) || walk > 1e6) return {};
+    constexpr double longest_walk = 1e5;
+    if (!(square > 0) || walk > longest_walk) return {};
     const auto walks = static_cast<int>(std::ceil(walk));
     for (int step = 0; step <= walks; ++step)
       ends_.for_each_near(between(a, b, step / std::max(1.0, double(walks))), [&](std::uint32_t p) {

@@ -207,8 +207,8 @@ class Surfaces(unittest.TestCase):
         self.assertAlmostEqual(mesh.quality().volume, 1, delta=1e-9)
 
     def test_default_size_follows_thin_parts(self):
-        mesh = certet.mesh_surface(self.points * (1, 1, 0.01), self.triangles)
-        self.assertAlmostEqual(mesh.size, 0.004, delta=1e-6)
+        mesh = certet.mesh_surface(self.points * (1, 1, 0.04), self.triangles)
+        self.assertAlmostEqual(mesh.size, 0.01, delta=1e-6)
 
     def test_refusals(self):
         for triangles, sentence in [(self.triangles[1:], "1 hole.*repair=True"), (self.triangles + 5, "point"),

@@ -41,8 +41,8 @@ A surface need not be clean: equal corners that differ by rounding, triangles th
 repeated, turned or without an area, T-junctions, and walls between two solids that are
 stored once are mended, with the least tolerance that closes the surface, and what was
 done is said.  An open surface is refused, unless --repair closes its holes.  Where the
-solid behind a fiftieth of the surface is thin, the default size is that thickness over
-2.5, as far as about 4 million tetrahedra or 32 million cells of the lattice.
+solid behind a fiftieth of the surface is thin, the default size is a quarter of its
+thickness, as far as about 4 million tetrahedra or 32 million cells of the lattice.
 
 The volume of the mesh is compared with that of the solid: of a closed surface and of
 all shapes but the gyroid the true one, of others an estimate.  Beyond 2 % a warning

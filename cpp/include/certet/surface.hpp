@@ -149,7 +149,7 @@ struct SurfaceMeasures {
   /// agree; there by some sixty thousand lines through it.
   double volume = 0;
   double area = 0;  ///< of the triangles, world units squared
-  /// How thick the solid is, along the normal, behind its surface: of the area, a
+  /// How thick the solid is between faces that are about parallel: of their area, a
   /// fiftieth has this or less.  World units.
   double thin = 0;
 };
@@ -163,7 +163,7 @@ inline constexpr double most_default_tets = 4e6, most_default_cells = 32e6;
 
 /// The long edge that is taken if none is asked for.
 struct SurfaceSize {
-  /// A 64th of the longest side or, if that is less, `SurfaceMeasures::thin` over 2.5,
+  /// A 64th of the longest side or, if that is less, a quarter of `SurfaceMeasures::thin`,
   /// as far as `most_default_tets` and `most_default_cells` allow.
   double size = 0;
   double usual = 0;   ///< the 64th
