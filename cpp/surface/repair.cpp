@@ -144,6 +144,15 @@ void mend(State& state, const Context& context) {
   state = std::move(best);
 }
 
+/// Drops repeats, unless that opens what was closed: a sheet that is there twice.
+void drop_unneeded(State& state, const Gaps& before) {
+  TriangleSurface tried = state.surface;
+  const std::uint64_t dropped = drop_repeats(tried);
+  if (before.closed() && !Gaps(tried).closed()) return;
+  state.done.repeated_triangles += dropped;
+  state.surface = std::move(tried);
+}
+
 /// Turns triangles, and drops walls, until all agree.
 void agree(State& state) {
   const Gaps gaps(state.surface);
@@ -187,7 +196,7 @@ SurfaceRepairs repair_surface(TriangleSurface& surface, const RepairChoice& choi
                                           std::to_string(triangles) +
                                           " triangles, and all of them have a corner twice");
   const Gaps gaps(state.surface);
-  if (gaps.repeats) state.done.repeated_triangles += drop_repeats(state.surface);
+  if (gaps.repeats) drop_unneeded(state, gaps);
   const bool agrees = gaps.closed() && gaps.misoriented == 0;
   if (!agrees || gaps.repeats) {
     mend(state, context);
