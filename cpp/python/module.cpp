@@ -29,6 +29,7 @@ struct PythonMesh {
   Guarantee guarantee{};
   Cuts cuts{};
   std::uint64_t inverted_tets = 0;
+  std::vector<std::string> notes;
 };
 
 struct Options {
@@ -65,6 +66,7 @@ struct Placed {
   Lattice lattice;
   Frame frame;
   Labels label;  ///< empty where there are no labels
+  std::vector<std::string> notes = {};  ///< what is doubtful about the solid
 };
 
 std::shared_ptr<PythonMesh> mesh_of(const std::function<Placed()>& place, const Options& options) {
@@ -80,6 +82,7 @@ std::shared_ptr<PythonMesh> mesh_of(const std::function<Placed()>& place, const 
     result->guarantee = stuffing.guarantee();
     result->cuts = options.stuffing.cuts;
     result->inverted_tets = stuffing.inverted_tets();
+    result->notes = placed.notes;
     result->world = world_points(result->mesh);
     if (placed.label) result->labels = labels_of(result->mesh, placed.label);
   });
@@ -136,7 +139,7 @@ std::shared_ptr<PythonMesh> mesh_function(py::object function, const Point3& low
 std::shared_ptr<PythonMesh> mesh_surface(
     const py::array_t<double, py::array::c_style | py::array::forcecast>& points,
     const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>& triangles,
-    double size, int margin, const Options& options) {
+    double size, int margin, bool repair, const Options& options) {
   TriangleSurface surface;
   surface.name = "surface";
   const auto shape = [](const py::array& array, const char* what) {
@@ -158,8 +161,11 @@ std::shared_ptr<PythonMesh> mesh_surface(
     }
   return mesh_of(
       [&] {
+        const SurfaceRepairs repairs = repair_surface(surface, {repair});
+        if (!is_closed(surface))
+          refuse_open(surface, inspect(surface), repair ? "" : "repair=True closes what is open");
         std::shared_ptr<PlacedDomain> domain = surface_domain(surface, {size, margin});
-        return Placed{domain, domain->lattice(), domain->frame(), {}};
+        return Placed{domain, domain->lattice(), domain->frame(), {}, sentences_on(repairs)};
       },
       options);
 }
@@ -261,6 +267,7 @@ PYBIND11_MODULE(_certet, module) {
       })
       .def_property_readonly("inverted_tets",
                              [](const PythonMesh& mesh) { return mesh.inverted_tets; })
+      .def_property_readonly("notes", [](const PythonMesh& mesh) { return mesh.notes; })
       .def("checksum", checksum_of)
       .def("quality", quality_of);
   module.def("mesh_image", mesh_image);

@@ -25,6 +25,7 @@ struct Sphere {
   [[nodiscard]] Bounds bounds() const {
     return {{-radius, -radius, -radius}, {radius, radius, radius}};
   }
+  [[nodiscard]] double volume() const { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius; }
 };
 
 /// Around z.
@@ -36,6 +37,9 @@ struct Torus {
   }
   [[nodiscard]] Bounds bounds() const {
     return {{-ring - tube, -ring - tube, -tube}, {ring + tube, ring + tube, tube}};
+  }
+  [[nodiscard]] double volume() const {
+    return 2 * std::numbers::pi * std::numbers::pi * ring * tube * tube;
   }
 };
 
@@ -51,6 +55,10 @@ struct Box {
            std::min(std::max({a, b, c}), 0.0);
   }
   [[nodiscard]] Bounds bounds() const { return sides; }
+  [[nodiscard]] double volume() const {
+    return (sides.high[0] - sides.low[0]) * (sides.high[1] - sides.low[1]) *
+           (sides.high[2] - sides.low[2]);
+  }
 };
 
 /// Along z.
@@ -61,6 +69,9 @@ struct Cylinder {
   }
   [[nodiscard]] Bounds bounds() const {
     return {{-radius, -radius, -half_height}, {radius, radius, half_height}};
+  }
+  [[nodiscard]] double volume() const {
+    return 2 * std::numbers::pi * radius * radius * half_height;
   }
 };
 

@@ -97,6 +97,12 @@ Bounds bounds_of(const Solid& solid) {
   return solid.bounds();
 }
 
+std::optional<double> volume_of(const Within<Gyroid>&) { return std::nullopt; }
+template <class Solid>
+std::optional<double> volume_of(const Solid& solid) {
+  return solid.volume();
+}
+
 /// A gyroid has no bounds of its own.
 Bounds meet(const std::string& text, const AnyShape& shape, const std::optional<Bounds>& bounds) {
   Bounds result = std::visit([](const auto& solid) { return bounds_of(solid); }, shape);
@@ -135,6 +141,8 @@ ShapeDomain::ShapeDomain(const std::string& shape, const std::optional<Bounds>& 
                          double size, std::int32_t margin) {
   const AnyShape solid = read(shape);
   bounds_ = meet(shape, solid, bounds);
+  if (!bounds)
+    volume_ = std::visit([](const auto& one) { return volume_of(one); }, solid);
   around_ = lattice_around(bounds_, size, margin);
   solid_ = domain(solid, bounds, around_.frame);
 }

@@ -32,12 +32,19 @@ struct Head {
   }
 };
 
+bool is_text(const Head& head) {
+  return head.text.rfind("solid", 0) == 0 && head.text.find('\0') == std::string::npos;
+}
+
 void judge_stl(const Head& head) {
   constexpr std::uint64_t before = 84, triangle = 50;
-  const bool text = head.text.rfind("solid", 0) == 0 &&
-                    head.text.find('\0') == std::string::npos;
-  if (text) return;
+  if (is_text(head)) return;
   if (head.size < before) head.refuse("is too short for an STL file");
+  // A binary file has numbers from there on, and a text none that is not printable.
+  if (std::all_of(head.text.begin(), head.text.end(), [](unsigned char c) {
+        return c >= ' ' || (c >= '\t' && c <= '\r');
+      }))
+    head.refuse("is text, but not an STL file: it does not begin with the word solid");
   std::uint32_t count = 0;
   std::memcpy(&count, head.text.data() + 80, 4);
   if (head.size - before < triangle * count)
@@ -57,6 +64,8 @@ bool is_surface_file(const fs::path& file) {
   const std::string extension = surface_extension(file);
   return extension == ".stl" || extension == ".obj" || extension == ".ply" || extension == ".off";
 }
+
+bool is_text_stl(const fs::path& file) { return is_text(Head(file)); }
 
 void judge_announced_counts(const fs::path& file) {
   if (surface_extension(file) == ".stl") judge_stl(Head(file));

@@ -15,4 +15,7 @@ std::string surface_extension(const std::filesystem::path& file);
 /// \throws Error `bad_input`, the sentence names the file.
 void judge_announced_counts(const std::filesystem::path& file);
 
+/// Whether an STL file is a text: it begins with the word solid and has no zero byte.
+bool is_text_stl(const std::filesystem::path& file);
+
 }  // namespace certet

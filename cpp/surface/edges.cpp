@@ -3,45 +3,36 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "certet/error.hpp"
 
 namespace certet {
-namespace {
 
-/// One side of one triangle, its points in order.
-struct Side {
-  std::uint64_t points;
-  bool backward;
-};
-
-std::vector<Side> sides_of(const TriangleSurface& surface) {
-  std::vector<Side> sides;
+std::vector<TriangleSide> sides_of(const TriangleSurface& surface) {
+  std::vector<TriangleSide> sides;
   sides.reserve(3 * surface.triangles.size());
-  for (const auto& t : surface.triangles) {
+  for (std::uint32_t n = 0; n < surface.triangles.size(); ++n) {
+    const auto& t = surface.triangles[n];
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
-    for (std::size_t c = 0; c < 3; ++c) {
+    for (std::uint8_t c = 0; c < 3; ++c) {
       const std::uint64_t from = t[c], to = t[(c + 1) % 3];
-      sides.push_back({std::min(from, to) << 32 | std::max(from, to), from > to});
+      sides.push_back({std::min(from, to) << 32 | std::max(from, to), n, c, from > to});
     }
   }
-  std::sort(sides.begin(), sides.end(),
-            [](const Side& a, const Side& b) { return a.points < b.points; });
+  std::sort(sides.begin(), sides.end(), [](const TriangleSide& a, const TriangleSide& b) {
+    return std::pair(a.points, a.triangle) < std::pair(b.points, b.triangle);
+  });
   return sides;
 }
-
-}  // namespace
 
 std::vector<SurfaceEdge> edges_of(const TriangleSurface& surface) {
   std::vector<SurfaceEdge> edges;
   edges.reserve(surface.triangles.size() / 2 * 3);
-  for (const Side& side : sides_of(surface)) {
-    const auto low = static_cast<std::uint32_t>(side.points >> 32);
-    const auto high = static_cast<std::uint32_t>(side.points);
-    if (edges.empty() || edges.back().low != low || edges.back().high != high)
-      edges.push_back({low, high});
-    ++(side.backward ? edges.back().backward : edges.back().forward);
-  }
+  for_each_edge(sides_of(surface), [&](std::span<const TriangleSide> sides) {
+    SurfaceEdge& edge = edges.emplace_back(SurfaceEdge{sides[0].low(), sides[0].high()});
+    for (const TriangleSide& side : sides) ++(side.backward ? edge.backward : edge.forward);
+  });
   return edges;
 }
 

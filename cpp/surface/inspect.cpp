@@ -1,5 +1,8 @@
+#include <algorithm>
+
 #include "certet/surface.hpp"
 #include "edges.hpp"
+#include "holes.hpp"
 #include "self_intersections.hpp"
 
 namespace certet {
@@ -30,15 +33,25 @@ void note(SurfaceDefect& defect, const TriangleSurface& surface, const SurfaceEd
 
 }  // namespace
 
+bool is_closed(const TriangleSurface& surface) {
+  refuse_malformed(surface);
+  const auto edges = edges_of(surface);
+  return std::none_of(edges.begin(), edges.end(),
+                      [](const SurfaceEdge& edge) { return edge.odd(); });
+}
+
 SurfaceDefects inspect(const TriangleSurface& surface, const Context& context) {
   refuse_malformed(surface);
   SurfaceDefects defects;
   stop_if_cancelled(context);
   for (const SurfaceEdge& edge : edges_of(surface)) {
     if (edge.open()) note(defects.open_edges, surface, edge);
+    if (edge.odd() && !edge.open()) note(defects.odd_edges, surface, edge);
     if (edge.overfull()) note(defects.overfull_edges, surface, edge);
     if (edge.misoriented()) note(defects.misoriented_edges, surface, edge);
   }
+  if (defects.open_edges.count != 0)
+    defects.holes = measure_holes(surface, hole_loops(surface));
   defects.self_intersections = find_self_intersections(surface, context);
   defects.inside_out = defects.closed() && defects.misoriented_edges.count == 0 &&
                        enclosed(surface) < 0;

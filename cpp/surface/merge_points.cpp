@@ -1,8 +1,13 @@
+#include "merge_points.hpp"
+
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 #include "certet/surface.hpp"
 #include "edges.hpp"
+#include "point_grid.hpp"
+#include "vectors.hpp"
 
 namespace certet {
 namespace {
@@ -43,6 +48,27 @@ void merge_equal_points(TriangleSurface& surface) {
   points.resize(kept);
   for (auto& triangle : surface.triangles)
     for (std::uint32_t& point : triangle) point = number[first[point]];
+}
+
+std::uint64_t weld_points(TriangleSurface& surface, const std::vector<bool>& movable,
+                          double tolerance) {
+  const std::vector<Point3>& points = surface.points;
+  std::vector<std::uint32_t> stands(points.size());
+  std::iota(stands.begin(), stands.end(), 0U);
+  PointGrid kept(tolerance);
+  std::uint64_t gone = 0;
+  for (std::uint32_t p = 0; p < points.size(); ++p) {
+    if (!movable[p]) continue;
+    kept.for_each_near(points[p], [&](std::uint32_t other) {
+      if (distance(points[p], points[other]) <= tolerance)
+        stands[p] = std::min(stands[p], other);
+    });
+    if (stands[p] == p) kept.add(p, points[p]);
+    else ++gone;
+  }
+  for (auto& triangle : surface.triangles)
+    for (std::uint32_t& point : triangle) point = stands[point];
+  return gone;
 }
 
 }  // namespace certet

@@ -35,13 +35,24 @@ class Reader {
   void judge_keyword() {
     const std::string whole = rest_;
     const std::string_view keyword = word();
-    if (!keyword.ends_with("OFF")) {
+    if (keyword == "off") return;
+    const std::size_t off = keyword.find("OFF");
+    if (off == keyword.npos) {
       rest_ = whole;
       return;
     }
-    for (const char letter : keyword.substr(0, keyword.size() - 3))
-      if (std::string_view("STCN").find(letter) == std::string_view::npos)
-        file_.fail("its points do not have three coordinates");
+    if (off + 3 != keyword.size())
+      file_.fail(formats::in_quotes(keyword) +
+                 " is not a keyword of OFF: what follows OFF is not apart from it");
+    std::string_view letters = keyword.substr(0, off);
+    for (const std::string_view known : {"ST", "C", "N", "4", "n"})
+      if (letters.starts_with(known)) {
+        if (known == "4" || known == "n")
+          file_.fail("it is a " + std::string(keyword) +
+                     " file, whose points do not have three coordinates");
+        letters.remove_prefix(known.size());
+      }
+    if (!letters.empty()) file_.fail(formats::in_quotes(keyword) + " is not a keyword of OFF");
     if (rest_.find("BINARY") != rest_.npos) file_.fail("it is a binary OFF file, not text");
   }
 

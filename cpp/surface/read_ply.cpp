@@ -36,6 +36,8 @@ struct Element {
 };
 
 class Reader {
+  static constexpr const char* blanks = " \t\r\v\f";
+
  public:
   Reader(const InputFile& file, TriangleSurface& surface)
       : file_(file), text_(file), surface_(surface) {}
@@ -45,7 +47,11 @@ class Reader {
     for (const Element& element : elements_) {
       text_.judged(element.count, least_bytes(element), "elements");
       if (element.name == "vertex") judge_coordinates(element);
-      for (std::uint64_t n = 0; n < element.count; ++n) one(element);
+      for (std::uint64_t n = 0; n < element.count; ++n) {
+        if (form_ == Form::text) next_row(element, n);
+        one(element);
+        if (form_ == Form::text && !word().empty()) refuse_row("more");
+      }
     }
   }
 
@@ -127,6 +133,41 @@ class Reader {
         file_.fail("its points have no coordinate " + std::string(name));
   }
 
+  /// Of a text: a line is one of an element.
+  void next_row(const Element& element, std::uint64_t number) {
+    row_of_ = &element;
+    row_number_ = number + 1;
+    do {
+      if (text_.remaining() == 0) file_.fail("it is cut off");
+      row_ = text_.line();
+      at_ = 0;
+    } while (row_.find_first_not_of(blanks) == row_.npos);
+  }
+
+  /// The next one of the row; empty at its end.
+  std::string_view word() {
+    const std::size_t begin = std::min(row_.find_first_not_of(blanks, at_), row_.size());
+    at_ = std::min(row_.find_first_of(blanks, begin), row_.size());
+    return std::string_view(row_).substr(begin, at_ - begin);
+  }
+
+  [[noreturn]] void refuse_row(const char* how) const {
+    file_.fail("row " + std::to_string(row_number_) + " of the " +
+               std::to_string(row_of_->count) + " of its element " +
+               formats::in_quotes(row_of_->name) + " has " + how +
+               " numbers than its header declares");
+  }
+
+  double number_of_row() {
+    const std::string_view next = word();
+    if (next.empty()) refuse_row("fewer");
+    double value = 0;
+    const auto [end, error] = std::from_chars(next.data(), next.data() + next.size(), value);
+    if (error != std::errc() || end != next.data() + next.size())
+      file_.fail(formats::in_quotes(next) + " is not a number");
+    return value;
+  }
+
   void one(const Element& element) {
     Point3 point{0, 0, 0};
     for (const Property& property : element.properties) {
@@ -157,7 +198,7 @@ class Reader {
   }
 
   double number(Type type) {
-    if (form_ == Form::text) return text_.number<double>("a number");
+    if (form_ == Form::text) return number_of_row();
     std::array<std::byte, 8> bytes{};
     text_.bytes(std::span(bytes).first(type.bytes));
     if ((form_ == Form::big) == (std::endian::native == std::endian::little))
@@ -181,6 +222,10 @@ class Reader {
   Cursor text_;
   TriangleSurface& surface_;
   Form form_ = Form::text;
+  std::string row_;     ///< of a text, and how far it is read
+  std::size_t at_ = 0;
+  const Element* row_of_ = nullptr;
+  std::uint64_t row_number_ = 0;  ///< from 1
   std::vector<Element> elements_;
   std::vector<std::uint32_t> corners_;
 };

@@ -11,6 +11,7 @@
 #include "announced_counts.hpp"
 #include "certet/error.hpp"
 #include "certet/surface.hpp"
+#include "judge_text.hpp"
 #include "surface_file.hpp"
 
 namespace certet {
@@ -83,8 +84,11 @@ TriangleSurface read_surface(const fs::path& file) {
       read_ply(formats::InputFile(file), surface);
     else if (extension == ".off")
       read_off(formats::InputFile(file), surface);
-    else
+    else {
+      if (extension == ".obj") judge_obj(formats::InputFile(file));
+      else if (is_text_stl(file)) judge_text_stl(formats::InputFile(file));
       read_with_assimp(file, surface);
+    }
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::too_large, "'" + file.string() + "' needs more memory than there is");
   }

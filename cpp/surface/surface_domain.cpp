@@ -79,9 +79,10 @@ enum class Rule { winding, parity };
 Rule rule_for(const TriangleSurface& surface) {
   Rule rule = Rule::winding;
   for (const SurfaceEdge& edge : edges_of(surface)) {
-    if (edge.open())
+    if (edge.odd())
       throw Error(ErrorCode::bad_input,
-                  "'" + surface.name + "' is open: it does not enclose a solid");
+                  "'" + surface.name + "' is " + (edge.open() ? "open" : "non-manifold") +
+                      ": it does not enclose a solid");
     if (edge.misoriented()) rule = Rule::parity;
   }
   return rule;
@@ -235,7 +236,9 @@ std::unique_ptr<PlacedDomain> surface_domain(const TriangleSurface& surface,
                                              const SurfaceLattice& lattice) {
   refuse_malformed(surface);
   const Rule rule = rule_for(surface);
-  return std::make_unique<SurfaceDomain>(surface, Place(Box(surface), lattice), rule);
+  SurfaceLattice chosen = lattice;
+  if (chosen.size == 0) chosen.size = default_size(surface, measure(surface)).size;
+  return std::make_unique<SurfaceDomain>(surface, Place(Box(surface), chosen), rule);
 }
 
 }  // namespace certet

@@ -93,7 +93,7 @@ class Defects(SurfaceTest):
 
     def test_disagreeing_triangles(self):
         points, faces = surfaces.cube()
-        self.assertAlmostEqual(self.notes((points, [faces[0][::-1]] + faces[1:]), "4 edges"), 1,
+        self.assertAlmostEqual(self.notes((points, [faces[0][::-1]] + faces[1:]), "2 triangles"), 1,
                                delta=0.01)
 
 
@@ -124,6 +124,50 @@ class Hostile(SurfaceTest):
         self.assert_refused("a.off", b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n")
         self.assert_refused("a.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n")
         self.assert_refused("b.obj", b"v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n")
+
+    def test_rows_of_other_lengths(self):
+        """A row of a PLY file with more numbers than its header declares, or with fewer."""
+        text = surfaces.ascii_ply(surfaces.cube()).decode().splitlines()
+        first = text.index("end_header") + 1
+        for row, element, number in ((first + 2, "vertex", 3), (first + 8, "face", 1)):
+            for line, how in ((text[row] + " 7", "more"), (text[row][:-2], "fewer")):
+                lines = text[:row] + [line] + text[row + 1:]
+                self.assert_refused("a.ply", "\n".join(lines + [""]).encode(),
+                                    f"row {number} of the", element, how)
+
+    def test_keywords_of_off(self):
+        rest = surfaces.off(surfaces.cube())[len("OFF"):]
+        for keyword, words in ((b"OFF8", ["'OFF8'"]), (b"XOFF", ["'XOFF'", "keyword"]),
+                               (b"4OFF", ["three coordinates"]), (b"nOFF", ["three coordinates"]),
+                               (b"OFF BINARY", ["binary OFF"])):
+            self.assert_refused("a.off", keyword + rest, *words)
+        glued = surfaces.off(surfaces.cube()).replace(b"OFF\n8", b"OFF8")
+        self.assert_refused("a.off", glued, "'OFF8'", "not apart")
+        for keyword in (b"OFF", b"off", b"COFF", b"NOFF", b"STOFF", b"STCNOFF"):
+            self.write("a.off", keyword + rest)
+            self.assertAlmostEqual(
+                self.mesh("a.off", "-o", "a.vtu")["mesh"]["volume"], 1, delta=1e-9)
+            (self.folder / "a.vtu").unlink()
+
+    def test_obj_names_the_line(self):
+        points = b"v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+        for data, *words in ((points + b"f 1 2 9\n", "line 4", "point 9", "there are 3"),
+                             (points + b"f 1 2 0\n", "line 4", "point 0"),
+                             (points + b"f -1 -2 -4\n", "line 4", "point -4"),
+                             (points + b"f 1 2 x\n", "line 4", "'x'"),
+                             (b"v 0 0\n" + points + b"f 1 2 3\n", "line 1", "three numbers"),
+                             (b"v 0 0 y\n" + points + b"f 1 2 3\n", "line 1", "'y'")):
+            self.assert_refused("a.obj", data, *words)
+
+    def test_stl_names_the_line(self):
+        whole = surfaces.ascii_stl(surfaces.cube()).decode()
+        self.assert_refused("a.stl", whole.replace("vertex 0 0 0", "vertex 0 0", 1).encode(),
+                            "line 4", "three numbers")
+        self.assert_refused("a.stl", whole.replace("vertex 0 0 0\n", "", 1).encode(), "line 2",
+                            "2 points")
+        self.assert_refused("a.stl", whole[:whole.index("endfacet")].encode(), "line 2",
+                            "cut off")
+        self.assert_refused("a.stl", b"<html><body>not found</body></html>" * 9, "text", "solid")
 
     def test_flat(self):
         self.obj(([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2), (2, 1, 0)]))

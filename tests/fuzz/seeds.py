@@ -282,6 +282,36 @@ def surfaces():
                                + words(FACES, "3 ")).encode(), 3)
 
 
+def repairable():
+    """A tetrahedron as exporters write it; the last byte chooses whether holes are closed."""
+    def text(name, triangles, tail=""):
+        put("surface", name, ("solid tet\n" + "".join(
+            "facet normal 0 0 0\nouter loop\n" + words(t, "vertex ") + "endloop\nendfacet\n"
+            for t in triangles) + "endsolid tet\n" + tail).encode(), 0)
+
+    whole = [tuple(POINTS[p] for p in face) for face in FACES]
+    low, high, middle = POINTS[0], POINTS[1], (0.5, 0, 0)
+    text("noise.stl", [tuple(tuple(c + 1e-7 * ((7 * n + 3 * k + a) % 5 - 2)
+                                   for a, c in enumerate(p)) for k, p in enumerate(t))
+                       for n, t in enumerate(whole)])
+    text("repeated.stl", whole + [whole[0], whole[1][::-1]])
+    text("degenerate.stl", whole + [(low, middle, high), (low, high, low)])
+    text("t-junction.stl", [(low, POINTS[2], middle), (middle, POINTS[2], high)] + whole[1:])
+    text("turned.stl", [whole[0][::-1]] + whole[1:])
+    text("hole.stl", whole[1:])
+    text("hole-closed.stl", whole[1:], "!")
+    fin = [((0, 0, 0), (1, 0, 0), (0.5, -1, -1))]
+    text("sheet-closed.stl", whole + fin, "!")
+    other = (1, 1, 1)
+    text("wall.stl", whole + [(POINTS[1], POINTS[2], other), (POINTS[2], POINTS[3], other),
+                              (POINTS[3], POINTS[1], other)])
+    rows = ply("ascii").decode().splitlines()
+    put("surface", "damaged-long-row.ply",
+        "\n".join(rows[:-1] + [rows[-1] + " 5", ""]).encode(), 2)
+    put("surface", "damaged-keyword.off", b"OFF4 4 6\n" + words(POINTS).encode(), 3)
+    put("surface", "damaged-index.obj", (words(POINTS, "v ") + "f 1 2 9\n").encode(), 1)
+
+
 def texts():
     for number, formula in enumerate([
             "x^2+y^2+z^2-0.64", "-log(exp(-8*(x-1))+exp(-8*y))/8", "min(max(x,-y),z^-2)",
@@ -320,6 +350,7 @@ with tempfile.TemporaryDirectory() as name:
     meshes(pathlib.Path(name))
 images()
 surfaces()
+repairable()
 texts()
 cores()
 put("planted_reader", "seed.txt", b"L1")

@@ -204,8 +204,26 @@ class Surfaces(unittest.TestCase):
         self.assertAlmostEqual(volumes(mesh).sum(), 1, delta=0.05)
         self.assertTrue(mesh.quality().holds)
 
+    def test_repair(self):
+        self.assertEqual(certet.mesh_surface(self.points, self.triangles, size=0.125).notes, [])
+        repeated = np.concatenate([self.triangles, self.triangles[:3]])
+        mesh = certet.mesh_surface(self.points, repeated, size=0.125)
+        self.assertRegex(mesh.notes[0], "3 triangles")
+        noise = np.random.default_rng(1).uniform(-1e-6, 1e-6, (36, 3))
+        soup = self.points[self.triangles.ravel()] + noise
+        mesh = certet.mesh_surface(soup, np.arange(36).reshape(12, 3), size=0.125)
+        self.assertRegex(mesh.notes[0], "welded")
+        self.assertAlmostEqual(mesh.quality().volume, 1, delta=1e-5)
+        mesh = certet.mesh_surface(self.points, self.triangles[1:], size=0.125, repair=True)
+        self.assertRegex(mesh.notes[0], "1 hole")
+        self.assertAlmostEqual(mesh.quality().volume, 1, delta=1e-9)
+
+    def test_default_size_follows_thin_parts(self):
+        mesh = certet.mesh_surface(self.points * (1, 1, 0.04), self.triangles)
+        self.assertAlmostEqual(mesh.size, 0.01, delta=1e-6)
+
     def test_refusals(self):
-        for triangles, sentence in [(self.triangles[1:], "open"), (self.triangles + 5, "point"),
+        for triangles, sentence in [(self.triangles[1:], "1 hole.*repair=True"), (self.triangles + 5, "point"),
                                     (self.triangles[:, :2], "shape")]:
             with self.subTest(sentence), self.assertRaisesRegex(ValueError, sentence):
                 certet.mesh_surface(self.points, triangles)

@@ -201,13 +201,18 @@ TEST(Inspect, CountsEdges) {
   EXPECT_TRUE(inspect(inside_out(surface)).inside_out);
   surface.triangles.push_back(surface.triangles[0]);
   const SurfaceDefects doubled = inspect(surface);
-  EXPECT_EQ(doubled.open_edges.count, 3U);
+  EXPECT_EQ(doubled.open_edges.count, 0U);
+  EXPECT_EQ(doubled.odd_edges.count, 3U);
   EXPECT_EQ(doubled.overfull_edges.count, 3U);
+  EXPECT_FALSE(doubled.closed());
   surface = box({0, 0, 0}, {1, 1, 1});
   surface.triangles.erase(surface.triangles.begin());
   const SurfaceDefects open = inspect(surface);
   EXPECT_EQ(open.open_edges.count, 3U);
   EXPECT_EQ(open.open_edges.first, (Point3{0, 0, 0.5}));
+  EXPECT_EQ(open.holes.count, 1U);
+  EXPECT_EQ(open.holes.largest_edges, 3U);
+  EXPECT_DOUBLE_EQ(open.holes.largest, std::sqrt(2));
 }
 
 TEST(Inspect, FindsSelfIntersections) {

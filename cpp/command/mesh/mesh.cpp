@@ -8,6 +8,7 @@
 #include "certet/error.hpp"
 #include "certet/label_names.hpp"
 #include "commands.hpp"
+#include "kept_volume.hpp"
 #include "memory.hpp"
 #include "mesh_options.hpp"
 #include "mesh_report.hpp"
@@ -133,8 +134,51 @@ MeshSize announce(const MeshOptions& options, const LabelNames& names, const Cou
   return size;
 }
 
-void write(const MeshOptions& options, const Counted& counted, const Slabs& slabs,
-           const MeshSize& size, const RegionWatch& watch, Context& context,
+/// Looks for a size that keeps a solid.
+KeepingSize keeping_size(const MeshOptions& options, const Source& source, std::uint64_t limit,
+                         Context& context) {
+  const auto count_at = [&options, &source, limit, &context](
+                            double size, SearchBudget& budget) -> std::optional<Counted> {
+    PlacedSource placed = source.place(size);
+    judge_lattice(placed, limit);
+    if (!budget.pay_for(placed)) return std::nullopt;
+    Stuffing stuffing(*placed.domain, placed.lattice, options.stuffing, context);
+    if (static_cast<double>(stuffing.tet_count()) > most_searched_tets) return std::nullopt;
+    return Counted{std::move(placed), std::move(stuffing)};
+  };
+  return {count_at, source.thin, context};
+}
+
+[[noreturn]] void refuse_empty(const MeshOptions& options, const Source& source, double size,
+                               std::uint64_t limit, Context& context) {
+  std::string sentence =
+      fmt::format("nothing of '{}' is inside at size {:.6g}, so there is no mesh", source.name, size);
+  if (!source.voxels) {
+    KeepingSize search = keeping_size(options, source, limit, context);
+    const std::optional<KeptSize> kept = search.find(size);
+    sentence += "; " + advice(kept, search.finest(), source.thin);
+  }
+  throw Error(ErrorCode::empty_domain, sentence);
+}
+
+/// Whether a mesh that has been measured has the volume of its solid; for labels of an
+/// image, `RegionWatch` tells.
+void judge_volume(const MeshOptions& options, const Source& source, const Counted& counted,
+                  Context& context, MeshReport& report) {
+  if (source.voxels) return;
+  const SolidVolume solid = volume_of(counted.source, context);
+  const double mesh = report.written.world.volume;
+  if (!(solid.volume > 0) || solid.may_be(mesh)) return;
+  KeepingSize search = keeping_size(options, source, report.memory_limit, context);
+  const std::optional<KeptSize> kept = search.find(report.size);
+  report.warnings.push_back(
+      fmt::format("the mesh has {:.1f} % of the volume of '{}', {:.6g} of {}{:.6g}; {}",
+                  100 * mesh / solid.volume, source.name, mesh, solid.exact ? "" : "about ",
+                  solid.volume, advice(kept, search.finest(), source.thin)));
+}
+
+void write(const MeshOptions& options, const Source& from, const Counted& counted,
+           const Slabs& slabs, const MeshSize& size, const RegionWatch& watch, Context& context,
            Progress& progress, MeshReport& report) {
   const auto& [source, stuffing] = counted;
   judge_room(options.output, report.output_bytes);
@@ -145,6 +189,7 @@ void write(const MeshOptions& options, const Counted& counted, const Slabs& slab
   report.written =
       write_mesh(stuffing, frame, slabs, watch.watch(source.labeller), writer, context);
   judge_written(report);
+  judge_volume(options, from, counted, context, report);
   const Stopwatch finishing;
   writer.finish();
   report.written.write_seconds += finishing.seconds();
@@ -209,7 +254,8 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
 void describe(RegionWatch& watch, MeshReport& report) {
   report.regions = watch.regions(report.tets);
   report.counted_pieces = watch.counted_pieces();
-  report.warnings = watch.warnings(!report.dry_run);
+  for (std::string& warning : watch.warnings(!report.dry_run))
+    report.warnings.push_back(std::move(warning));
 }
 
 MeshReport run(const MeshOptions& options, Context& context) {
@@ -230,14 +276,13 @@ MeshReport run(const MeshOptions& options, Context& context) {
   progress.stop();
   describe(options, counted, progress, report);
   if (report.tets == 0)
-    throw Error(ErrorCode::empty_domain,
-                fmt::format("nothing of '{}' is inside at size {:.6g}, so there is no mesh",
-                            source.name, report.size));
+    refuse_empty(options, source, report.size, report.memory_limit, context);
   const MeshSize size = announce(options, names, counted, context);
   report.output_bytes = file_bytes(options.format, size);
   const Slabs slabs = plan(counted, size, report);
   RegionWatch watch(source, counted.source, context);
-  if (!options.dry_run) write(options, counted, slabs, size, watch, context, progress, report);
+  if (!options.dry_run)
+    write(options, source, counted, slabs, size, watch, context, progress, report);
   describe(watch, report);
   report.total_seconds = clock.seconds();
   report.memory_peak = peak_memory();

@@ -36,6 +36,7 @@ struct MeshOptions {
   double smooth = 0;         ///< in world units; 0: not at all
   std::optional<WorldBox> crop;
   std::string grid;          ///< of a volume; empty: the one that speaks for itself
+  bool repair = false;       ///< closes the holes of a surface
   double size = 0;           ///< 0: chosen by one of the next two, or by the input
   double relative_size = 0;  ///< 0, or a fraction of the solid's longest side
   std::uint64_t target_tets = 0;

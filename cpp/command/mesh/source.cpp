@@ -43,7 +43,10 @@ Source from_formula(const MeshOptions& options) {
 Source from_shape(const MeshOptions& options) {
   const auto place = [shape = options.shape, bounds = options.bounds, margin = options.margin,
                       cuts = options.stuffing.cuts](double size) {
-    PlacedSource source = placed(std::make_unique<ShapeDomain>(shape, bounds, size, margin));
+    auto domain = std::make_unique<ShapeDomain>(shape, bounds, size, margin);
+    const std::optional<double> volume = domain->volume();
+    PlacedSource source = placed(std::move(domain));
+    source.volume = volume;
     if (bounds) set_border(source, *bounds, cuts);
     return source;
   };
@@ -51,12 +54,20 @@ Source from_shape(const MeshOptions& options) {
 }
 
 Source from_surface(const MeshOptions& options, const Context& context) {
-  JudgedSurface judged = open_surface(options.input, context);
+  JudgedSurface judged = open_surface(options.input, options.repair, context);
   const auto surface = std::make_shared<const TriangleSurface>(std::move(judged.surface));
-  const auto place = [surface, margin = options.margin](double size) {
-    return placed(surface_domain(*surface, {size, margin}));
+  const auto place = [surface, margin = options.margin, volume = judged.measures.volume,
+                      own_size = judged.size.size](double size) {
+    PlacedSource source = placed(surface_domain(*surface, {size == 0 ? own_size : size, margin}));
+    source.volume = volume;
+    return source;
   };
-  return {"surface", surface->name, place, std::move(judged.notes)};
+  const bool own_choice =
+      options.size == 0 && options.relative_size == 0 && options.target_tets == 0;
+  if (own_choice && !judged.size_note.empty()) judged.notes.push_back(judged.size_note);
+  Source source{"surface", surface->name, place, std::move(judged.notes)};
+  source.thin = judged.measures.thin;
+  return source;
 }
 
 Source from_volume(const MeshOptions& options) {

@@ -35,6 +35,7 @@ struct PlacedSource {
   Labeller labeller;        ///< empty where there are no labels
   BorderTest border;        ///< empty where nothing is cut off
   double longest_side = 0;  ///< of the solid's box, in world units
+  std::optional<double> volume = {};  ///< of the solid, where there is a formula for it
   std::uint64_t bytes = 0;
 };
 
@@ -50,6 +51,7 @@ struct Source {
   LabelNames names = {};                ///< where the input tells some
   std::optional<SolidVoxels> voxels = {};
   std::optional<Smoothing> smoothing = {};
+  double thin = 0;  ///< how thick its thin parts are, in world units; 0: not known
 };
 
 /// Reads the image, surface, volume, formula or shape.  \throws Error, `cancelled` too.

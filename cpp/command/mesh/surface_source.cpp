@@ -20,12 +20,9 @@ std::string place(const SurfaceDefect& defect) {
                      y, z);
 }
 
-void refuse_open(const TriangleSurface& surface, const SurfaceDefects& defects) {
-  if (defects.closed()) return;
-  throw Error(ErrorCode::bad_input,
-              fmt::format("the surface '{}' is open: it ends at {}, {}", surface.name,
-                          counted(defects.open_edges, "edge", "edges"),
-                          place(defects.open_edges)));
+std::string remedy(const SurfaceDefects& defects) {
+  if (defects.holes.count == 0) return "--repair drops it";
+  return defects.holes.count == 1 ? "--repair closes it" : "--repair closes them";
 }
 
 std::vector<std::string> notes_on(const TriangleSurface& surface,
@@ -50,17 +47,34 @@ std::vector<std::string> notes_on(const TriangleSurface& surface,
   return notes;
 }
 
+std::string note_on(const SurfaceSize& size, const SurfaceMeasures& solid) {
+  if (size.size == size.usual) return "";
+  if (!size.limited())
+    return fmt::format("the size {:.6g} is chosen for parts of the solid that are {:.3g} thick",
+                       size.size, solid.thin);
+  return fmt::format("the size {:.6g} is chosen for parts of the solid that are {:.3g} thick; "
+                     "without --size it is not smaller, so that there are no more than some "
+                     "{:.0f} million tetrahedra and {:.0f} million cells",
+                     size.size, solid.thin, most_default_tets / 1e6, most_default_cells / 1e6);
+}
+
 }  // namespace
 
-JudgedSurface open_surface(const std::filesystem::path& file, const Context& context) {
+JudgedSurface open_surface(const std::filesystem::path& file, bool close_holes,
+                           const Context& context) {
   JudgedSurface result;
   {
     const Silence silence;
     result.surface = read_surface(file);
   }
+  result.notes = sentences_on(repair_surface(result.surface, {close_holes}, context));
   const SurfaceDefects defects = inspect(result.surface, context);
-  refuse_open(result.surface, defects);
-  result.notes = notes_on(result.surface, defects);
+  refuse_open(result.surface, defects, close_holes ? "" : remedy(defects));
+  for (std::string& note : notes_on(result.surface, defects))
+    result.notes.push_back(std::move(note));
+  result.measures = measure(result.surface, context);
+  result.size = default_size(result.surface, result.measures);
+  result.size_note = note_on(result.size, result.measures);
   return result;
 }
 

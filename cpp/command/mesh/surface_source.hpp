@@ -15,9 +15,14 @@ namespace certet::command {
 struct JudgedSurface {
   TriangleSurface surface;
   std::vector<std::string> notes;
+  SurfaceMeasures measures;
+  SurfaceSize size;       ///< if none is asked for
+  std::string size_note;  ///< why it is less than usual, if it is
 };
 
-/// Reads a closed surface.  \throws Error `bad_input`, for an open one too; `cancelled`.
-JudgedSurface open_surface(const std::filesystem::path& file, const Context& context);
+/// Reads a surface and mends what exporters do to it; closes its holes only if that is
+/// asked for.  \throws Error `bad_input`, for an open one too; `cancelled`.
+JudgedSurface open_surface(const std::filesystem::path& file, bool close_holes,
+                           const Context& context);
 
 }  // namespace certet::command

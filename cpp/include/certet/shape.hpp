@@ -38,6 +38,9 @@ class ShapeDomain final : public PlacedDomain {
   [[nodiscard]] double longest_side() const override { return certet::longest_side(bounds_); }
   /// The box around the solid, exact but where `bounds` cut it.
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
+  /// In world units cubed, where there is a formula: for all but the gyroid, unless
+  /// bounds cut the solid off.
+  [[nodiscard]] std::optional<double> volume() const { return volume_; }
 
   void row(Coord3 first, std::span<Sign> out) const override { solid_->row(first, out); }
   void at(std::span<const Coord3> positions, std::span<Sign> out) const override {
@@ -49,6 +52,7 @@ class ShapeDomain final : public PlacedDomain {
 
  private:
   Bounds bounds_;
+  std::optional<double> volume_;
   BoxLattice around_;
   std::unique_ptr<Domain> solid_;
 };

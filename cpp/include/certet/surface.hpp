@@ -47,13 +47,24 @@ struct SurfaceDefect {
   Point3 first{0, 0, 0};  ///< world coordinates; of an edge its middle
 };
 
+/// Loops of edges around which a surface is open.
+struct SurfaceHoles {
+  std::uint64_t count = 0;
+  double largest = 0;               ///< diagonal of its box, in world units
+  std::uint64_t largest_edges = 0;  ///< of the same hole
+};
+
 /// What keeps a surface from being the boundary of a solid, or makes it doubtful.
 struct SurfaceDefects {
-  /// Edges of one triangle, or of three, or any other odd number: the surface
-  /// ends there.
+  /// Edges of one triangle: the surface ends there.
   SurfaceDefect open_edges;
+  /// What these edges go around.
+  SurfaceHoles holes;
   /// Edges of more than two triangles.
   SurfaceDefect overfull_edges;
+  /// Those of them with an odd number of triangles: as where two solids share a
+  /// wall that is there once.
+  SurfaceDefect odd_edges;
   /// Edges of an even number of triangles that do not run along it as often one
   /// way as the other: they do not agree which side is out.
   SurfaceDefect misoriented_edges;
@@ -63,8 +74,12 @@ struct SurfaceDefects {
   /// All in all the triangles run clockwise seen from outside.
   bool inside_out = false;
 
-  [[nodiscard]] bool closed() const { return open_edges.count == 0; }
+  [[nodiscard]] bool closed() const { return open_edges.count == 0 && odd_edges.count == 0; }
 };
+
+/// Whether every edge has an even number of triangles, as `SurfaceDefects::closed` has it.
+/// \throws Error `bad_input` as `inspect`.
+bool is_closed(const TriangleSurface& surface);
 
 /// Edges are counted exactly; intersections are decided exactly for the points
 /// rounded to 2^-30 of the longest half side.
@@ -72,9 +87,95 @@ struct SurfaceDefects {
 /// numbers of points out of range), `cancelled`.
 SurfaceDefects inspect(const TriangleSurface& surface, const Context& context = {});
 
+/// What was done to a surface so that it bounds a solid.
+struct SurfaceRepairs {
+  /// Corners no farther apart than this, in world units, were taken for one, and
+  /// corners no farther from an edge for corners on it; 0: equal ones alone.
+  double tolerance = 0;
+  std::uint64_t welded_points = 0;         ///< that are gone
+  std::uint64_t degenerate_triangles = 0;  ///< dropped: without an area
+  std::uint64_t repeated_triangles = 0;    ///< dropped: others had the same corners
+  std::uint64_t split_edges = 0;           ///< on which corners of others lie
+  std::uint64_t turned_triangles = 0;      ///< that ran the wrong way around
+  std::uint64_t inner_triangles = 0;       ///< dropped: walls within the solid, stored once
+  SurfaceHoles closed_holes;
+  std::uint64_t closing_triangles = 0;     ///< that were added
+  std::string name;                        ///< the surface's
+};
+
+/// What `repair_surface` may do.
+struct RepairChoice {
+  bool close_holes = false;
+};
+
+/// Makes of what exporters write the surface that they mean; a closed surface whose
+/// triangles agree stays as it is, but for points that are equal, and triangles that
+/// have a point twice or are there several times.
+///
+/// Equal points become one.  Of triangles that are there several times one is kept,
+/// or none where the surface closes without them: a sheet that has both its sides is
+/// no wall.  If the surface is then open, points of its open edges are welded, thin
+/// triangles there dropped, and edges cut where such points lie on them, with the
+/// least tolerance that closes it: 0, and from 1e-9 to 1e-5 of the diagonal of its
+/// box, or four times what 24 bits round its coordinates by if that is more.
+/// Triangles that run the other way around than their neighbours are turned, the
+/// lesser part of each piece.  Where an odd number of three or more triangles meet,
+/// space is divided into cells, and a wall between two cells of the solid is dropped:
+/// both of its sides are inside.
+///
+/// With `close_holes` each hole is closed by triangles between its corners, of the
+/// least area if they are few.  Over a flat hole this is where the generalised
+/// winding number of the rest is one half (Jacobson, Kavan and Sorkine-Hornung 2013);
+/// what is inside then is decided by exact arithmetic, as of all closed surfaces.
+///
+/// What is not closed after this stays open: `inspect` tells.
+/// \throws Error `bad_input` as `inspect`, `cancelled`.
+SurfaceRepairs repair_surface(TriangleSurface& surface, const RepairChoice& choice = {},
+                              const Context& context = {});
+
+/// What was done, a sentence each; none if nothing was.
+std::vector<std::string> sentences_on(const SurfaceRepairs& repairs);
+
+/// \throws Error `bad_input` where the surface is not closed: a sentence that has the
+/// number of its holes and the size of the largest, and `remedy`, which says what
+/// would close them.
+void refuse_open(const TriangleSurface& surface, const SurfaceDefects& defects,
+                 const std::string& remedy);
+
+/// What the solid inside of a closed surface measures.
+struct SurfaceMeasures {
+  /// World units cubed: by the divergence theorem, to rounding, but where the surface
+  /// winds around something more than once (solids overlap), or its triangles do not
+  /// agree; there by some sixty thousand lines through it.
+  double volume = 0;
+  double area = 0;  ///< of the triangles, world units squared
+  /// How thick the solid is between faces that are about parallel: of their area, a
+  /// fiftieth has this or less.  World units.
+  double thin = 0;
+};
+
+/// \throws Error as `inspect`.  The surface should be closed.
+SurfaceMeasures measure(const TriangleSurface& surface, const Context& context = {});
+
+/// For the sake of thin parts, a default goes to no more tetrahedra than about these,
+/// and to no more cells of the lattice.
+inline constexpr double most_default_tets = 4e6, most_default_cells = 32e6;
+
+/// The long edge that is taken if none is asked for.
+struct SurfaceSize {
+  /// A 64th of the longest side or, if that is less, a quarter of `SurfaceMeasures::thin`,
+  /// as far as `most_default_tets` and `most_default_cells` allow.
+  double size = 0;
+  double usual = 0;   ///< the 64th
+  double wanted = 0;  ///< as if they allowed any number
+
+  [[nodiscard]] bool limited() const { return wanted < size; }
+};
+SurfaceSize default_size(const TriangleSurface& surface, const SurfaceMeasures& solid);
+
 /// How finely a surface is meshed.
 struct SurfaceLattice {
-  double size = 0;  ///< long edge in world units; 0: a 64th of the longest side
+  double size = 0;  ///< long edge in world units; 0: as `default_size`
   std::int32_t margin = 2;  ///< lattice cells around the surface, at least 1
 };
 

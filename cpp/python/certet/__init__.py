@@ -99,6 +99,11 @@ class Mesh:
         return self._inner.guarantee
 
     @property
+    def notes(self) -> list[str]:
+        """What was done to a surface so that it bounds a solid, a sentence each."""
+        return list(self._inner.notes)
+
+    @property
     def checksum(self) -> int:
         """64 bits that tell whether two meshes are the same; as `certet mesh --json` says."""
         return self._inner.checksum()
@@ -203,6 +208,7 @@ def mesh_surface(
     triangles: ArrayLike,
     *,
     size: float | None = None,
+    repair: bool = False,
     margin: int = 2,
     cuts: Cuts = "bisect",
     guarantee: Guarantee = "angles",
@@ -210,20 +216,26 @@ def mesh_surface(
 ) -> Mesh:
     """Meshes the inside of a closed surface.
 
+    Corners that differ by rounding, repeated triangles, T-junctions, walls stored once and
+    patches that run the wrong way around are mended, and `Mesh.notes` says what was done.
+
     Parameters
     ----------
     points : shape (n, 3), in world units
     triangles : shape (m, 3), numbers of points, anticlockwise seen from outside
-    size : the long edge of the lattice (default: a 64th of the longest side)
+    size : the long edge of the lattice (default: a 64th of the longest side, or less where the
+        solid is thin, as far as some 4 million tetrahedra)
+    repair : close the holes of an open surface
     margin, cuts, guarantee, threads : as `mesh_image` has them
 
     Raises
     ------
-    ValueError : also for an open surface
+    ValueError : also for an open surface, unless it is to be repaired
     MemoryError : as `mesh_image`
     """
     return Mesh(_certet.mesh_surface(np.asarray(points, float), np.asarray(triangles, np.int64),
-                                     _size(size), margin, _options(cuts, guarantee, threads)))
+                                     _size(size), margin, repair,
+                                     _options(cuts, guarantee, threads)))
 
 
 def _three(numbers: Sequence[float]) -> tuple[float, float, float]:

@@ -15,7 +15,13 @@ void surface(Bytes bytes) {
       for (const std::uint32_t point : triangle)
         if (point >= read.points.size()) throw Finding("a triangle has a point that is not there");
     certet::inspect(read);
-    const auto domain = certet::surface_domain(read, {});
+    certet::TriangleSurface repaired = read;
+    const bool close_holes = bytes.back() % 2 != 0;
+    static_cast<void>(sentences_on(certet::repair_surface(repaired, {close_holes})));
+    certet::inspect(repaired);
+    if (certet::is_closed(read) && !certet::is_closed(repaired))
+      throw Finding("a closed surface was repaired and is open");
+    const auto domain = certet::surface_domain(repaired, {});
     std::array<certet::Sign, 8> signs;
     domain->row(domain->lattice().origin, signs);
   });
