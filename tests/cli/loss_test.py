@@ -6,6 +6,7 @@ import re
 import subprocess
 import unittest
 
+import images
 import surface_defects as defects
 import surfaces
 from program import ProgramTest
@@ -148,6 +149,35 @@ class Volumes(LossTest):
         report = self.mesh("ball.vdb", "-o", "a.vtu")
         self.assertEqual(report["warnings"], [])
         self.assert_told(4 / 3 * math.pi * 8, "ball.vdb", "--size", "1.5")
+
+
+class Images(LossTest):
+    """Labels have the volume of their voxels, levels that of the interpolated image."""
+
+    SIZE = (20, 20, 40)
+
+    def write(self, value, kind="B", spacing=1.0):
+        images.write_nrrd(self.folder / "a.nrrd", self.SIZE, images.voxels(self.SIZE, value), kind,
+                          ((1, 0, 0), (0, 1, 0), (0, 0, spacing)))
+
+    def test_vanished_vessel(self):
+        self.write(lambda i, j, k: int(i == 10 and j == 10 and 5 <= k < 35), spacing=1.1)
+        self.assert_empty(33, "a.nrrd")
+
+    def test_thin_vessel(self):
+        self.write(lambda i, j, k: int(i == 10 and j == 10 and 5 <= k < 35), spacing=1.1)
+        self.assert_told(33, "a.nrrd", "--guarantee", "embedding")
+
+    def test_thin_shell_of_a_level(self):
+        def shell(i, j, k):
+            return 1 - abs(math.dist((i, j, k), (9.5, 9.5, 19.5)) - 7)
+        self.write(shell, "f")
+        # The volume above the level between the voxels, sampled finely; 865 were they dense.
+        self.assert_told(844.5, "a.nrrd", "--iso", "0.3", "--size", "2")
+
+    def test_solid_ones_are_not_told(self):
+        self.write(lambda i, j, k: int(math.dist((i, j, k), (9.5, 9.5, 19.5)) < 8))
+        self.assertEqual(self.mesh("a.nrrd", "-o", "a.vtu")["warnings"], [])
 
 
 if __name__ == "__main__":

@@ -153,19 +153,16 @@ KeepingSize keeping_size(const MeshOptions& options, const Source& source, std::
                                std::uint64_t limit, Context& context) {
   std::string sentence =
       fmt::format("nothing of '{}' is inside at size {:.6g}, so there is no mesh", source.name, size);
-  if (!source.voxels) {
-    KeepingSize search = keeping_size(options, source, limit, context);
-    const std::optional<KeptSize> kept = search.find(size);
-    sentence += "; " + advice(kept, search.finest(), source.thin);
-  }
+  KeepingSize search = keeping_size(options, source, limit, context);
+  const std::optional<KeptSize> kept = search.find(size);
+  sentence += "; " + advice(kept, search.finest(), source.thin);
   throw Error(ErrorCode::empty_domain, sentence);
 }
 
-/// Whether a mesh that has been measured has the volume of its solid; for labels of an
-/// image, `RegionWatch` tells.
+/// Whether a mesh that has been measured has the volume of its solid.  What becomes of
+/// the single labels of an image, `RegionWatch` tells.
 void judge_volume(const MeshOptions& options, const Source& source, const Counted& counted,
                   Context& context, MeshReport& report) {
-  if (source.voxels) return;
   const SolidVolume solid = volume_of(counted.source, context);
   const double mesh = report.written.world.volume;
   if (!(solid.volume > 0) || solid.may_be(mesh)) return;

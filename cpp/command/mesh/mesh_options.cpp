@@ -58,7 +58,7 @@ names a size that has been tried and keeps the volume; so does the sentence wher
 nothing is inside.  At most 14 sizes are tried, each a third smaller than the one
 before, up to 10 million tetrahedra, and until 64 million cells that the surface may
 pass through, or 400 million in all, are spent; where none of them keeps the volume,
-that is said.  Images are not compared so: see above.
+that is said.
 
 A solid far from the origin of the world may be finer than the numbers of a file are
 apart there.  A mesh that they cannot hold is not written (status 6): in .stl, of
