@@ -32,10 +32,6 @@ struct Offenders {
   }
 };
 
-bool finite(const Point3& p) {
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
 template <class Index>
 class Check {
  public:
@@ -107,7 +103,7 @@ template <class Index>
 void Check<Index>::check_places() {
   Offenders nonfinite;
   for (std::size_t i = 0; i < points_.size(); ++i)
-    if (!finite(points_[i])) nonfinite.add(i);
+    if (!is_finite(points_[i])) nonfinite.add(i);
   report_.nonfinite_points = nonfinite.count;
   if (nonfinite.count > 0)
     fail(count_of(nonfinite.count, "point is", "points are") +

@@ -8,10 +8,6 @@
 namespace certet {
 namespace {
 
-bool finite(const Point3& p) {
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
 /// Mixes a point's coordinates to 64 bits.
 std::uint64_t hash(const Point3& point) {
   std::uint64_t mixed = 0;
@@ -32,10 +28,10 @@ std::uint64_t count_coincident(std::span<const Point3> points) {
   quality::Groups<std::uint64_t> by_hash(groups);
   const auto group_of = [groups](const Point3& p) { return hash(p) % groups; };
   for (const Point3& p : points)
-    if (finite(p)) by_hash.count(group_of(p));
+    if (is_finite(p)) by_hash.count(group_of(p));
   by_hash.lay_out();
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (finite(points[i])) by_hash.place(group_of(points[i]), i);
+    if (is_finite(points[i])) by_hash.place(group_of(points[i]), i);
 
   std::uint64_t duplicates = 0;
   const auto same = [points](std::uint64_t a, std::uint64_t b) { return points[a] == points[b]; };

@@ -2,6 +2,7 @@
 /// \file
 /// Integer points of the body-centred cubic lattice (section 3.1 of the paper).
 
+#include <compare>
 #include <cstdint>
 
 namespace certet {

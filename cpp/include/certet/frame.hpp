@@ -13,6 +13,10 @@ namespace certet {
 /// A point of the world, in the input's units.
 using Point3 = std::array<double, 3>;
 
+inline bool is_finite(const Point3& p) {
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
 /// world = origin + (size / 2) * axes * lattice.  `axes` is a rotation (row
 /// major, right-handed), `size` the length of a long edge in world units.
 struct Frame {
