@@ -11,7 +11,7 @@ From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
 From Certet Require Import Stencil.StencilSet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec.
+From Certet Require Import Angles.Geometry Angles.AnglesSpec.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -116,3 +116,18 @@ Definition CutsInside (before : SignField) (warping : Coord3 -> Warping)
     PlacedSign before warping (Corner v) = Plus ->
     PlacedSign before warping (Corner u) = Minus ->
     0 < cut v u < Steps.
+
+(** No vertex moves farther than alpha of its edge. *)
+Definition MovesAtMost (th : Thresholds) (warping : Coord3 -> Warping) : Prop :=
+  forall v d t, warping v = Moves d t ->
+    0 <= t <= ThresholdSteps th (DirectionKind d).
+
+(** No short edge is crossed: if its ends move towards each other along parallel
+    long edges, they move by less than half a long edge together. *)
+Definition Uncrossed (warping : Coord3 -> Warping) : Prop :=
+  forall v d e e' t t',
+    DirectionKind d = Short -> DirectionKind e = Long ->
+    Translate (Offset e) (Offset e') = C3 0 0 0 ->
+    0 < Dot (Offset d) (Offset e) ->
+    warping v = Moves e t -> warping (Translate v (Offset d)) = Moves e' t' ->
+    2 * (t + t') < Steps.

@@ -170,6 +170,35 @@ Qed.
 
 (** ** Three pairings tell the four integers *)
 
+(** Of two ordered pairs one is above the other, or they interlock. *)
+Lemma OrderedPairs a b c d : a <= b -> c <= d -> exists m,
+  (m <= a /\ d <= m) \/ (b <= m /\ m <= c) \/
+  (a <= m /\ c <= m /\ m <= b /\ m <= d).
+Proof.
+  intros L M. destruct (Z_le_gt_dec d a); [exists a; lia|].
+  destruct (Z_le_gt_dec b c); [exists c; lia|]. exists (Z.max a c). lia.
+Qed.
+
+(** Of four numbers two are at least as great as the other two. *)
+Lemma GreaterPair a b c d : exists m,
+  (m <= a /\ m <= b /\ c <= m /\ d <= m) \/
+  (a <= m /\ b <= m /\ m <= c /\ m <= d) \/
+  (m <= a /\ m <= c /\ b <= m /\ d <= m) \/
+  (a <= m /\ c <= m /\ m <= b /\ m <= d) \/
+  (m <= a /\ m <= d /\ b <= m /\ c <= m) \/
+  (a <= m /\ d <= m /\ m <= b /\ m <= c).
+Proof.
+  destruct (Z_le_gt_dec a b), (Z_le_gt_dec c d);
+    [destruct (OrderedPairs a b c d) as (m & [H|[H|H]])
+    |destruct (OrderedPairs a b d c) as (m & [H|[H|H]])
+    |destruct (OrderedPairs b a c d) as (m & [H|[H|H]])
+    |destruct (OrderedPairs b a d c) as (m & [H|[H|H]])]; try lia; exists m.
+  all: first [left; lia | right; left; lia | right; right; left; lia
+             |right; right; right; left; lia
+             |right; right; right; right; left; lia
+             |right; right; right; right; right; lia].
+Qed.
+
 Lemma MixInjective n gx gy gz p q r s p' q' r' s' : (0 < n)%nat ->
   Turns gx -> Turns gy -> Turns gz ->
   Rises gx ->
@@ -180,24 +209,11 @@ Lemma MixInjective n gx gy gz p q r s p' q' r' s' : (0 < n)%nat ->
   exists c, p' = p + c /\ q' = q + c /\ r' = r + c /\ s' = s + c.
 Proof.
   intros N Tx Ty Tz Rx Ry Rz Ex Ey Ez.
-  assert (C : exists c,
-    let dp := p' - (p + c) in let dq := q' - (q + c) in
-    let dr := r' - (r + c) in let ds := s' - (s + c) in
-    (0 <= dp /\ 0 <= dq /\ dr <= 0 /\ ds <= 0) \/
-    (dp <= 0 /\ dq <= 0 /\ 0 <= dr /\ 0 <= ds) \/
-    (0 <= dp /\ 0 <= dr /\ dq <= 0 /\ ds <= 0) \/
-    (dp <= 0 /\ dr <= 0 /\ 0 <= dq /\ 0 <= ds) \/
-    (0 <= dp /\ 0 <= ds /\ dq <= 0 /\ dr <= 0) \/
-    (dp <= 0 /\ ds <= 0 /\ 0 <= dq /\ 0 <= dr)).
-  { (* The second greatest of the four differences. *)
-    set (a := p' - p). set (b := q' - q). set (c := r' - r). set (d := s' - s).
-    exists (Z.max (Z.max (Z.min a b) (Z.min c d))
-                  (Z.min (Z.max a b) (Z.max c d))). lia. }
-  destruct C as (c & C). exists c.
+  destruct (GreaterPair (p' - p) (q' - q) (r' - r) (s' - s)) as (c & C). exists c.
   rewrite <- (MixTurns n gx c) in Ex by exact Tx.
   rewrite <- (MixTurns n gy c) in Ey by exact Ty.
   rewrite <- (MixTurns n gz c) in Ez by exact Tz.
-  cbv zeta in C. destruct C as [C|[C|[C|[C|[C|C]]]]].
+  destruct C as [C|[C|[C|[C|[C|C]]]]].
   - pose proof (MixRises n gx (p + c) (q + c) (r + c) (s + c) p' q' r' s' N Rx). lia.
   - pose proof (MixRises n gx p' q' r' s' (p + c) (q + c) (r + c) (s + c) N Rx). lia.
   - pose proof (MixRises n _ (p + c) (r + c) (q + c) (s + c) p' r' q' s' N Ry) as H.
