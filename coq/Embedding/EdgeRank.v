@@ -101,7 +101,7 @@ Section Structured.
 
   Lemma EdgeAt i j : i <> j -> exists d, at_ j = Translate (at_ i) (Offset d).
   Proof.
-    intros N. enough (DirectionTo (at_ i) (at_ j) <> None) as S.
+    clear Even. intros N. enough (DirectionTo (at_ i) (at_ j) <> None) as S.
     { destruct (DirectionTo (at_ i) (at_ j)) as [d|] eqn:D; [|congruence].
       exists d. apply DirectionToMeans, D. }
     unfold at_, DirectionTo. destruct tid as [anchor case].
