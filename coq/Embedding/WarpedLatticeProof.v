@@ -109,9 +109,9 @@ End Keeps.
 
 (** ** The product's warp *)
 
-Lemma WarpedKeepsShortEdges th sign cut :
+Lemma WarpKeepsShortEdges th sign cut :
   MovesLittle th -> CutsOnEdges sign cut ->
-  KeepsShortEdges (WarpedPlace th sign cut).
+  KeepsShortEdges (fun c => WarpedPosition c (WarpVertex th sign cut c)).
 Proof.
   intros L C. apply (LittleMoves (WarpVertex th sign cut)). intros v d t E.
   destruct (WarpedMeans th sign cut v d t E) as (-> & O & B).
@@ -126,5 +126,6 @@ Theorem WarpedLatticeEmbeds th sign cut tid tid' :
   MeetInSharedVertices (WarpedPlace th sign cut)
     (LatticeTet tid) (LatticeTet tid').
 Proof.
-  intros L C. apply LatticeEmbeds, WarpedKeepsShortEdges; assumption.
+  intros L C. apply LatticeEmbeds. unfold WarpedPlace, MeshPosition.
+  apply WarpKeepsShortEdges; assumption.
 Qed.
