@@ -252,6 +252,28 @@ Section Sound.
   Qed.
 End Sound.
 
+(** The names of the output's tetrahedra are those of the stencils on labels;
+    [q] is any point. *)
+Lemma PlacedLabelled before warping tid q :
+  let at_ := VertexAt (GetStructuredTet tid) in
+  let sign l := PlacedSign before warping (Corner (at_ (LabelPlace l))) in
+  exists h, PlacedNames before warping tid
+    = map (fun s => Orient h
+        (MapTet (Name (at_ First) (at_ Second) (at_ Third) (at_ Fourth) q) s))
+        (SymbolicTets GetUnstructuredTets
+           (SignOf (sign F1) (sign F2) (sign F3) (sign P)
+              (PlacedSign before warping (Corner q))) F1 F2 F3 P).
+Proof.
+  intros at_ sign. unfold PlacedNames, at_, sign, at_. destruct tid as [anchor case].
+  destruct (GetStructuredTet (STId anchor case)) as [v1 v2 v3 v4].
+  cbn [VertexAt LabelPlace].
+  exists (CaseHandedness case).
+  pose proof (InterpretTets GetUnstructuredTets GetUnstructuredTetsNatural
+    MeshVertex (PlacedSign before warping) MeshIntersection (Corner v1)
+    (Corner v2) (Corner v3) (Corner v4) (Corner q) F1 F2 F3 P) as N.
+  cbn [Locate] in N. rewrite N. apply map_map.
+Qed.
+
 Theorem StuffedFollows before warping tid t : OfLattice tid ->
   In t (PlacedNames before warping tid) ->
   Follows (fun c => PlacedSign before warping (Corner c)) (Corners tid) t.
@@ -259,22 +281,11 @@ Proof.
   intros Even I. set (after := fun c => PlacedSign before warping (Corner c)).
   set (at_ := VertexAt (GetStructuredTet tid)).
   set (sign := fun l => after (at_ (LabelPlace l))).
+  destruct (PlacedLabelled before warping tid (at_ Fourth)) as (h & E).
+  rewrite E in I. apply in_map_iff in I. destruct I as (s & <- & I).
   pose proof (ForAllSignAssignmentsSound _ StencilsFollow
     (sign F1) (sign F2) (sign F3) (sign P) (sign Q)) as C.
   cbv beta in C. rewrite forallb_forall in C.
-  assert (E : exists h, PlacedNames before warping tid
-    = map (fun s => Orient h
-        (MapTet (Name (at_ First) (at_ Second) (at_ Third) (at_ Fourth) (at_ Fourth)) s))
-        (SymbolicTets GetUnstructuredTets
-           (SignOf (sign F1) (sign F2) (sign F3) (sign P) (sign Q)) F1 F2 F3 P)).
-  { unfold PlacedNames, at_, sign, at_. destruct tid as [anchor case].
-    destruct (GetStructuredTet (STId anchor case)) as [v1 v2 v3 v4].
-    cbn [VertexAt LabelPlace]. exists (CaseHandedness case).
-    pose proof (InterpretTets GetUnstructuredTets GetUnstructuredTetsNatural
-      MeshVertex (PlacedSign before warping) MeshIntersection (Corner v1)
-      (Corner v2) (Corner v3) (Corner v4) (Corner v4) F1 F2 F3 P) as N.
-    cbn [Locate] in N. rewrite N. apply map_map. }
-  destruct E as [h E]. rewrite E in I. apply in_map_iff in I.
-  destruct I as (s & <- & I).
-  refine (FollowsSound after tid Even _ _ h s (C s I)). intros []; reflexivity.
+  refine (FollowsSound after tid Even _ _ h s (C s I)).
+  intros []; reflexivity.
 Qed.
