@@ -95,6 +95,15 @@ Definition MovesLittle (th : Thresholds) : Prop :=
 Definition WarpedPlace (th : Thresholds) (sign : SignField) (cut : CutField)
   (c : Coord3) : Coord3 := MeshPosition th sign cut (Corner c).
 
+(** Somewhere two different tetrahedra of one mesh overlap. *)
+Definition SomeMeshFolds (th : Thresholds) : Prop :=
+  exists sign cut tid tid' t t',
+    CutsOnEdges sign cut /\ OfLattice tid /\ OfLattice tid' /\
+    In t (StuffTet th sign cut tid) /\ In t' (StuffTet th sign cut tid') /\
+    tid <> tid' /\
+    Overlap (MapTet (MeshPosition th sign cut) t)
+            (MapTet (MeshPosition th sign cut) t').
+
 (** ** Any other warp *)
 
 (** The vertices of the tetrahedra that [GetUnstructuredTets] puts in place of
