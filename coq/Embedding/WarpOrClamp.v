@@ -6,11 +6,11 @@
     the rule is free to look after other things than angles: that the mesh does
     not fold, and that the shape stays in one piece. *)
 
-From Coq Require Import ZArith List.
+From Coq Require Import ZArith List Bool.
 From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec.
+From Certet Require Import Angles.Geometry Angles.AnglesSpec.
 Open Scope Z_scope.
 
 (** The kind of the edge from [a] to [b]. *)
@@ -42,3 +42,33 @@ Section WarpOrClamp.
     : list (UnstructuredTet Coord3) :=
     PlacedTets sign RuledWarping ClampedCut tid.
 End WarpOrClamp.
+
+(** ** A limit under which nothing is crossed *)
+
+Section Limit.
+  Variables (th : Thresholds) (sign : SignField) (cut : CutField).
+
+  (** Targets [e] from [v] and [e'] from its neighbour in direction [d] lie
+      beyond each other: both are long, parallel, towards each other, and half
+      an edge or more together. *)
+  Definition Crosses (d e : Direction) (t : Z) (other : Warping) : bool :=
+    match DirectionKind d, DirectionKind e, other with
+    | Short, Long, Moves e' t' =>
+        Coord3Equal (Translate (Offset e) (Offset e')) (C3 0 0 0) &&
+        (0 <? Dot (Offset d) (Offset e)) && (Steps <=? 2 * (t + t'))
+    | _, _, _ => false
+    end.
+
+  Definition CrossedAt (v : Coord3) : bool :=
+    match WarpVertex th sign cut v with
+    | Stays => false
+    | Moves e t =>
+        existsb (fun d =>
+          Crosses d e t (WarpVertex th sign cut (Translate v (Offset d))))
+          AllDirections
+    end.
+
+  (** Of two such vertices each stops just short of a quarter. *)
+  Definition QuarterLimit (v : Coord3) : Z :=
+    if CrossedAt v then Steps / 4 - 1 else Steps.
+End Limit.
