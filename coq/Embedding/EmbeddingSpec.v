@@ -131,12 +131,20 @@ Definition MovesAtMost (th : Thresholds) (warping : Coord3 -> Warping) : Prop :=
   forall v d t, warping v = Moves d t ->
     0 <= t <= ThresholdSteps th (DirectionKind d).
 
-(** No short edge is crossed: if its ends move towards each other along parallel
-    long edges, they move by less than half a long edge together. *)
-Definition Uncrossed (warping : Coord3 -> Warping) : Prop :=
+(** If the ends of a short edge move towards each other along parallel long
+    edges, they move by so many steps together, at most. *)
+Definition ApproachAtMost (limit : Z) (warping : Coord3 -> Warping) : Prop :=
   forall v d e e' t t',
     DirectionKind d = Short -> DirectionKind e = Long ->
     Translate (Offset e) (Offset e') = C3 0 0 0 ->
     0 < Dot (Offset d) (Offset e) ->
     warping v = Moves e t -> warping (Translate v (Offset d)) = Moves e' t' ->
-    2 * (t + t') < Steps.
+    t + t' <= limit.
+
+(** They do not cross, nor do they come side by side. *)
+Definition Uncrossed : (Coord3 -> Warping) -> Prop :=
+  ApproachAtMost (Steps / 2 - 1).
+
+(** They may come side by side: this is what makes flat walls flat. *)
+Definition UncrossedOrLevel : (Coord3 -> Warping) -> Prop :=
+  ApproachAtMost (Steps / 2).

@@ -78,10 +78,14 @@ Qed.
 
 Section Mesh.
   Variables (before : SignField) (warping : Coord3 -> Warping) (cut : CutField).
+  Variable place : MeshVertex -> Coord3.
   Hypothesis Cuts : CutsInside before warping cut.
 
   Let after c := PlacedSign before warping (Corner c).
-  Let place := PlacedPosition warping cut.
+
+  (** A cut lies where its shares put it. *)
+  Hypothesis Straight : forall a m f, Axis f -> after a = Plus -> after m = Minus ->
+    Share cut (fun c => f (place (Corner c))) (Cut a m) = Steps * f (place (Cut a m)).
 
   Lemma CarriesVertex tid v : Belongs after (Corners tid) v ->
     Carries tid Steps (fun g => Share cut g v).
@@ -113,18 +117,11 @@ Section Mesh.
     apply CarriesBlend; [lia|lia|apply CarriesBlend; auto 8 ..].
   Qed.
 
-  (** A cut lies where its shares put it. *)
   Lemma ShareOfPosition corners f v : Axis f -> Belongs after corners v ->
     Share cut (fun c => f (place (Corner c))) v = Steps * f (place v).
   Proof.
     intros F B. destruct v as [c|a m]; [reflexivity|].
-    destruct B as (_ & _ & A & M). unfold after, place in *.
-    cbn [PlacedSign PlacedPosition Share] in *.
-    destruct (warping a); [|discriminate A].
-    destruct (warping m); [|discriminate M].
-    cbn [WarpedPosition]. unfold PointOnEdge.
-    destruct a, m; cbn [Difference Scale Translate].
-    destruct F as [->|[->| ->]]; cbn [XOf YOf ZOf]; ring.
+    destruct B as (_ & _ & A & M). apply Straight; assumption.
   Qed.
 
   Lemma SharesOfPoint corners f w t : Axis f ->
@@ -138,9 +135,9 @@ Section Mesh.
     rewrite !E by auto. ring.
   Qed.
 
-  Hypothesis Keeps : KeepsShortEdges (fun c => WarpedPosition c (warping c)).
+  Hypothesis Keeps : KeepsShortEdges (fun c => place (Corner c)).
 
-  Theorem PlacedMeshEmbeds tid tid' t t' : OfLattice tid -> OfLattice tid' ->
+  Theorem StraightMeshEmbeds tid tid' t t' : OfLattice tid -> OfLattice tid' ->
     In t (PlacedNames before warping tid) ->
     In t' (PlacedNames before warping tid') ->
     MeetInSharedVertices place t t'.
@@ -167,6 +164,49 @@ Section Mesh.
     unfold Axis in Same. auto 6.
   Qed.
 End Mesh.
+
+(** ** Warped vertices, and cuts on unwarped edges *)
+
+Lemma ShareOnEdge (cut : CutField) a m f : Axis f ->
+  Share cut (fun c => f (Scale Steps c)) (Cut a m)
+  = Steps * f (PointOnEdge a m (cut a m)).
+Proof.
+  intros F. unfold PointOnEdge. cbn [Share].
+  destruct a, m; cbn [Difference Scale Translate].
+  destruct F as [->|[->| ->]]; cbn [XOf YOf ZOf]; ring.
+Qed.
+
+(** The ends of a cut have not moved. *)
+Lemma EndsStay before warping a m :
+  PlacedSign before warping (Corner a) = Plus ->
+  PlacedSign before warping (Corner m) = Minus ->
+  warping a = Stays /\ warping m = Stays.
+Proof.
+  cbn [PlacedSign]. destruct (warping a), (warping m); try discriminate. auto.
+Qed.
+
+Lemma ShareOfCut before warping cut a m f : Axis f ->
+  PlacedSign before warping (Corner a) = Plus ->
+  PlacedSign before warping (Corner m) = Minus ->
+  Share cut (fun c => f (PlacedPosition warping cut (Corner c))) (Cut a m)
+  = Steps * f (PlacedPosition warping cut (Cut a m)).
+Proof.
+  intros F A M. destruct (EndsStay before warping a m A M) as [Sa Sm].
+  cbn [PlacedPosition]. rewrite <- ShareOnEdge by exact F.
+  cbn [Share]. rewrite Sa, Sm. reflexivity.
+Qed.
+
+Theorem PlacedMeshEmbeds before warping cut tid tid' t t' :
+  CutsInside before warping cut ->
+  KeepsShortEdges (fun c => WarpedPosition c (warping c)) ->
+  OfLattice tid -> OfLattice tid' ->
+  In t (PlacedNames before warping tid) ->
+  In t' (PlacedNames before warping tid') ->
+  MeetInSharedVertices (PlacedPosition warping cut) t t'.
+Proof.
+  intros C K. apply (StraightMeshEmbeds before warping cut); try assumption.
+  intros a m f F A M. apply (ShareOfCut before); assumption.
+Qed.
 
 (** ** The product's mesh *)
 

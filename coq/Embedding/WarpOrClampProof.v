@@ -182,7 +182,8 @@ Section Quarter.
     set (u := Translate v (Offset d)) in *.
     destruct (RuledMeans th sign cut stays _ OnEdges v e t W) as (s & S & L).
     destruct (RuledMeans th sign cut stays _ OnEdges u e' t' W') as (s' & S' & L').
-    destruct (Z.ltb_spec (2 * (s + s')) Steps) as [B|B]; [lia|].
+    destruct (Z.ltb_spec (2 * (s + s')) Steps) as [B|B].
+    { change Steps with 65536 in *. change (65536 / 2) with 32768. lia. }
     assert (C : CrossedAt th sign cut v = true)
       by (apply (CrossedMeans v d e e' s s'); assumption).
     assert (exists d', DirectionKind d' = Short /\ Translate u (Offset d') = v /\
@@ -213,7 +214,8 @@ Section Quarter.
       - lia. }
     pose proof (LimitMeans stays v e t W C) as Q.
     pose proof (LimitMeans stays u e' t' W' C') as Q'.
-    change Steps with 65536 in *. change (65536 / 4) with 16384 in *. lia.
+    change Steps with 65536 in *. change (65536 / 4) with 16384 in *.
+    change (65536 / 2) with 32768. lia.
   Qed.
 End Quarter.
 

@@ -77,11 +77,14 @@ Section Keeps.
     destruct (ShortOffset f d F K) as [-> | ->]; lia.
   Qed.
 
-  (** No short edge is crossed. *)
-  Lemma UncrossedMoves : MovesAtMost AngleThresholds warping ->
-    Uncrossed warping -> KeepsShortEdges (fun v => WarpedPosition v (warping v)).
+  (** How far the ends of a short edge move towards each other along an axis. *)
+  Lemma ApproachByAxis limit : 31744 <= limit ->
+    MovesAtMost AngleThresholds warping -> ApproachAtMost limit warping ->
+    forall f v d, Axis f -> DirectionKind d = Short ->
+      f (Offset d) * (Shift f (warping v)
+        - Shift f (warping (Translate v (Offset d)))) <= 2 * limit.
   Proof.
-    intros M U. apply KeepsByAxis. intros f v d F K.
+    intros Limit M U f v d F K.
     set (u := Translate v (Offset d)).
     assert (B : forall v, - 26112 <= Shift f (warping v) <= 26112 \/
       exists e t, warping v = Moves e t /\ DirectionKind e = Long /\
@@ -93,17 +96,25 @@ Section Keeps.
       destruct F as [->|[->| ->]], e;
         cbn [XOf YOf ZOf Offset DirectionKind] in *;
         (left; lia) || (right; eexists _, t; repeat split; (reflexivity || cbn; lia)). }
-    change Steps with 65536.
     destruct (B v) as [Bv|(e & t & Ev & Ke & T & O)],
       (B u) as [Bu|(e' & t' & Eu & Ke' & T' & O')];
       destruct (ShortOffset f d F K) as [D|D]; rewrite D;
       rewrite ?Ev, ?Eu; cbn [Shift]; try lia.
     all: destruct O as [O|O], O' as [O'|O']; rewrite O, O'; try lia.
-    all: assert (C : 2 * (t + t') < 65536);
+    all: assert (C : t + t' <= limit);
       [apply (U v d e e' t t' K Ke); auto|lia].
     all: destruct F as [->|[->| ->]], e; try discriminate O;
       destruct e'; try discriminate O'; try reflexivity.
     all: destruct d; try discriminate K; try discriminate D; reflexivity.
+  Qed.
+
+  Lemma UncrossedMoves : MovesAtMost AngleThresholds warping ->
+    Uncrossed warping -> KeepsShortEdges (fun v => WarpedPosition v (warping v)).
+  Proof.
+    intros M U. apply KeepsByAxis. intros f v d F K.
+    pose proof (ApproachByAxis (Steps / 2 - 1) ltac:(discriminate) M U f v d F K)
+      as H.
+    change Steps with 65536 in *. change (65536 / 2) with 32768 in *. lia.
   Qed.
 End Keeps.
 
