@@ -23,6 +23,7 @@ From Certet Require Export Stencil.StencilSet Stencil.OtherStencils.
 From Certet Require Export Stencil.TriangleSpec Stuffing.MeshSpec.
 From Certet Require Export Warp.WarpSpec.
 From Certet Require Export Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
+From Certet Require Export Embedding.EmbeddingSpec Embedding.WarpOrClamp.
 From Certet Require Export Range.RangeSpec.
 
 (** Why it holds. *)
@@ -36,6 +37,9 @@ From Certet Require Stuffing.MeshProof.
 From Certet Require Warp.WarpProof.
 From Certet Require Angles.AngleTheorems Angles.LatticeProof.
 From Certet Require Angles.DegreesProof Angles.SharpnessProof.
+From Certet Require Embedding.WarpedLatticeProof Embedding.MeshEmbedsProof.
+From Certet Require Embedding.MeshApartProof Embedding.FoldWitness.
+From Certet Require Embedding.WarpOrClampProof Embedding.WarpOrClampAngles.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
@@ -346,6 +350,141 @@ Theorem ConfigurationsCounted :
   AngleTheorems.CountConfigurations = 14717 /\
   AngleTheorems.CountAngles = 89430.
 Proof. exact AngleTheorems.ConfigurationsCounted. Qed.
+
+(** ** Beyond the paper: the whole mesh
+
+    Read [Embedding/EmbeddingSpec.v] (points of tetrahedra by integer weights,
+    and what it means that two of them meet in what they share) and
+    [Embedding/WarpOrClamp.v] (the warp with a rule of who stays). *)
+
+(** Wherever the lattice points are put, if no short edge is turned over along
+    any axis, the structured tetrahedra meet in the vertices they share; and
+    alpha at most 1/4 of a long edge and 1/2 of a short one turns none over. *)
+Theorem WarpedLatticeEmbeds :
+  forall long short sign cut tid tid',
+    long <= 64 -> short <= 128 -> CutsOnEdges sign cut ->
+    OfLattice tid -> OfLattice tid' ->
+    MeetInSharedVertices (WarpedPlace (TH long short) sign cut)
+      (LatticeTet tid) (LatticeTet tid').
+Proof.
+  exact (fun long short sign cut tid tid' l s =>
+    WarpedLatticeProof.WarpedLatticeEmbeds (TH long short) sign cut tid tid'
+      (conj l s)).
+Qed.
+
+(** The mesh embeds: any two of its tetrahedra meet exactly in the hull of the
+    vertices they share.  A point that they have in common is a weighted mean of
+    vertices of both, with the same weights seen from either side. *)
+Theorem MeshEmbeds :
+  forall long short sign cut tid tid' t t',
+    0 < long <= 64 -> 0 < short <= 128 -> CutsOnEdges sign cut ->
+    OfLattice tid -> OfLattice tid' ->
+    In t (StuffTet (TH long short) sign cut tid) ->
+    In t' (StuffTet (TH long short) sign cut tid') ->
+    forall w w', NonNegative w -> NonNegative w' -> Total w = Total w' ->
+      PointOf w (MapTet (MeshPosition (TH long short) sign cut) t)
+      = PointOf w' (MapTet (MeshPosition (TH long short) sign cut) t') ->
+      forall g : MeshVertex -> Z, Weigh g w t = Weigh g w' t'.
+Proof. exact MeshEmbedsProof.MeshEmbeds. Qed.
+
+(** No point is inside two of them. *)
+Theorem InteriorsApart :
+  forall long short sign cut tid tid' t t',
+    0 < long <= 64 -> 0 < short <= 128 -> CutsOnEdges sign cut ->
+    OfLattice tid -> OfLattice tid' ->
+    In t (StuffTet (TH long short) sign cut tid) ->
+    In t' (StuffTet (TH long short) sign cut tid') ->
+    Overlap (MapTet (MeshPosition (TH long short) sign cut) t)
+            (MapTet (MeshPosition (TH long short) sign cut) t') ->
+    tid = tid' /\ t = t'.
+Proof. exact MeshApartProof.InteriorsApart. Qed.
+
+(** The same mesh of a domain that is in or out, cut in the middle of its
+    edges. *)
+Theorem MidpointMeshEmbeds :
+  forall sign tid tid' t t',
+    let decided v := InOrOut (sign v) in
+    let cut (_ _ : Coord3) := MidpointCut in
+    OfLattice tid -> OfLattice tid' ->
+    In t (StuffTet NoWarpThresholds decided cut tid) ->
+    In t' (StuffTet NoWarpThresholds decided cut tid') ->
+    MeetInSharedVertices (MeshPosition NoWarpThresholds decided cut) t t'.
+Proof. exact MeshEmbedsProof.MidpointMeshEmbeds. Qed.
+
+(** At 73/256 of a long edge there are domains of which two kept tetrahedra
+    overlap, *)
+Theorem AngleThresholdsFold : SomeMeshFolds AngleThresholds.
+Proof. exact FoldWitness.AngleThresholdsFold. Qed.
+
+(** and at 65/256 already: 64 is sharp for the paper's warp. *)
+Theorem SixtyFiveFolds : SomeMeshFolds (TH 65 105).
+Proof. exact FoldWitness.SixtyFiveFolds. Qed.
+
+(** Any other warp embeds at 73/256 and 102/256 if it crosses no short edge: if
+    ends of a short edge that move towards each other along parallel long edges
+    move by less than half a long edge together. *)
+Theorem PlacedEmbeds :
+  forall before warping cut tid tid' t t',
+    MovesAtMost AngleThresholds warping -> Uncrossed warping ->
+    CutsInside before warping cut -> OfLattice tid -> OfLattice tid' ->
+    In t (PlacedNames before warping tid) ->
+    In t' (PlacedNames before warping tid') ->
+    MeetInSharedVertices (PlacedPosition warping cut) t t'.
+Proof. exact MeshEmbedsProof.PlacedEmbeds. Qed.
+
+(** ** Beyond the paper: any violated vertex may stay
+
+    [stays] and [limit] are whatever a rule makes of the domain. *)
+
+(** Whoever stays, and however the moves of the others are shortened: what is
+    left is admissible when cuts are kept alpha away from the ends, *)
+Theorem AnySubsetStays :
+  forall th sign cut stays limit tid,
+    AtMostHalf th -> CutsOnEdges sign cut ->
+    Admissible sign (RuledWarping th sign cut stays limit)
+      (ClampedCut th cut) th (Corners tid).
+Proof.
+  exact (fun th sign cut stays limit tid half on =>
+    WarpOrClampProof.AnySubsetStays th sign cut stays limit half on _).
+Qed.
+
+(** so that every tetrahedron has positive volume and dihedral angles between
+    10.77 and 164.76 degrees. *)
+Theorem RuledBoundsInDegrees :
+  forall sign cut stays limit tid t, CutsOnEdges sign cut ->
+    In t (WarpOrClamp AngleThresholds sign cut stays limit tid) ->
+    WithinDegrees (1077 / 100) (16476 / 100) t.
+Proof. exact WarpOrClampAngles.RuledBounds. Qed.
+
+(** The paper's rule is the one by which nobody stays. *)
+Theorem NobodyStays :
+  forall th sign cut tid,
+    AtMostHalf th -> CutsOnEdges sign cut -> OfLattice tid ->
+    WarpOrClamp th sign cut (fun _ => false) (fun _ => Steps) tid
+    = StuffedTets th sign cut tid.
+Proof. exact WarpOrClampProof.NobodyStays. Qed.
+
+(** A rule that crosses no short edge gives a mesh that embeds, *)
+Theorem RuledMeshEmbeds :
+  forall sign cut stays limit tid tid' t t',
+    let warping := RuledWarping AngleThresholds sign cut stays limit in
+    CutsOnEdges sign cut -> Uncrossed warping ->
+    OfLattice tid -> OfLattice tid' ->
+    In t (PlacedNames sign warping tid) ->
+    In t' (PlacedNames sign warping tid') ->
+    MeetInSharedVertices
+      (PlacedPosition warping (ClampedCut AngleThresholds cut)) t t'.
+Proof. exact WarpOrClampProof.RuledMeshEmbeds. Qed.
+
+(** and there is one, whoever stays: of two vertices that would cross, each stops
+    a step short of a quarter of its edge. *)
+Theorem QuarterUncrossed :
+  forall th sign cut stays, CutsOnEdges sign cut ->
+    Uncrossed (RuledWarping th sign cut stays (QuarterLimit th sign cut)).
+Proof.
+  exact (fun th sign cut stays on =>
+    WarpOrClampProof.QuarterUncrossed th sign cut on stays).
+Qed.
 
 (** ** Beyond the paper: no overflow
 

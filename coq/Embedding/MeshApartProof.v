@@ -196,16 +196,17 @@ Proof.
   exact (KnownByCorners before warping tid t t' I I' C).
 Qed.
 
-Theorem InteriorsApart th sign cut tid tid' t t' :
-  MovesLittle th -> (forall k, 0 < ThresholdSteps th k) ->
+Theorem InteriorsApart long short sign cut tid tid' t t' :
+  let th := TH long short in
+  0 < long <= 64 -> 0 < short <= 128 ->
   CutsOnEdges sign cut -> OfLattice tid -> OfLattice tid' ->
   In t (StuffTet th sign cut tid) -> In t' (StuffTet th sign cut tid') ->
   Overlap (MapTet (MeshPosition th sign cut) t)
           (MapTet (MeshPosition th sign cut) t') ->
   tid = tid' /\ t = t'.
 Proof.
-  intros L P C E E' I I'.
-  pose proof (MeshEmbeds th sign cut tid tid' t t' L P C E E' I I') as M.
+  intros th L S C E E' I I'.
+  pose proof (MeshEmbeds long short sign cut tid tid' t t' L S C E E' I I') as M.
   rewrite StuffedByName in I, I'.
   exact (ApartBySharing _ _ _ _ _ _ _ E E' I I' M).
 Qed.

@@ -229,19 +229,23 @@ Proof.
   specialize (P (DirectionKind d)). fold u in Cuts. lia.
 Qed.
 
-Theorem MeshEmbeds th sign cut tid tid' t t' :
-  MovesLittle th -> (forall k, 0 < ThresholdSteps th k) ->
+Theorem MeshEmbeds long short sign cut tid tid' t t' :
+  let th := TH long short in
+  0 < long <= 64 -> 0 < short <= 128 ->
   CutsOnEdges sign cut -> OfLattice tid -> OfLattice tid' ->
   In t (StuffTet th sign cut tid) -> In t' (StuffTet th sign cut tid') ->
   MeetInSharedVertices (MeshPosition th sign cut) t t'.
 Proof.
-  intros L P C E E' I I'. rewrite StuffedByName in I, I'.
-  apply (PlacedMeshEmbeds sign (WarpVertex th sign cut) cut) with tid tid';
+  intros th L S C E E' I I'. rewrite StuffedByName in I, I'.
+  apply (PlacedMeshEmbeds sign (WarpVertex th sign cut) cut tid tid' t t');
     try assumption.
-  - apply CutsInsideWarped; try assumption. intros k.
-    destruct th as [long short], L. unfold ThresholdSteps.
-    change (Steps / 256) with 256. change Steps with 65536. destruct k; lia.
-  - exact (WarpKeepsShortEdges th sign cut L C).
+  - assert (T : forall k, 0 < ThresholdSteps th k <= 32768).
+    { intros k. unfold th, ThresholdSteps. change (Steps / 256) with 256.
+      destruct k; lia. }
+    apply CutsInsideWarped; try assumption; intros k; specialize (T k);
+      change Steps with 65536; lia.
+  - apply (WarpKeepsShortEdges th sign cut); [|exact C].
+    unfold th. cbn [MovesLittle]. lia.
 Qed.
 
 Theorem MidpointMeshEmbeds sign tid tid' t t' :
