@@ -39,7 +39,8 @@ From Certet Require Angles.AngleTheorems Angles.LatticeProof.
 From Certet Require Angles.DegreesProof Angles.SharpnessProof.
 From Certet Require Embedding.WarpedLatticeProof Embedding.MeshEmbedsProof.
 From Certet Require Embedding.MeshApartProof Embedding.FoldWitness.
-From Certet Require Embedding.WarpOrClampProof Embedding.WarpOrClampAngles.
+From Certet Require Embedding.WarpOrClampProof Embedding.RuledMeshProof.
+From Certet Require Embedding.RuledDegreesProof.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
@@ -449,12 +450,20 @@ Proof.
 Qed.
 
 (** so that every tetrahedron has positive volume and dihedral angles between
-    10.77 and 164.76 degrees. *)
+    10.77 and 164.76 degrees, as integers tell it *)
+Theorem RuledBounds :
+  forall sign cut stays limit, CutsOnEdges sign cut ->
+    forall tid t,
+      In t (WarpOrClamp AngleThresholds sign cut stays limit tid) ->
+      WellShaped (AB (CotSq 221 8) (CotSq 1751 130)) t.
+Proof. exact RuledMeshProof.RuledWidest. Qed.
+
+(** and in degrees. *)
 Theorem RuledBoundsInDegrees :
   forall sign cut stays limit tid t, CutsOnEdges sign cut ->
     In t (WarpOrClamp AngleThresholds sign cut stays limit tid) ->
     WithinDegrees (1077 / 100) (16476 / 100) t.
-Proof. exact WarpOrClampAngles.RuledBounds. Qed.
+Proof. exact RuledDegreesProof.RuledBounds. Qed.
 
 (** The paper's rule is the one by which nobody stays. *)
 Theorem NobodyStays :
@@ -464,27 +473,45 @@ Theorem NobodyStays :
     = StuffedTets th sign cut tid.
 Proof. exact WarpOrClampProof.NobodyStays. Qed.
 
-(** A rule that crosses no short edge gives a mesh that embeds, *)
+(** A rule that crosses no short edge gives a mesh that embeds. *)
 Theorem RuledMeshEmbeds :
-  forall sign cut stays limit tid tid' t t',
-    let warping := RuledWarping AngleThresholds sign cut stays limit in
-    CutsOnEdges sign cut -> Uncrossed warping ->
-    OfLattice tid -> OfLattice tid' ->
-    In t (PlacedNames sign warping tid) ->
-    In t' (PlacedNames sign warping tid') ->
-    MeetInSharedVertices
-      (PlacedPosition warping (ClampedCut AngleThresholds cut)) t t'.
-Proof. exact WarpOrClampProof.RuledMeshEmbeds. Qed.
+  forall sign cut stays limit, CutsOnEdges sign cut ->
+    forall tid tid' t t',
+      let warping := RuledWarping AngleThresholds sign cut stays limit in
+      Uncrossed warping -> OfLattice tid -> OfLattice tid' ->
+      In t (PlacedNames sign warping tid) ->
+      In t' (PlacedNames sign warping tid') ->
+      MeetInSharedVertices
+        (PlacedPosition warping (ClampedCut AngleThresholds cut)) t t'.
+Proof. exact RuledMeshProof.RuledMeshEmbeds. Qed.
 
-(** and there is one, whoever stays: of two vertices that would cross, each stops
-    a step short of a quarter of its edge. *)
-Theorem QuarterUncrossed :
+(** If it lets ends come level, which makes flat walls flat, still no point is
+    inside two tetrahedra. *)
+Theorem RuledInteriorsApart :
+  forall sign cut stays limit, CutsOnEdges sign cut ->
+    forall tid tid' t t',
+      let warping := RuledWarping AngleThresholds sign cut stays limit in
+      let place := PlacedPosition warping (ClampedCut AngleThresholds cut) in
+      UncrossedOrLevel warping -> OfLattice tid -> OfLattice tid' ->
+      In t (PlacedNames sign warping tid) ->
+      In t' (PlacedNames sign warping tid') ->
+      Overlap (MapTet place t) (MapTet place t') -> tid = tid' /\ t = t'.
+Proof. exact RuledMeshProof.RuledInteriorsApart. Qed.
+
+(** There are such rules, whoever stays: of two vertices that would cross or come
+    level each stops a step short of a quarter of its edge, *)
+Theorem BeforeQuarterUncrossed :
   forall th sign cut stays, CutsOnEdges sign cut ->
-    Uncrossed (RuledWarping th sign cut stays (QuarterLimit th sign cut)).
-Proof.
-  exact (fun th sign cut stays on =>
-    WarpOrClampProof.QuarterUncrossed th sign cut on stays).
-Qed.
+    Uncrossed (RuledWarping th sign cut stays
+      (StopIfCrossed th sign cut (Quarter - 1))).
+Proof. exact RuledMeshProof.BeforeQuarterUncrossed. Qed.
+
+(** or right there. *)
+Theorem AtQuarterUncrossedOrLevel :
+  forall th sign cut stays, CutsOnEdges sign cut ->
+    UncrossedOrLevel (RuledWarping th sign cut stays
+      (StopIfCrossed th sign cut Quarter)).
+Proof. exact RuledMeshProof.AtQuarterUncrossedOrLevel. Qed.
 
 (** ** Beyond the paper: no overflow
 

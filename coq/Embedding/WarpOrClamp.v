@@ -43,7 +43,7 @@ Section WarpOrClamp.
     PlacedTets sign RuledWarping ClampedCut tid.
 End WarpOrClamp.
 
-(** ** A limit under which nothing is crossed *)
+(** ** Limits under which nothing is crossed *)
 
 Section Limit.
   Variables (th : Thresholds) (sign : SignField) (cut : CutField).
@@ -68,7 +68,11 @@ Section Limit.
           AllDirections
     end.
 
-  (** Of two such vertices each stops just short of a quarter. *)
-  Definition QuarterLimit (v : Coord3) : Z :=
-    if CrossedAt v then Steps / 4 - 1 else Steps.
+  (** Each of two such vertices goes no farther than [stop]. *)
+  Definition StopIfCrossed (stop : Z) (v : Coord3) : Z :=
+    if CrossedAt v then stop else Steps.
 End Limit.
+
+(** A quarter of an edge: two that stop there come level, so that a wall halfway
+    between lattice planes comes out flat. *)
+Definition Quarter : Z := Steps / 4.

@@ -1,13 +1,13 @@
 (** * Any subset stays: proof *)
 
-From Coq Require Import ZArith List Bool Lia.
+From Coq Require Import ZArith List Lia.
 From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet.
 From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Import Stencil.SymbolProof Stencil.TriangleSpec.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.AdmissibleProof Angles.Isometry.
+From Certet Require Import Angles.AdmissibleProof.
 From Certet Require Import Embedding.EmbeddingSpec Embedding.WarpOrClamp.
 From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
 From Certet Require Import Embedding.MeshEmbedsProof.
@@ -128,106 +128,4 @@ Proof.
       specialize (Q a d A M Pa Pm). lia. }
   destruct t as [p q r s]. cbn [MapTet TetCorners In] in *.
   rewrite !P by tauto. reflexivity.
-Qed.
-
-(** ** The mesh embeds if the rule crosses no short edge *)
-
-Theorem RuledMeshEmbeds sign cut stays limit tid tid' t t' :
-  let warping := RuledWarping AngleThresholds sign cut stays limit in
-  let clamped := ClampedCut AngleThresholds cut in
-  CutsOnEdges sign cut -> Uncrossed warping ->
-  OfLattice tid -> OfLattice tid' ->
-  In t (PlacedNames sign warping tid) -> In t' (PlacedNames sign warping tid') ->
-  MeetInSharedVertices (PlacedPosition warping clamped) t t'.
-Proof.
-  intros warping clamped C U. apply PlacedEmbeds; [|exact U|].
-  - apply RuledMovesAtMost, C.
-  - apply ClampedInside; intros []; vm_compute; discriminate || reflexivity.
-Qed.
-
-(** ** A limit under which nothing is crossed *)
-
-Section Quarter.
-  Variables (th : Thresholds) (sign : SignField) (cut : CutField).
-  Hypothesis OnEdges : CutsOnEdges sign cut.
-
-  Lemma CrossedMeans v d e e' t t' :
-    DirectionKind d = Short -> DirectionKind e = Long ->
-    Translate (Offset e) (Offset e') = C3 0 0 0 ->
-    0 < Dot (Offset d) (Offset e) ->
-    WarpVertex th sign cut v = Moves e t ->
-    WarpVertex th sign cut (Translate v (Offset d)) = Moves e' t' ->
-    Steps <= 2 * (t + t') -> CrossedAt th sign cut v = true.
-  Proof.
-    intros D E O P W W' L. unfold CrossedAt. rewrite W. apply existsb_exists.
-    exists d. split; [apply InAllDirections|].
-    unfold Crosses. rewrite D, E, W', O. cbn [Coord3Equal Z.eqb andb].
-    apply andb_true_intro. split; [apply Z.ltb_lt, P|apply Z.leb_le, L].
-  Qed.
-
-  Lemma LimitMeans stays v d t :
-    RuledWarping th sign cut stays (QuarterLimit th sign cut) v = Moves d t ->
-    CrossedAt th sign cut v = true -> t <= Steps / 4 - 1.
-  Proof.
-    unfold RuledWarping, QuarterLimit. intros E C. rewrite C in E.
-    destruct (WarpVertex th sign cut v) as [|e s]; [discriminate E|].
-    destruct (stays v); [discriminate E|]. injection E as -> <-.
-    change (Steps / 4 - 1) with 16383. lia.
-  Qed.
-
-  Theorem QuarterUncrossed stays :
-    Uncrossed (RuledWarping th sign cut stays (QuarterLimit th sign cut)).
-  Proof.
-    intros v d e e' t t' D E O P W W'.
-    set (u := Translate v (Offset d)) in *.
-    destruct (RuledMeans th sign cut stays _ OnEdges v e t W) as (s & S & L).
-    destruct (RuledMeans th sign cut stays _ OnEdges u e' t' W') as (s' & S' & L').
-    destruct (Z.ltb_spec (2 * (s + s')) Steps) as [B|B].
-    { change Steps with 65536 in *. change (65536 / 2) with 32768. lia. }
-    assert (C : CrossedAt th sign cut v = true)
-      by (apply (CrossedMeans v d e e' s s'); assumption).
-    assert (exists d', DirectionKind d' = Short /\ Translate u (Offset d') = v /\
-      forall e, Translate (Offset e) (Offset e') = C3 0 0 0 ->
-        Dot (Offset d) (Offset e) = Dot (Offset d') (Offset e'))
-      as (d' & D' & Back & Dots).
-    { assert (exists d', Translate (Offset d) (Offset d') = C3 0 0 0
-        /\ DirectionKind d' = Short) as (d' & Z0 & K).
-      { destruct d; try discriminate D;
-          [exists Dir_mmm|exists Dir_ppp|exists Dir_mmp|exists Dir_ppm
-          |exists Dir_mpm|exists Dir_pmp|exists Dir_pmm|exists Dir_mpp];
-          split; reflexivity. }
-      exists d'. split; [exact K|]. unfold u.
-      destruct v as [x y z], (Offset d) as [a b c], (Offset d') as [a' b' c'].
-      cbn [Translate] in *. injection Z0 as Za Zb Zc. split; [f_equal; lia|].
-      intros f. destruct (Offset f) as [p q r], (Offset e') as [p' q' r'].
-      cbn [Translate Dot]. intros F. injection F as Fp Fq Fr.
-      replace a' with (- a) by lia. replace b' with (- b) by lia.
-      replace c' with (- c) by lia. replace p' with (- p) by lia.
-      replace q' with (- q) by lia. replace r' with (- r) by lia. ring. }
-    assert (C' : CrossedAt th sign cut u = true).
-    { apply (CrossedMeans u d' e' e s' s); try assumption.
-      - destruct e; try discriminate E; destruct e'; try discriminate O; reflexivity.
-      - rewrite <- O. destruct (Offset e), (Offset e'). cbn [Translate].
-        f_equal; ring.
-      - rewrite <- (Dots e O). exact P.
-      - rewrite Back. exact S.
-      - lia. }
-    pose proof (LimitMeans stays v e t W C) as Q.
-    pose proof (LimitMeans stays u e' t' W' C') as Q'.
-    change Steps with 65536 in *. change (65536 / 4) with 16384 in *.
-    change (65536 / 2) with 32768. lia.
-  Qed.
-End Quarter.
-
-(** Whoever stays. *)
-Theorem QuarterMeshEmbeds sign cut stays tid tid' t t' :
-  let warping := RuledWarping AngleThresholds sign cut stays
-                   (QuarterLimit AngleThresholds sign cut) in
-  CutsOnEdges sign cut -> OfLattice tid -> OfLattice tid' ->
-  In t (PlacedNames sign warping tid) -> In t' (PlacedNames sign warping tid') ->
-  MeetInSharedVertices
-    (PlacedPosition warping (ClampedCut AngleThresholds cut)) t t'.
-Proof.
-  intros warping C. apply RuledMeshEmbeds; [exact C|].
-  apply QuarterUncrossed, C.
 Qed.
