@@ -12,6 +12,7 @@ From Certet Require Import Lattice.NeighborSpec.
 From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Import Stencil.Symbol Stencil.SymbolProof.
 From Certet Require Import Stencil.CompatibilityChecker Stencil.TriangleSpec.
+From Certet Require Import Stencil.TriangleChecker Stencil.TriangleCheckerProof.
 From Certet Require Import Warp.Cut Warp.Warp.
 From Certet Require Import Stuffing.Stuffing Stuffing.NameProof.
 From Certet Require Import Angles.AnglesSpec.
@@ -61,12 +62,6 @@ Definition Touches (l : Label) (s : Symbol) : bool :=
   | CutOf a m => SameLabel l a || SameLabel l m
   end.
 
-Definition SameTet (s r : UnstructuredTet Symbol) : bool :=
-  match s, r with
-    UT _ a b c d, UT _ a' b' c' d' =>
-      SameSymbol a a' && SameSymbol b b' && SameSymbol c c' && SameSymbol d d'
-  end.
-
 Definition CheckApart (ts : list (UnstructuredTet Symbol)) : bool :=
   forallb (fun s =>
     forallb (fun l => existsb (Touches l) (TetCorners s)) [F1; F2; F3; P] &&
@@ -78,12 +73,6 @@ Lemma StencilsApart : ForAllSignAssignments (fun sign =>
   CheckApart (SymbolicTets GetUnstructuredTets sign F1 F2 F3 P)) = true.
 Proof. vm_compute. reflexivity. Qed.
 
-Lemma SameTetEqual s r : SameTet s r = true -> s = r.
-Proof.
-  destruct s, r. cbn [SameTet]. rewrite !andb_true_iff, !SameSymbolEqual.
-  intros [[[-> ->] ->] ->]. reflexivity.
-Qed.
-
 (** The ends of the edge that a vertex is on. *)
 Definition Ends (v : MeshVertex) : list Coord3 :=
   match v with Corner c => [c] | Cut a m => [a; m] end.
@@ -92,33 +81,41 @@ Section Structured.
   Variables (before : SignField) (warping : Coord3 -> Warping).
   Variable tid : StructuredTetId.
 
-  (** An output tetrahedron as a stencil on labels. *)
-  Lemma Labelled : exists h f1 f2 f3 p q ts,
+  (** The output's tetrahedra as stencils on labels. *)
+  Lemma Labelled : exists h f1 f2 f3 p q s1 s2 s3 sp sq,
     NoDup [f1; f2; f3; p; q] /\ Corners tid = [f1; f2; f3; p] /\
-    CheckApart ts = true /\
+    VerticesAre f1 f2 f3 p q tid F1 F2 F3 P /\
+    (forall l, In l [F1; F2; F3; P] ->
+       PlacedSign before warping (Corner (LocateFive f1 f2 f3 p q l))
+       = SignOf s1 s2 s3 sp sq l) /\
     PlacedNames before warping tid
-    = map (fun s => Orient h (MapTet (Name f1 f2 f3 p q) s)) ts.
+    = map (fun s => Orient h (MapTet (Name f1 f2 f3 p q) s))
+        (SymbolicTets GetUnstructuredTets (SignOf s1 s2 s3 sp sq) F1 F2 F3 P).
   Proof.
     destruct tid as [anchor case] eqn:T.
     pose proof (VerticesDistinct tid) as D. pose proof (AnchorApart anchor case) as A.
     destruct (PlacedLabelled before warping tid anchor) as (h & E).
-    rewrite <- T in *. unfold Corners.
+    rewrite <- T in *. unfold Corners, VerticesAre.
     set (at_ := VertexAt (GetStructuredTet tid)) in *.
-    eexists h, (at_ First), (at_ Second), (at_ Third), (at_ Fourth), anchor, _.
-    split; [|split; [|split; [|exact E]]].
+    exists h, (at_ First), (at_ Second), (at_ Third), (at_ Fourth), anchor.
+    do 5 eexists. split; [|split; [|split; [|split; [|exact E]]]].
     - unfold at_. destruct (GetStructuredTet tid) as [v1 v2 v3 v4].
       cbn [VertexAt]. repeat constructor; cbn; intuition congruence.
     - unfold at_. destruct (GetStructuredTet tid). reflexivity.
-    - exact (ForAllSignAssignmentsSound _ StencilsApart _ _ _ _ _).
+    - unfold at_. destruct (GetStructuredTet tid). cbn. auto.
+    - intros [] I; reflexivity || (cbn in I; intuition discriminate).
   Qed.
 
   Lemma ReachesAllCorners t : In t (PlacedNames before warping tid) ->
     forall c, In c (Corners tid) ->
       exists v, In v (TetCorners t) /\ In c (Ends v).
   Proof.
-    destruct Labelled as (h & f1 & f2 & f3 & p & q & ts & _ & -> & C & ->).
+    destruct Labelled as (h & f1 & f2 & f3 & p & q & s1 & s2 & s3 & sp & sq & _ & ->
+      & _ & _ & ->).
+    pose proof (ForAllSignAssignmentsSound _ StencilsApart s1 s2 s3 sp sq) as C.
+    cbv beta in C.
     intros I c J. apply in_map_iff in I. destruct I as (s & <- & I).
-    unfold CheckApart in C. rewrite forallb_forall in C. specialize (C s I).
+    unfold CheckApart in C. rewrite forallb_forall in C. specialize (C _ I).
     apply andb_prop in C. destruct C as [C _]. rewrite forallb_forall in C.
     assert (L : exists l, In l [F1; F2; F3; P] /\ c = LocateFive f1 f2 f3 p q l).
     { destruct J as [<-|[<-|[<-|[<-|[]]]]];
@@ -134,10 +131,13 @@ Section Structured.
     In t' (PlacedNames before warping tid) ->
     incl (TetCorners t) (TetCorners t') -> t = t'.
   Proof.
-    destruct Labelled as (h & f1 & f2 & f3 & p & q & ts & D & _ & C & ->).
+    destruct Labelled as (h & f1 & f2 & f3 & p & q & s1 & s2 & s3 & sp & sq & D & _
+      & _ & _ & ->).
+    pose proof (ForAllSignAssignmentsSound _ StencilsApart s1 s2 s3 sp sq) as C.
+    cbv beta in C.
     intros I I' Sub. apply in_map_iff in I. destruct I as (s & <- & I).
     apply in_map_iff in I'. destruct I' as (r & <- & I').
-    unfold CheckApart in C. rewrite forallb_forall in C. specialize (C s I).
+    unfold CheckApart in C. rewrite forallb_forall in C. specialize (C _ I).
     apply andb_prop in C. destruct C as [_ C]. rewrite forallb_forall in C.
     specialize (C r I'). apply orb_prop in C. destruct C as [C|C].
     - exfalso. rewrite negb_true_iff in C.
