@@ -40,7 +40,7 @@ Definition Belongs (after : Coord3 -> Sign) (corners : list Coord3)
   end.
 
 (** The rule. *)
-Definition Joined (after : Coord3 -> Sign) (u v : MeshVertex) : Prop :=
+Definition MayJoin (after : Coord3 -> Sign) (u v : MeshVertex) : Prop :=
   match u, v with
   | Corner a, Cut b m => after a = Plus -> EdgeRank b m <= EdgeRank a m
   | Cut a m, Cut b n => a <> b -> m <> n -> EdgeRank a m <= EdgeRank a n
@@ -50,7 +50,7 @@ Definition Joined (after : Coord3 -> Sign) (u v : MeshVertex) : Prop :=
 Definition Follows (after : Coord3 -> Sign) (corners : list Coord3)
   (t : UnstructuredTet MeshVertex) : Prop :=
   (forall v, In v (TetCorners t) -> Belongs after corners v) /\
-  (forall u v, In u (TetCorners t) -> In v (TetCorners t) -> Joined after u v).
+  (forall u v, In u (TetCorners t) -> In v (TetCorners t) -> MayJoin after u v).
 
 (** ** Ranks within a structured tetrahedron *)
 
@@ -171,7 +171,7 @@ Section Checker.
         IsSign (sign a) Plus && IsSign (sign m) Minus
     end.
 
-  Definition CheckJoined (s r : Symbol) : bool :=
+  Definition CheckMayJoin (s r : Symbol) : bool :=
     match s, r with
     | Base a, CutOf b m =>
         negb (IsSign (sign a) Plus) || (LabelRank b m <=? LabelRank a m)
@@ -182,7 +182,7 @@ Section Checker.
 
   Definition CheckFollows (t : UnstructuredTet Symbol) : bool :=
     forallb CheckBelongs (TetCorners t) &&
-    forallb (fun s => forallb (CheckJoined s) (TetCorners t)) (TetCorners t).
+    forallb (fun s => forallb (CheckMayJoin s) (TetCorners t)) (TetCorners t).
 End Checker.
 
 Lemma StencilsFollow : ForAllSignAssignments (fun sign =>
@@ -222,12 +222,12 @@ Section Sound.
     - intros [[_ A] M]. auto using AtCorner.
   Qed.
 
-  Lemma JoinedSound s r : CheckJoined sign s r = true ->
-    Joined after (name s) (name r).
+  Lemma MayJoinSound s r : CheckMayJoin sign s r = true ->
+    MayJoin after (name s) (name r).
   Proof.
     unfold name.
     destruct s as [a|a m], r as [b|b n]; rewrite ?NameBase, ?NameCut, ?LocateAt;
-      cbn [CheckJoined Joined]; try exact (fun _ => I);
+      cbn [CheckMayJoin MayJoin]; try exact (fun _ => I);
       rewrite !LabelRankAt, !orb_true_iff, Z.leb_le, ?negb_true_iff;
       rewrite ?SameLabelEqual, ?Signs.
     - intros [E|E] A; [|exact E]. rewrite A in E. discriminate E.
@@ -247,7 +247,7 @@ Section Sound.
     split.
     - intros v I. destruct (N v I) as (s & -> & S). apply BelongsSound, B, S.
     - intros u v I I'. destruct (N u I) as (s & -> & S).
-      destruct (N v I') as (r & -> & R). apply JoinedSound.
+      destruct (N v I') as (r & -> & R). apply MayJoinSound.
       specialize (J s S). rewrite forallb_forall in J. apply J, R.
   Qed.
 End Sound.

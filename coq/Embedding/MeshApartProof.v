@@ -176,6 +176,18 @@ Proof.
   destruct v; cbn [Belongs Ends In]; intuition congruence.
 Qed.
 
+(** The corners tell the structured tetrahedron too. *)
+Lemma OwnerKnown before warping tid tid' t t' : OfLattice tid -> OfLattice tid' ->
+  In t (PlacedNames before warping tid) ->
+  In t' (PlacedNames before warping tid') ->
+  incl (TetCorners t) (TetCorners t') -> tid = tid'.
+Proof.
+  intros E E' I I' C. apply CornersDetermine; [assumption..|]. intros c J.
+  destruct (ReachesAllCorners before warping tid t I c J) as (v & V & K).
+  exact (EndsBelong _ _ v c
+    (proj1 (StuffedFollows before warping tid' t' E' I') v (C v V)) K).
+Qed.
+
 Lemma ApartBySharing before warping place tid tid' t t' :
   OfLattice tid -> OfLattice tid' ->
   In t (PlacedNames before warping tid) ->
@@ -187,11 +199,7 @@ Proof.
   assert (N : forall w, AllPositive w -> NonNegative w)
     by (intros []; cbn; lia).
   pose proof (SameCorners SameVertex w t w' t' W (M w w' (N w W) (N w' W') T O)) as C.
-  assert (tid = tid').
-  { apply CornersDetermine; [assumption..|]. intros c J.
-    destruct (ReachesAllCorners before warping tid t I c J) as (v & V & K).
-    exact (EndsBelong _ _ v c
-      (proj1 (StuffedFollows before warping tid' t' E' I') v (C v V)) K). }
+  pose proof (OwnerKnown before warping tid tid' t t' E E' I I' C).
   subst tid'. split; [reflexivity|].
   exact (KnownByCorners before warping tid t t' I I' C).
 Qed.
