@@ -107,3 +107,31 @@ Section Rule.
   Definition DiskStays (turns : nat) (v : Coord3) : bool :=
     negb (Settled turns v).
 End Rule.
+
+(** ** The order *)
+
+(** Adjacent vertices have different colours. *)
+Definition Colour (v : Coord3) : nat :=
+  match v with
+    C3 x y z =>
+      (if Z.even x then 0 else 2) + (if Z.even ((x + y + z) / 2) then 0 else 1)
+  end.
+
+Section Order.
+  Variables (th : Thresholds) (sign : SignField) (cut : CutField).
+
+  (** Those that are nearest to the surface come first, in four classes; of these
+      the outer ones; of these the even ones. *)
+  Definition Turn (v : Coord3) : nat :=
+    match WarpVertex th sign cut v with
+    | Stays => 0
+    | Moves d t =>
+        8 * Z.to_nat (4 * t / ThresholdSteps th (DirectionKind d))
+        + match sign v with Minus => 0 | _ => 4 end + Colour v
+    end.
+
+  Definition Turns : nat := 32.
+
+  (** The rule: who stays when all turns are over. *)
+  Definition DiskRule : Coord3 -> bool := DiskStays th sign cut Turn Turns.
+End Order.

@@ -92,6 +92,14 @@ Proof.
       [intros y; rewrite E; tauto|auto].
 Qed.
 
+Lemma AllLeaveThen {V} (next : V -> V -> Prop) inside then_ now :
+  AllLeave next inside then_ -> AllLeave next then_ now -> AllLeave next inside now.
+Proof.
+  intros A. induction 1 as [then_ now E|v then_ mid now _ IH L].
+  - apply (AllLeaveSame next inside then_ now A). intros u. symmetry. apply E.
+  - exact (AllLeave_one next v inside mid now (IH A) L).
+Qed.
+
 Section Many.
   Variables (V : Type) (next : V -> V -> Prop).
   Variable Same : forall u v : V, {u = v} + {u <> v}.
@@ -280,28 +288,88 @@ Section Rule.
       [intros y Y; apply E, Y|]. apply J; apply E; auto.
   Qed.
 
+  (** The + vertices that become 0 in one turn. *)
+  Definition Leaving (n : nat) : list Coord3 :=
+    filter (fun v => settled (S n) v && negb (settled n v) &&
+      match sign v with Plus => true | _ => false end) all.
+
+  Lemma LeavingMeans n v : In v (Leaving n) <->
+    settled (S n) v = true /\ settled n v = false /\ sign v = Plus.
+  Proof.
+    unfold Leaving. rewrite filter_In, !andb_true_iff, negb_true_iff. split.
+    - intros (_ & (A & B) & C). repeat split; try assumption.
+      destruct (sign v); congruence.
+    - intros (A & B & C). rewrite C. auto.
+  Qed.
+
   Lemma AllLeaveByTurns n :
     AllLeave Adjacent (PlusBefore sign) (fun v => now n v = Plus).
   Proof.
     induction n as [|n IH].
     - apply AllLeave_none. intros v. rewrite NowPlus. unfold PlusBefore. cbn [Settled].
       tauto.
-    - set (leaving := filter (fun v => settled (S n) v && negb (settled n v) &&
-        match sign v with Plus => true | _ => false end) all).
-      assert (M : forall v, In v leaving <->
-        settled (S n) v = true /\ settled n v = false /\ sign v = Plus).
-      { intros v. unfold leaving. rewrite filter_In, !andb_true_iff, negb_true_iff.
-        split.
-        - intros (_ & (A & B) & C). repeat split; try assumption.
-          destruct (sign v); congruence.
-        - intros (A & B & C). rewrite C. auto. }
-      apply (AllLeaveSame Adjacent _ (fun v => now n v = Plus /\ ~ In v leaving)).
+    - apply (AllLeaveSame Adjacent _ (fun v => now n v = Plus /\ ~ In v (Leaving n))).
       + apply (ManyLeave Coord3 Adjacent SamePoint3); [exact IH| |].
-        * intros v I. apply M in I. destruct I as (A & B & C).
-          apply NowMayLeave; assumption.
-        * intros u v I J. apply M in I, J. destruct I as (A & B & _), J as (A' & B' & _).
-          apply (NotAdjacent n); assumption.
-      + intros v. rewrite M, !NowPlus. pose proof (SettledStays n v).
+        * intros v I. apply LeavingMeans in I. apply NowMayLeave; tauto.
+        * intros u v I J. apply LeavingMeans in I, J. apply (NotAdjacent n); tauto.
+      + intros v. rewrite LeavingMeans, !NowPlus. pose proof (SettledStays n v).
+        destruct (settled (S n) v), (settled n v), (sign v); intuition congruence.
+  Qed.
+
+  (** ** Nor is anybody outside *)
+
+  Let outside n v := now n v <> Plus.
+
+  Lemma NowOutsideLater n v : outside n v -> outside (S n) v.
+  Proof.
+    unfold outside. intros O P. apply O. apply NowPlus in P. apply NowPlus.
+    split; [|tauto]. destruct (settled n v) eqn:E; [|reflexivity].
+    rewrite (SettledStays n v E) in P. tauto.
+  Qed.
+
+  Lemma OutsideMayLeave n v : settled (S n) v = true -> settled n v = false ->
+    MayLeave Coord3 Adjacent (outside (S n)) v.
+  Proof.
+    intros S S' . destruct (SettledMeans n v S S') as (_ & _ & D).
+    unfold StrictDisk in D. apply andb_prop in D. destruct D as [D _].
+    apply andb_prop in D. destruct D as [_ D].
+    destruct (OnePieceMeans v _ D) as [(x & X) J].
+    set (part := fun d => negb (IsInner (fun d => now n (Translate v (Offset d))) d))
+      in *.
+    assert (E : forall y, InPart v part y <-> outside (Datatypes.S n) y /\ Adjacent v y).
+    { intros y. unfold InPart, part, IsInner, Adjacent. split.
+      - intros (d & -> & I). split; [|eauto]. apply NowOutsideLater. unfold outside.
+        destruct (now n (Translate v (Offset d))); discriminate.
+      - intros (I & d & ->). exists d. split; [reflexivity|].
+        destruct (now n (Translate v (Offset d))) eqn:P; try reflexivity.
+        exfalso. apply NowPlus in P. destruct P as [P Q].
+        apply I, NowPlus. split; [|exact Q].
+        destruct (settled (Datatypes.S n) (Translate v (Offset d))) eqn:R;
+          [|reflexivity].
+        exfalso. apply (NotAdjacent n v (Translate v (Offset d))); auto. exists d.
+        reflexivity. }
+    split; [unfold outside; rewrite NowPlus, S; intros [H _]; discriminate H|].
+    split; [apply NeverNext|].
+    split; [exists x; apply E in X; tauto|].
+    intros u w U W Iu Iw.
+    apply (JoinedWider (InPart v part)); [intros y Y; apply E, Y|].
+    apply J; apply E; auto.
+  Qed.
+
+  Lemma OutsideByTurns n : AllLeave Adjacent (outside n) (fun v => sign v <> Plus).
+  Proof.
+    induction n as [|n IH].
+    - apply AllLeave_none. intros v. unfold outside. rewrite NowPlus. cbn [Settled].
+      tauto.
+    - apply (AllLeaveThen Adjacent _ (outside n)); [|exact IH].
+      apply (AllLeaveSame Adjacent _
+        (fun v => outside (S n) v /\ ~ In v (Leaving n))).
+      + apply (ManyLeave Coord3 Adjacent SamePoint3).
+        * apply AllLeave_none. tauto.
+        * intros v I. apply LeavingMeans in I. apply OutsideMayLeave; tauto.
+        * intros u v I J. apply LeavingMeans in I, J. apply (NotAdjacent n); tauto.
+      + intros v. unfold outside. rewrite LeavingMeans, !NowPlus.
+        pose proof (SettledStays n v).
         destruct (settled (S n) v), (settled n v), (sign v); intuition congruence.
   Qed.
 
@@ -324,6 +392,16 @@ Section Rule.
   Proof.
     apply (AllLeaveSame _ _ _ _ (AllLeaveByTurns turns)).
     intros v. unfold PlusAfter. rewrite AfterDisk. tauto.
+  Qed.
+
+  Theorem DiskOutsideLeave : AllLeave Adjacent
+    (fun v => ~ PlusAfter sign warping v) (fun v => ~ PlusBefore sign v).
+  Proof.
+    apply (AllLeaveThen Adjacent _ (outside turns)).
+    - apply AllLeave_none. intros v. unfold PlusAfter, outside.
+      rewrite AfterDisk. tauto.
+    - apply (AllLeaveSame _ _ _ _ (OutsideByTurns turns)).
+      intros v. unfold PlusBefore. tauto.
   Qed.
 
   Theorem DiskNoWall : NoWall sign warping.
@@ -350,35 +428,79 @@ Section Rule.
   Qed.
 End Rule.
 
+(** ** The product's order *)
+
+Lemma ColoursDiffer v d : Colour v <> Colour (Translate v (Offset d)).
+Proof.
+  destruct v as [x y z], d; cbn [Offset Translate Colour].
+  all: repeat match goal with |- context [Z.even ?n] =>
+    pose proof (Zmod_even n); destruct (Z.even n) end; try discriminate.
+  all: intros _; Z.div_mod_to_equations; lia.
+Qed.
+
+Lemma TurnsDiffer th sign cut v d :
+  Violated th sign cut v = true ->
+  Violated th sign cut (Translate v (Offset d)) = true ->
+  Turn th sign cut v <> Turn th sign cut (Translate v (Offset d)).
+Proof.
+  unfold Violated, Turn. set (u := Translate v (Offset d)).
+  destruct (WarpVertex th sign cut v) as [|e t]; [discriminate|].
+  destruct (WarpVertex th sign cut u) as [|e' t']; [discriminate|]. intros _ _ E.
+  apply (ColoursDiffer v d). fold u.
+  assert (B : forall w, (Colour w < 4)%nat)
+    by (intros [x y z]; cbn [Colour]; destruct (Z.even x), (Z.even _); cbn; lia).
+  pose proof (B v). pose proof (B u). clear B.
+  generalize dependent (Z.to_nat (4 * t / ThresholdSteps th (DirectionKind e))).
+  generalize dependent (Z.to_nat (4 * t' / ThresholdSteps th (DirectionKind e'))).
+  destruct (sign v), (sign u); intros; lia.
+Qed.
+
 (** The pieces of the mesh by faces are the pieces of the samples by edges, *)
-Theorem DiskPiecesKept th sign cut turn turns limit all p q t u :
-  let warping := RuledWarping th sign cut (DiskStays th sign cut turn turns) limit in
-  (forall v, sign v <> OnSurface) ->
-  (forall v d, Violated th sign cut v = true ->
-     Violated th sign cut (Translate v (Offset d)) = true ->
-     turn v <> turn (Translate v (Offset d))) ->
-  (forall v, sign v = Plus -> In v all) ->
+Theorem DiskPiecesKept th sign cut limit all p q t u :
+  let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+  (forall v, sign v <> OnSurface) -> (forall v, sign v = Plus -> In v all) ->
   PlusAfter sign warping p -> PlusAfter sign warping q ->
   MadeAt sign warping p t -> MadeAt sign warping q u ->
   Joined (InMesh sign warping) ShareFace t u <->
   Joined (PlusBefore sign) Adjacent p q.
 Proof.
-  intros warping D T B. apply PiecesKept;
-    [apply (DiskAllLeave th sign cut turn T all B)|apply DiskNoWall; assumption].
+  intros warping D B. apply PiecesKept.
+  - apply (DiskAllLeave th sign cut _ (TurnsDiffer th sign cut) all B).
+  - apply DiskNoWall; [exact D|apply TurnsDiffer].
 Qed.
 
-(** and none is lost. *)
-Theorem DiskNoPieceLost th sign cut turn turns limit all p :
-  let warping := RuledWarping th sign cut (DiskStays th sign cut turn turns) limit in
-  (forall v, sign v <> OnSurface) ->
-  (forall v d, Violated th sign cut v = true ->
-     Violated th sign cut (Translate v (Offset d)) = true ->
-     turn v <> turn (Translate v (Offset d))) ->
+(** none is lost, *)
+Theorem DiskNoPieceLost th sign cut limit all p :
+  let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
   (forall v, sign v = Plus -> In v all) ->
   PlusBefore sign p -> (exists tid, OfLattice tid /\ In p (Corners tid)) ->
   exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
     Joined (PlusBefore sign) Adjacent p q.
 Proof.
-  intros warping D T B. apply NoPieceLost.
-  apply (DiskAllLeave th sign cut turn T all B).
+  intros warping B. apply NoPieceLost.
+  apply (DiskAllLeave th sign cut _ (TurnsDiffer th sign cut) all B).
+Qed.
+
+(** and the same holds of the outside. *)
+Theorem DiskOutsideKept th sign cut limit all p q :
+  let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+  (forall v, sign v = Plus -> In v all) ->
+  ~ PlusBefore sign p -> ~ PlusBefore sign q ->
+  Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q <->
+  Joined (fun v => ~ PlusBefore sign v) Adjacent p q.
+Proof.
+  intros warping B P Q.
+  refine (KeepsPieces _ _ SamePoint3 AdjacentMutual _ _ _ p q P Q).
+  apply (DiskOutsideLeave th sign cut _ (TurnsDiffer th sign cut) all B).
+Qed.
+
+Theorem DiskNoHoleMade th sign cut limit all p :
+  let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+  (forall v, sign v = Plus -> In v all) -> ~ PlusAfter sign warping p ->
+  exists q, ~ PlusBefore sign q /\
+    Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q.
+Proof.
+  intros warping B P.
+  refine (LosesNoPiece _ _ SamePoint3 AdjacentMutual _ _ _ p P).
+  apply (DiskOutsideLeave th sign cut _ (TurnsDiffer th sign cut) all B).
 Qed.
