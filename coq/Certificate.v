@@ -15,6 +15,7 @@ From Coq Require Import ZArith Reals List.
 From Certet Require Export Lattice.Coord3 Lattice.Direction.
 From Certet Require Export Lattice.StructuredTet Stencil.UnstructuredTet.
 From Certet Require Export Warp.Cut Warp.Warp Stuffing.Stuffing.
+From Certet Require Export Embedding.WarpOrClamp Embedding.DiskRule.
 
 (** What is meant. *)
 From Certet Require Export Lattice.StructuredTetSpec Lattice.NeighborSpec.
@@ -23,7 +24,7 @@ From Certet Require Export Stencil.StencilSet Stencil.OtherStencils.
 From Certet Require Export Stencil.TriangleSpec Stuffing.MeshSpec.
 From Certet Require Export Warp.WarpSpec.
 From Certet Require Export Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
-From Certet Require Export Embedding.EmbeddingSpec Embedding.WarpOrClamp.
+From Certet Require Export Embedding.EmbeddingSpec Embedding.PiecesSpec.
 From Certet Require Export Range.RangeSpec.
 
 (** Why it holds. *)
@@ -41,6 +42,7 @@ From Certet Require Embedding.WarpedLatticeProof Embedding.MeshEmbedsProof.
 From Certet Require Embedding.MeshApartProof Embedding.FoldWitness.
 From Certet Require Embedding.WarpOrClampProof Embedding.RuledMeshProof.
 From Certet Require Embedding.RuledDegreesProof.
+From Certet Require Embedding.PiecesProof Embedding.DiskRuleProof.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
@@ -512,6 +514,73 @@ Theorem AtQuarterUncrossedOrLevel :
     UncrossedOrLevel (RuledWarping th sign cut stays
       (StopIfCrossed th sign cut Quarter)).
 Proof. exact RuledMeshProof.AtQuarterUncrossedOrLevel. Qed.
+
+(** ** Beyond the paper: no piece is lost, cut or joined to another
+
+    Read [Embedding/PiecesSpec.v] (pieces, and how a vertex leaves one) and
+    [Embedding/DiskRule.v] (the rule of the strict disk).  A mesh that has
+    angles, embeds and keeps its pieces is that of [WarpOrClamp] with who stays
+    by [DiskRule] and the limit [StopIfCrossed]. *)
+
+(** Whatever the warp: if no face of the lattice with all its corners on the
+    surface has + on both sides, two tetrahedra of the mesh are joined by faces
+    just as + corners of their structured tetrahedra are joined by edges. *)
+Theorem MeshPieces :
+  forall before warping p q t u,
+    NoWall before warping ->
+    PlusAfter before warping p -> PlusAfter before warping q ->
+    MadeAt before warping p t -> MadeAt before warping q u ->
+    Joined (InMesh before warping) ShareFace t u <->
+    Joined (PlusAfter before warping) Adjacent p q.
+Proof. exact PiecesProof.MeshPieces. Qed.
+
+(** The warp of the strict disk makes no such face, *)
+Theorem DiskMakesNoWall :
+  forall th sign cut limit, (forall v, sign v <> OnSurface) ->
+    NoWall sign (RuledWarping th sign cut (DiskRule th sign cut) limit).
+Proof. exact DiskRuleProof.DiskMakesNoWall. Qed.
+
+(** and of a domain with finitely many + samples it keeps the pieces: those of
+    the mesh by faces are those of the samples by edges, *)
+Theorem DiskPiecesKept :
+  forall th sign cut limit all p q t u,
+    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+    (forall v, sign v <> OnSurface) -> (forall v, sign v = Plus -> In v all) ->
+    PlusAfter sign warping p -> PlusAfter sign warping q ->
+    MadeAt sign warping p t -> MadeAt sign warping q u ->
+    Joined (InMesh sign warping) ShareFace t u <->
+    Joined (PlusBefore sign) Adjacent p q.
+Proof. exact DiskRuleProof.DiskPiecesKept. Qed.
+
+(** none is lost, *)
+Theorem DiskNoPieceLost :
+  forall th sign cut limit all p,
+    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+    (forall v, sign v = Plus -> In v all) ->
+    PlusBefore sign p -> (exists tid, OfLattice tid /\ In p (Corners tid)) ->
+    exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
+      Joined (PlusBefore sign) Adjacent p q.
+Proof. exact DiskRuleProof.DiskNoPieceLost. Qed.
+
+(** and the outside, with the surface, keeps its pieces too: none is joined to
+    another, *)
+Theorem DiskOutsideKept :
+  forall th sign cut limit all p q,
+    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+    (forall v, sign v = Plus -> In v all) ->
+    ~ PlusBefore sign p -> ~ PlusBefore sign q ->
+    Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q <->
+    Joined (fun v => ~ PlusBefore sign v) Adjacent p q.
+Proof. exact DiskRuleProof.DiskOutsideKept. Qed.
+
+(** and no cavity is made. *)
+Theorem DiskMakesNoCavity :
+  forall th sign cut limit all p,
+    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+    (forall v, sign v = Plus -> In v all) -> ~ PlusAfter sign warping p ->
+    exists q, ~ PlusBefore sign q /\
+      Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q.
+Proof. exact DiskRuleProof.DiskMakesNoCavity. Qed.
 
 (** ** Beyond the paper: no overflow
 

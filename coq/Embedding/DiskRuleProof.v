@@ -455,6 +455,10 @@ Proof.
   destruct (sign v), (sign u); intros; lia.
 Qed.
 
+Theorem DiskMakesNoWall th sign cut limit : (forall v, sign v <> OnSurface) ->
+  NoWall sign (RuledWarping th sign cut (DiskRule th sign cut) limit).
+Proof. intros D. apply DiskNoWall; [exact D|apply TurnsDiffer]. Qed.
+
 (** The pieces of the mesh by faces are the pieces of the samples by edges, *)
 Theorem DiskPiecesKept th sign cut limit all p q t u :
   let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
@@ -466,7 +470,7 @@ Theorem DiskPiecesKept th sign cut limit all p q t u :
 Proof.
   intros warping D B. apply PiecesKept.
   - apply (DiskAllLeave th sign cut _ (TurnsDiffer th sign cut) all B).
-  - apply DiskNoWall; [exact D|apply TurnsDiffer].
+  - apply DiskMakesNoWall, D.
 Qed.
 
 (** none is lost, *)
@@ -494,7 +498,7 @@ Proof.
   apply (DiskOutsideLeave th sign cut _ (TurnsDiffer th sign cut) all B).
 Qed.
 
-Theorem DiskNoHoleMade th sign cut limit all p :
+Theorem DiskMakesNoCavity th sign cut limit all p :
   let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
   (forall v, sign v = Plus -> In v all) -> ~ PlusAfter sign warping p ->
   exists q, ~ PlusBefore sign q /\
