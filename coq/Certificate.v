@@ -42,7 +42,7 @@ From Certet Require Embedding.WarpedLatticeProof Embedding.MeshEmbedsProof.
 From Certet Require Embedding.MeshApartProof Embedding.FoldWitness.
 From Certet Require Embedding.WarpOrClampProof Embedding.RuledMeshProof.
 From Certet Require Embedding.RuledDegreesProof.
-From Certet Require Embedding.PiecesProof Embedding.DiskRuleProof.
+From Certet Require Embedding.PiecesProof Embedding.DiskPiecesProof.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
@@ -538,7 +538,7 @@ Proof. exact PiecesProof.MeshPieces. Qed.
 Theorem DiskMakesNoWall :
   forall th sign cut limit, (forall v, sign v <> OnSurface) ->
     NoWall sign (RuledWarping th sign cut (DiskRule th sign cut) limit).
-Proof. exact DiskRuleProof.DiskMakesNoWall. Qed.
+Proof. exact DiskPiecesProof.DiskMakesNoWall. Qed.
 
 (** and of a domain with finitely many + samples it keeps the pieces: those of
     the mesh by faces are those of the samples by edges, *)
@@ -550,7 +550,7 @@ Theorem DiskPiecesKept :
     MadeAt sign warping p t -> MadeAt sign warping q u ->
     Joined (InMesh sign warping) ShareFace t u <->
     Joined (PlusBefore sign) Adjacent p q.
-Proof. exact DiskRuleProof.DiskPiecesKept. Qed.
+Proof. exact DiskPiecesProof.DiskPiecesKept. Qed.
 
 (** none is lost, *)
 Theorem DiskNoPieceLost :
@@ -560,7 +560,7 @@ Theorem DiskNoPieceLost :
     PlusBefore sign p -> (exists tid, OfLattice tid /\ In p (Corners tid)) ->
     exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
       Joined (PlusBefore sign) Adjacent p q.
-Proof. exact DiskRuleProof.DiskNoPieceLost. Qed.
+Proof. exact DiskPiecesProof.DiskNoPieceLost. Qed.
 
 (** and the outside, with the surface, keeps its pieces too: none is joined to
     another, *)
@@ -571,7 +571,7 @@ Theorem DiskOutsideKept :
     ~ PlusBefore sign p -> ~ PlusBefore sign q ->
     Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q <->
     Joined (fun v => ~ PlusBefore sign v) Adjacent p q.
-Proof. exact DiskRuleProof.DiskOutsideKept. Qed.
+Proof. exact DiskPiecesProof.DiskOutsideKept. Qed.
 
 (** and no cavity is made. *)
 Theorem DiskMakesNoCavity :
@@ -580,7 +580,7 @@ Theorem DiskMakesNoCavity :
     (forall v, sign v = Plus -> In v all) -> ~ PlusAfter sign warping p ->
     exists q, ~ PlusBefore sign q /\
       Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q.
-Proof. exact DiskRuleProof.DiskMakesNoCavity. Qed.
+Proof. exact DiskPiecesProof.DiskMakesNoCavity. Qed.
 
 (** ** Beyond the paper: no overflow
 

@@ -113,3 +113,69 @@ Section Leaving.
       exact (NowInside v then_ now L w W).
   Qed.
 End Leaving.
+
+(** ** Many leave at once *)
+
+Lemma AllLeaveSame {V} (next : V -> V -> Prop) inside now now' :
+  AllLeave next inside now -> (forall u, now u <-> now' u) ->
+  AllLeave next inside now'.
+Proof.
+  intros A E. destruct A as [inside now S|v inside then_ now A L].
+  - apply AllLeave_none. intros u. rewrite <- E. apply S.
+  - apply (AllLeave_one _ v inside then_ now' A).
+    destruct L as (I & N & O & (u & X & U) & J).
+    split; [exact I|]. split; [rewrite <- E; exact N|].
+    split; [intros w W; rewrite <- E; apply O, W|].
+    split; [exists u; rewrite <- E; auto|].
+    intros x w Nx Nw X' W'. rewrite <- E in X', W'.
+    apply (JoinedWider (fun y => now y /\ next v y));
+      [intros y; rewrite E; tauto|auto].
+Qed.
+
+Lemma AllLeaveThen {V} (next : V -> V -> Prop) inside then_ now :
+  AllLeave next inside then_ -> AllLeave next then_ now -> AllLeave next inside now.
+Proof.
+  intros A. induction 1 as [then_ now E|v then_ mid now _ IH L].
+  - apply (AllLeaveSame next inside then_ now A). intros u. symmetry. apply E.
+  - exact (AllLeave_one next v inside mid now (IH A) L).
+Qed.
+
+Section Many.
+  Variables (V : Type) (next : V -> V -> Prop).
+  Variable Same : forall u v : V, {u = v} + {u <> v}.
+  Variables (first inside : V -> Prop).
+
+  (** What [v] must find among its neighbours. *)
+  Definition MayLeave (v : V) : Prop :=
+    inside v /\ ~ next v v /\ (exists u, next v u /\ inside u) /\
+    forall u w, next v u -> next v w -> inside u -> inside w ->
+      Joined (fun x => inside x /\ next v x) next u w.
+
+  Lemma ManyLeave vs : AllLeave next first inside ->
+    (forall v, In v vs -> MayLeave v) ->
+    (forall u v, In u vs -> In v vs -> ~ next u v) ->
+    AllLeave next first (fun x => inside x /\ ~ In x vs).
+  Proof.
+    intros A. induction vs as [|v vs IH]; intros M N.
+    - apply (AllLeaveSame next first inside _ A). cbn. tauto.
+    - assert (T : AllLeave next first (fun x => inside x /\ ~ In x vs))
+        by (apply IH; intros; [apply M|apply N]; right; assumption).
+      destruct (in_dec Same v vs) as [I|I].
+      + apply (AllLeaveSame next first _ _ T). intros u. cbn [In].
+        split; [|tauto]. intros [U W]. split; [exact U|].
+        intros [<-|K]; contradiction.
+      + destruct (M v (or_introl eq_refl)) as (P & S & (u & X & U) & J).
+        assert (Free : forall x, next v x -> inside x ->
+          inside x /\ ~ In x (v :: vs)).
+        { intros x Nx Ix. split; [exact Ix|]. intros [<-|K]; [exact (S Nx)|].
+          exact (N v x (or_introl eq_refl) (or_intror K) Nx). }
+        apply (AllLeave_one next v first _ _ T).
+        split; [auto|]. split; [cbn [In]; tauto|].
+        split; [intros w W; cbn [In]; split; [tauto|]|].
+        { intros [Iw Nw]. split; [exact Iw|]. intros [E|K]; [congruence|contradiction]. }
+        split; [exists u; auto|].
+        intros x w Nx Nw [Ix _] [Iw _].
+        apply (JoinedWider (fun x => inside x /\ next v x)); [|auto].
+        intros y [Iy Ny]. split; [apply Free; assumption|exact Ny].
+  Qed.
+End Many.
