@@ -582,6 +582,34 @@ Theorem DiskMakesNoCavity :
       Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q.
 Proof. exact DiskPiecesProof.DiskMakesNoCavity. Qed.
 
+(** All at once, of one mesh: who stays by the strict disk, who moves stops at a
+    quarter where it would cross another, cuts are kept alpha away from the ends.
+    For a domain with finitely many + samples, none of them on the surface: every
+    dihedral angle is between 10.77 and 164.76 degrees (as integers tell it, see
+    [RuledBoundsInDegrees]), no point is inside two tetrahedra, and the pieces by
+    faces are the pieces of the samples by edges. *)
+Theorem OneMeshHasItAll :
+  forall sign cut all,
+    CutsOnEdges sign cut -> (forall v, sign v <> OnSurface) ->
+    (forall v, sign v = Plus -> In v all) ->
+    let th := AngleThresholds in
+    let stays := DiskRule th sign cut in
+    let limit := StopIfCrossed th sign cut Quarter in
+    let warping := RuledWarping th sign cut stays limit in
+    let place := PlacedPosition warping (ClampedCut th cut) in
+    (forall tid t, In t (WarpOrClamp th sign cut stays limit tid) ->
+       WellShaped (AB (CotSq 221 8) (CotSq 1751 130)) t) /\
+    (forall tid tid' t t', OfLattice tid -> OfLattice tid' ->
+       In t (PlacedNames sign warping tid) ->
+       In t' (PlacedNames sign warping tid') ->
+       Overlap (MapTet place t) (MapTet place t') -> tid = tid' /\ t = t') /\
+    (forall p q t u,
+       PlusAfter sign warping p -> PlusAfter sign warping q ->
+       MadeAt sign warping p t -> MadeAt sign warping q u ->
+       Joined (InMesh sign warping) ShareFace t u <->
+       Joined (PlusBefore sign) Adjacent p q).
+Proof. exact DiskPiecesProof.OneMeshHasItAll. Qed.
+
 (** ** Beyond the paper: no overflow
 
     Read [Range/RangeSpec.v]: the formulas of the production library, and what

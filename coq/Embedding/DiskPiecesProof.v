@@ -2,14 +2,15 @@
 
 From Coq Require Import ZArith List Bool Lia.
 From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet.
+From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec.
+From Certet Require Import Angles.Geometry Angles.AnglesSpec.
 From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
 From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
 From Certet Require Import Embedding.GreedyProof.
 From Certet Require Import Embedding.LeavingProof Embedding.LinkProof.
 From Certet Require Import Embedding.DiskRuleProof Embedding.PiecesProof.
+From Certet Require Import Embedding.RuledMeshProof.
 Import ListNotations.
 
 (** Checking a proof needs its name, never what it is. *)
@@ -94,4 +95,32 @@ Proof.
   intros warping B P.
   refine (LosesNoPiece _ _ SamePoint3 AdjacentMutual _ _ _ p P).
   apply (DiskOutsideLeave th sign cut _ (TurnsDiffer th sign cut) all B).
+Qed.
+
+(** ** All at once *)
+
+Theorem OneMeshHasItAll sign cut all :
+  CutsOnEdges sign cut -> (forall v, sign v <> OnSurface) ->
+  (forall v, sign v = Plus -> In v all) ->
+  let th := AngleThresholds in
+  let stays := DiskRule th sign cut in
+  let limit := StopIfCrossed th sign cut Quarter in
+  let warping := RuledWarping th sign cut stays limit in
+  let place := PlacedPosition warping (ClampedCut th cut) in
+  (forall tid t, In t (WarpOrClamp th sign cut stays limit tid) ->
+     WellShaped WidestAngles t) /\
+  (forall tid tid' t t', OfLattice tid -> OfLattice tid' ->
+     In t (PlacedNames sign warping tid) -> In t' (PlacedNames sign warping tid') ->
+     Overlap (MapTet place t) (MapTet place t') -> tid = tid' /\ t = t') /\
+  (forall p q t u,
+     PlusAfter sign warping p -> PlusAfter sign warping q ->
+     MadeAt sign warping p t -> MadeAt sign warping q u ->
+     Joined (InMesh sign warping) ShareFace t u <->
+     Joined (PlusBefore sign) Adjacent p q).
+Proof.
+  intros C D B th stays limit warping place. split; [|split].
+  - intros tid t. apply RuledWidest, C.
+  - intros tid tid' t t'. apply RuledInteriorsApart; [exact C|].
+    apply AtQuarterUncrossedOrLevel, C.
+  - intros p q t u. exact (DiskPiecesKept th sign cut limit all p q t u D B).
 Qed.
