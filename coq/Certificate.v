@@ -39,6 +39,7 @@ From Certet Require Warp.WarpProof.
 From Certet Require Angles.AngleTheorems Angles.LatticeProof.
 From Certet Require Angles.DegreesProof Angles.SharpnessProof.
 From Certet Require Embedding.WarpedLatticeProof Embedding.MeshEmbedsProof.
+From Certet Require Embedding.LatticeVolumeProof.
 From Certet Require Embedding.MeshApartProof Embedding.FoldWitness.
 From Certet Require Embedding.WarpOrClampProof Embedding.RuledMeshProof.
 From Certet Require Embedding.RuledDegreesProof.
@@ -375,6 +376,13 @@ Proof.
       (conj l s)).
 Qed.
 
+(** Nor is any of them turned over, kept or dropped. *)
+Theorem KeptVolume :
+  forall place tid, KeepsShortEdges place -> KeepsHand place tid.
+Proof.
+  exact (fun place tid keeps => LatticeVolumeProof.KeptVolume place keeps tid).
+Qed.
+
 (** The mesh embeds: any two of its tetrahedra meet exactly in the hull of the
     vertices they share.  A point that they have in common is a weighted mean of
     vertices of both, with the same weights seen from either side. *)
@@ -423,9 +431,16 @@ Proof. exact FoldWitness.AngleThresholdsFold. Qed.
 Theorem SixtyFiveFolds : SomeMeshFolds (TH 65 105).
 Proof. exact FoldWitness.SixtyFiveFolds. Qed.
 
-(** Any other warp embeds at 73/256 and 102/256 if it crosses no short edge: if
-    ends of a short edge that move towards each other along parallel long edges
-    move by less than half a long edge together. *)
+(** Moves of at most 73/256 and 102/256 keep the short edges if they cross
+    none, *)
+Theorem UncrossedKeepsShortEdges :
+  forall warping,
+    MovesAtMost AngleThresholds warping -> Uncrossed warping ->
+    KeepsShortEdges (fun v => WarpedPosition v (warping v)).
+Proof. exact WarpedLatticeProof.UncrossedMoves. Qed.
+
+(** and then the mesh embeds: if ends of a short edge that move towards each other
+    along parallel long edges move by less than half a long edge together. *)
 Theorem PlacedEmbeds :
   forall before warping cut tid tid' t t',
     MovesAtMost AngleThresholds warping -> Uncrossed warping ->

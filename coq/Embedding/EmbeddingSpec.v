@@ -86,6 +86,16 @@ Definition KeepsShortEdges (place : Coord3 -> Coord3) : Prop :=
     SameOctant (Offset d)
       (Difference (place v) (place (Translate v (Offset d)))).
 
+(** A placed structured tetrahedron is right-handed as the product orients it. *)
+Definition KeepsHand (place : Coord3 -> Coord3) (tid : StructuredTetId) : Prop :=
+  match tid, LatticeTet tid with
+    STId _ case, UT _ a b c d =>
+      match CaseHandedness case with
+      | RightHanded => 0 < SixVolume (place a) (place b) (place c) (place d)
+      | LeftHanded => 0 < SixVolume (place a) (place b) (place d) (place c)
+      end
+  end.
+
 (** No vertex is moved by half a unit along any axis: alpha is at most 1/4 of a
     long edge and at most 1/2 of a short one. *)
 Definition MovesLittle (th : Thresholds) : Prop :=
