@@ -155,4 +155,93 @@ Section Approach.
       - pose proof (H a x A X Dx La). pose proof (G b y B Dy). pose proof (G c z C Dz). lia. }
     lia.
   Qed.
+
+  (** It lies in the octant of [e]. *)
+  Definition Towards (e v : Coord3) : Prop :=
+    (0 <= XOf e * XOf v /\ 0 <= YOf e * YOf v /\ 0 <= ZOf e * ZOf v) /\
+    (1 <= Z.abs (XOf v) /\ 1 <= Z.abs (YOf v) /\ 1 <= Z.abs (ZOf v)) /\
+    NoLonger v.
+
+  Ltac by_signs :=
+    lia || (repeat split;
+      (apply Z.mul_nonneg_nonneg; lia) || (apply Z.mul_nonpos_nonpos; lia)).
+
+  (** All coordinates of [e] have the signs of [d], or the opposite ones. *)
+  Lemma ForthTowards d e y y' : StepBetween d y y' ->
+    0 <= XOf (Offset d) * XOf e -> 0 <= YOf (Offset d) * YOf e ->
+    0 <= ZOf (Offset d) * ZOf e ->
+    exists v, y' = Translate y v /\ Towards e v.
+  Proof.
+    intros (v & <- & O & L) A B C. exists v. split; [reflexivity|].
+    unfold Towards. split; [|split; [|exact L]];
+      destruct d, v, e; cbn [Offset SameOctant XOf YOf ZOf] in *; by_signs.
+  Qed.
+
+  Lemma BackTowards d e y y' : StepBetween d y y' ->
+    XOf (Offset d) * XOf e <= 0 -> YOf (Offset d) * YOf e <= 0 ->
+    ZOf (Offset d) * ZOf e <= 0 ->
+    exists v, y = Translate y' v /\ Towards e v.
+  Proof.
+    intros (v & <- & O & L) A B C. exists (Scale (-1) v). split.
+    - destruct y, v. cbn [Translate Scale]. f_equal; ring.
+    - unfold Towards, NoLonger in *. split; [|split];
+        destruct d, v, e; cbn [Offset SameOctant XOf YOf ZOf Scale] in *; by_signs.
+  Qed.
+
+  Ltac found :=
+    match goal with
+    | |- ex _ => do 4 eexists; eexists; split; eassumption
+    | _ => cbn [Offset XOf YOf ZOf]; lia
+    end.
+
+  Lemma StepTowards e p q r s : exists p' q' r' s' v,
+    Rounded p' q' r' s' = Translate (Rounded p q r s) v /\ Towards e v.
+  Proof.
+    destruct (RoundedSteps p q r s) as (Fp & Fq & Fr & Fs).
+    destruct (RoundedSteps (p - 1) q r s) as (Bp & _).
+    destruct (RoundedSteps p (q - 1) r s) as (_ & Bq & _).
+    destruct (RoundedSteps p q (r - 1) s) as (_ & _ & Br & _).
+    destruct (RoundedSteps p q r (s - 1)) as (_ & _ & _ & Bs).
+    rewrite Z.sub_add in Bp, Bq, Br, Bs.
+    destruct (Z.le_ge_cases 0 (XOf e)), (Z.le_ge_cases 0 (YOf e)),
+      (Z.le_ge_cases 0 (ZOf e)).
+    - destruct (ForthTowards _ e _ _ Fp) as (v & E & T); found.
+    - destruct (BackTowards _ e _ _ Bs) as (v & E & T); found.
+    - destruct (BackTowards _ e _ _ Br) as (v & E & T); found.
+    - destruct (ForthTowards _ e _ _ Fq) as (v & E & T); found.
+    - destruct (BackTowards _ e _ _ Bq) as (v & E & T); found.
+    - destruct (ForthTowards _ e _ _ Fr) as (v & E & T); found.
+    - destruct (ForthTowards _ e _ _ Fs) as (v & E & T); found.
+    - destruct (BackTowards _ e _ _ Bp) as (v & E & T); found.
+  Qed.
+
+  Theorem Approach x : exists p q r s,
+    Near (2 * D * D) (Difference (Rounded p q r s) x).
+  Proof.
+    enough (A : forall k p q r s,
+      (Z.to_nat (SquareOf (Difference (Rounded p q r s) x)) < k)%nat ->
+      exists p q r s, Near (2 * D * D) (Difference (Rounded p q r s) x))
+      by (eapply (A _ 0 0 0 0); apply le_n).
+    induction k as [|k IH]; intros p q r s L; [inversion L|].
+    set (e := Difference (Rounded p q r s) x) in *.
+    destruct (Z.le_gt_cases (Z.abs (XOf e)) (2 * D * D)) as [Lx|Lx];
+      [destruct (Z.le_gt_cases (Z.abs (YOf e)) (2 * D * D)) as [Ly|Ly];
+        [destruct (Z.le_gt_cases (Z.abs (ZOf e)) (2 * D * D)) as [Lz|Lz]|]|].
+    1: exists p, q, r, s; split; auto.
+    all: destruct (StepTowards e p q r s)
+      as (p' & q' & r' & s' & v & E & (A & B & C) & (X & Y & Z) & T);
+      apply (IH p' q' r' s');
+      pose proof (StepShortens e v A B C X Y Z T) as S;
+      assert (S' : SquareOf (Difference v e) < SquareOf e)
+        by (apply S; unfold Near; lia);
+      replace (Difference (Rounded p' q' r' s') x) with (Difference v e)
+        by (rewrite E; unfold e; destruct (Rounded p q r s), v, x;
+            cbn [Difference Translate]; f_equal; ring);
+      assert (0 <= SquareOf (Difference v e))
+        by (unfold SquareOf; pose proof Z.square_nonneg as N;
+            pose proof (N (XOf (Difference v e)));
+            pose proof (N (YOf (Difference v e)));
+            pose proof (N (ZOf (Difference v e))); lia);
+      lia.
+  Qed.
 End Approach.
