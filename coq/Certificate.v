@@ -40,6 +40,7 @@ From Certet Require Angles.AngleTheorems Angles.LatticeProof.
 From Certet Require Angles.DegreesProof Angles.SharpnessProof.
 From Certet Require Embedding.WarpedLatticeProof Embedding.MeshEmbedsProof.
 From Certet Require Embedding.LatticeVolumeProof.
+From Certet Require Embedding.LatticeCoversProof.
 From Certet Require Embedding.MeshApartProof Embedding.FoldWitness.
 From Certet Require Embedding.WarpOrClampProof Embedding.RuledMeshProof.
 From Certet Require Embedding.RuledDegreesProof.
@@ -383,6 +384,20 @@ Proof.
   exact (fun place tid keeps => LatticeVolumeProof.KeptVolume place keeps tid).
 Qed.
 
+(** And they leave no gaps: every rational point, [x] over [m], is in one. *)
+Theorem WarpedLatticeCovers :
+  forall long short sign cut m x,
+    long <= 64 -> short <= 128 -> CutsOnEdges sign cut -> 0 < m ->
+    exists tid w, OfLattice tid /\ NonNegative w /\ 0 < Total w /\
+      Scale m (PointOf w
+        (MapTet (WarpedPlace (TH long short) sign cut) (LatticeTet tid)))
+      = Scale (Total w) x.
+Proof.
+  exact (fun long short sign cut m x l s =>
+    LatticeCoversProof.WarpedLatticeCovers (TH long short) sign cut m x
+      (conj l s)).
+Qed.
+
 (** The mesh embeds: any two of its tetrahedra meet exactly in the hull of the
     vertices they share.  A point that they have in common is a weighted mean of
     vertices of both, with the same weights seen from either side. *)
@@ -438,6 +453,16 @@ Theorem UncrossedKeepsShortEdges :
     MovesAtMost AngleThresholds warping -> Uncrossed warping ->
     KeepsShortEdges (fun v => WarpedPosition v (warping v)).
 Proof. exact WarpedLatticeProof.UncrossedMoves. Qed.
+
+(** so that the structured tetrahedra leave no gaps either, *)
+Theorem UncrossedLatticeCovers :
+  forall warping m x,
+    MovesAtMost AngleThresholds warping -> Uncrossed warping -> 0 < m ->
+    exists tid w, OfLattice tid /\ NonNegative w /\ 0 < Total w /\
+      Scale m (PointOf w
+        (MapTet (fun v => WarpedPosition v (warping v)) (LatticeTet tid)))
+      = Scale (Total w) x.
+Proof. exact LatticeCoversProof.UncrossedLatticeCovers. Qed.
 
 (** and then the mesh embeds: if ends of a short edge that move towards each other
     along parallel long edges move by less than half a long edge together. *)
