@@ -58,11 +58,11 @@ Section Approach.
   Definition NoLonger (v : Coord3) : Prop :=
     Z.abs (XOf v) <= D /\ Z.abs (YOf v) <= D /\ Z.abs (ZOf v) <= D.
 
-  Hypothesis Short_ : forall v d, DirectionKind d = Short ->
+  Hypothesis Bounded : forall v d, DirectionKind d = Short ->
     NoLonger (Difference (place v) (place (Translate v (Offset d)))).
 
   Variable n : nat.
-  Hypothesis Some : (0 < n)%nat.
+  Hypothesis SomeParts : (0 < n)%nat.
 
   Definition Rounded (p q r s : Z) : Coord3 :=
     let at_ f := Mix n (fun p q r s => f (place (ToPoint p q r s))) p q r s in
@@ -89,26 +89,26 @@ Section Approach.
         (Rounded (fst (fst (fst y))) (snd (fst (fst y))) (snd (fst y)) (snd y))).
     { intros d a b c e a' b' c' e' y K T M.
       exists (Difference (place (ToPoint a b c e)) (place (ToPoint a' b' c' e'))).
-      split; [|rewrite T; split; [apply Keeps|apply Short_]; exact K].
+      split; [|rewrite T; split; [apply Keeps|apply Bounded]; exact K].
       unfold Rounded. cbv zeta.
       rewrite (M (fun v => XOf (place v))), (M (fun v => YOf (place v))),
         (M (fun v => ZOf (place v))).
       destruct (place (ToPoint a b c e)), (place (ToPoint a' b' c' e')).
       cbn [Difference Translate XOf YOf ZOf]. reflexivity. }
     split; [|split; [|split]].
-    - destruct (MixStep n p q r s Some) as (a & b & c & e & M).
+    - destruct (MixStep n p q r s SomeParts) as (a & b & c & e & M).
       apply (G Dir_ppp a b c e (a + 1) b c e (p + 1, q, r, s)); [reflexivity| |].
       + apply ToPointNext.
       + intros g. exact (M (fun p q r s => g (ToPoint p q r s))).
-    - destruct (MixStep n q p r s Some) as (b & a & c & e & M).
+    - destruct (MixStep n q p r s SomeParts) as (b & a & c & e & M).
       apply (G Dir_pmm a b c e a (b + 1) c e (p, q + 1, r, s)); [reflexivity| |].
       + apply ToPointNext.
       + intros g. exact (M (fun q p r s => g (ToPoint p q r s))).
-    - destruct (MixStep n r p q s Some) as (c & a & b & e & M).
+    - destruct (MixStep n r p q s SomeParts) as (c & a & b & e & M).
       apply (G Dir_mpm a b c e a b (c + 1) e (p, q, r + 1, s)); [reflexivity| |].
       + apply ToPointNext.
       + intros g. exact (M (fun r p q s => g (ToPoint p q r s))).
-    - destruct (MixStep n s p q r Some) as (e & a & b & c & M).
+    - destruct (MixStep n s p q r SomeParts) as (e & a & b & c & M).
       apply (G Dir_mmp a b c e a b c (e + 1) (p, q, r, s + 1)); [reflexivity| |].
       + apply ToPointNext.
       + intros g. exact (M (fun s p q r => g (ToPoint p q r s))).

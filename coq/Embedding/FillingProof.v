@@ -93,67 +93,42 @@ Proof.
     repeat split; try assumption; intros; ring.
 Qed.
 
+(** The remainders sorted as [x], [y], [z], along the chain [C] in the order of
+    [T]. *)
+Ltac sorted n M C T x y z :=
+  let tid := fresh "tid" in let w := fresh "w" in let E := fresh "E" in
+  destruct (ChainWeights _ _ _ _ (Z.of_nat n - x) (x - y) (y - z) z C)
+    as (tid & w & ? & ? & ? & E); try lia;
+  exists tid, w; split; [assumption|]; split; [assumption|]; split; [lia|];
+  intros g; rewrite E, M; symmetry;
+  apply (SortedMix n (fun i j k l => g (T i j k l))); lia.
+
 Theorem MixWeighs (n : nat) p q r s : (0 < n)%nat ->
   exists tid w, OfLattice tid /\ NonNegative w /\ Total w = Z.of_nat n /\
     forall g : Coord3 -> Z, Weigh g w (LatticeTet tid)
       = Mix n (fun p q r s => g (ToPoint p q r s)) p q r s.
 Proof.
-  intros P. set (N := Z.of_nat n).
-  set (c := p mod N).
-  assert (E : forall g : Coord3 -> Z, exists m,
-    Mix n (fun p q r s => g (ToPoint p q r s)) p q r s
-    = Mix n (fun p q r s => g (ToPoint p q r s)) (N * m) (q - c) (r - c) (s - c)).
-  { intros g. exists (p / N).
-    rewrite <- (MixTurns n _ (- c) p q r s); [|intros i j k l; f_equal; apply ToPointTurns].
-    f_equal. unfold c. pose proof (Z.div_mod p N ltac:(unfold N; lia)). lia. }
-  assert (M : forall g : Coord3 -> Z,
-    Mix n (fun p q r s => g (ToPoint p q r s)) p q r s
-    = Mix n (fun p q r s => g (ToPoint p q r s)) (N * (p / N)) (q - c) (r - c) (s - c)).
-  { intros g.
-    rewrite <- (MixTurns n _ (- c) p q r s); [|intros i j k l; f_equal; apply ToPointTurns].
-    f_equal. unfold c. pose proof (Z.div_mod p N ltac:(unfold N; lia)). lia. }
-  clear E.
+  intros P. set (N := Z.of_nat n). set (c := p mod N).
   assert (R : forall y, exists m a, y = N * m + a /\ 0 <= a < N).
   { intros y. exists (y / N), (y mod N).
     split; [apply Z.div_mod; unfold N; lia|apply Z.mod_pos_bound; unfold N; lia]. }
+  (* Turned so that the first count is whole. *)
+  assert (M : forall g : Coord3 -> Z,
+    Mix n (fun p q r s => g (ToPoint p q r s)) p q r s
+    = Mix n (fun p q r s => g (ToPoint p q r s)) (N * (p / N)) (q - c) (r - c) (s - c)).
+  { intros g. rewrite <- (MixTurns n _ (- c) p q r s);
+      [|intros i j k l; f_equal; apply ToPointTurns].
+    f_equal. unfold c. pose proof (Z.div_mod p N ltac:(unfold N; lia)). lia. }
   destruct (R (q - c)) as (mq & a & Eq & A).
   destruct (R (r - c)) as (mr & b & Er & B).
   destruct (R (s - c)) as (ms & d & Es & D).
   rewrite Eq, Er, Es in M. clear Eq Er Es R.
-  set (mp := p / N) in *.
-  destruct (ChainsIn mp mq mr ms) as (C1 & C2 & C3' & C4 & C5 & C6).
-  assert (S : forall i j k, (i <= j -> j <= k -> True)%Z) by auto. clear S.
-  destruct (Z.le_gt_cases a b) as [AB|AB], (Z.le_gt_cases b d) as [BD|BD],
-    (Z.le_gt_cases a d) as [AD|AD]; try lia.
-  - (* s r q *)
-    destruct (ChainWeights _ _ _ _ (N - d) (d - b) (b - a) a C6)
-      as (tid & w & E & W & T & H); try lia.
-    exists tid, w. split; [exact E|]. split; [exact W|]. split; [lia|].
-    intros g. rewrite H, M. symmetry.
-    apply (SortedMix n (fun s r q p => g (ToPoint p q r s))); lia.
-  - destruct (ChainWeights _ _ _ _ (N - b) (b - d) (d - a) a C4)
-      as (tid & w & E & W & T & H); try lia.
-    exists tid, w. split; [exact E|]. split; [exact W|]. split; [lia|].
-    intros g. rewrite H, M. symmetry.
-    apply (SortedMix n (fun r s q p => g (ToPoint p q r s))); lia.
-  - destruct (ChainWeights _ _ _ _ (N - b) (b - a) (a - d) d C3')
-      as (tid & w & E & W & T & H); try lia.
-    exists tid, w. split; [exact E|]. split; [exact W|]. split; [lia|].
-    intros g. rewrite H, M. symmetry.
-    apply (SortedMix n (fun r q s p => g (ToPoint p q r s))); lia.
-  - destruct (ChainWeights _ _ _ _ (N - d) (d - a) (a - b) b C5)
-      as (tid & w & E & W & T & H); try lia.
-    exists tid, w. split; [exact E|]. split; [exact W|]. split; [lia|].
-    intros g. rewrite H, M. symmetry.
-    apply (SortedMix n (fun s q r p => g (ToPoint p q r s))); lia.
-  - destruct (ChainWeights _ _ _ _ (N - a) (a - d) (d - b) b C2)
-      as (tid & w & E & W & T & H); try lia.
-    exists tid, w. split; [exact E|]. split; [exact W|]. split; [lia|].
-    intros g. rewrite H, M. symmetry.
-    apply (SortedMix n (fun q s r p => g (ToPoint p q r s))); lia.
-  - destruct (ChainWeights _ _ _ _ (N - a) (a - b) (b - d) d C1)
-      as (tid & w & E & W & T & H); try lia.
-    exists tid, w. split; [exact E|]. split; [exact W|]. split; [lia|].
-    intros g. rewrite H, M. symmetry.
-    apply (SortedMix n (fun q r s p => g (ToPoint p q r s))); lia.
+  destruct (ChainsIn (p / N) mq mr ms) as (Qrs & Qsr & Rqs & Rsq & Sqr & Srq).
+  destruct (Z.le_gt_cases a b), (Z.le_gt_cases b d), (Z.le_gt_cases a d); try lia.
+  - sorted n M Srq (fun s r q p => ToPoint p q r s) d b a.
+  - sorted n M Rsq (fun r s q p => ToPoint p q r s) b d a.
+  - sorted n M Rqs (fun r q s p => ToPoint p q r s) b a d.
+  - sorted n M Sqr (fun s q r p => ToPoint p q r s) d a b.
+  - sorted n M Qsr (fun q s r p => ToPoint p q r s) a d b.
+  - sorted n M Qrs (fun q r s p => ToPoint p q r s) a b d.
 Qed.
