@@ -87,6 +87,9 @@ Proof.
     destruct I as [I J]. rewrite (E e I), (E f J). reflexivity.
 Qed.
 
+(** Checking a proof needs their names, never what they are. *)
+Local Strategy 1000 [Ring Flood GoodRing NextInLink ForAllBools].
+
 Lemma GoodRingRuns a now d : GoodRing now d = true ->
   (exists e, NextInLink d e = true /\ IsInner now e = false) /\
   forall x y, InPart a (RingPart (IsInner now) d) x ->
@@ -128,4 +131,159 @@ Proof.
     apply (FloodJoined a (RingPart inner d) e 5 [e]); [|exact Ig].
     intros h [<-|[]]. constructor. exists e. split; [reflexivity|].
     unfold RingPart. rewrite Ne, (B e Ie), E. reflexivity.
+Qed.
+
+(** ** Turn by turn *)
+
+Lemma OneRunTurned plus a b : OneRun plus a b -> OneRun plus b a.
+Proof.
+  intros [(x & A & B & N) J]. split; [exists x; auto|].
+  intros u v Bu Au U Bv Av W.
+  apply (JoinedWider (fun z => plus z /\ Adjacent a z /\ Adjacent b z)); [tauto|auto].
+Qed.
+
+Section Rule.
+  Variables (th : Thresholds) (sign : SignField) (cut : CutField).
+  Variable turn : Coord3 -> nat.
+  Hypothesis Decided : forall v, sign v <> OnSurface.
+  Hypothesis Turns : forall v d, let u := Translate v (Offset d) in
+    Violated th sign cut v = true -> Violated th sign cut u = true ->
+    turn v <> turn u.
+
+  Notation settled := (Settled th sign cut turn).
+  Notation now := (SignNow th sign cut turn).
+  Let plus n v := now n v = Plus.
+
+  Lemma PlusBackwards n v : plus (S n) v -> plus n v.
+  Proof.
+    unfold plus. intros P. apply NowPlus in P. apply NowPlus.
+    destruct P as [P Q]. split; [|exact Q]. destruct (settled n v) eqn:E; [|reflexivity].
+    rewrite (SettledStays th sign cut turn n v E) in P. discriminate P.
+  Qed.
+
+  (** Next to one that becomes 0 nobody else changes. *)
+  Lemma PlusKept n v x : settled (S n) v = true -> settled n v = false ->
+    Adjacent v x -> plus n x -> plus (S n) x.
+  Proof.
+    unfold plus. intros V V' A P. apply NowPlus in P. apply NowPlus.
+    destruct P as [P Q]. split; [|exact Q].
+    destruct (settled (S n) x) eqn:E; [|reflexivity].
+    destruct (NotAdjacent th sign cut turn Turns n v x V V' E P A).
+  Qed.
+
+  (** When [a] becomes 0. *)
+  Lemma RunFromLink n a b : settled (S n) a = true -> settled n a = false ->
+    Adjacent a b -> now n b = OnSurface -> OneRun (plus (S n)) a b.
+  Proof.
+    intros A A' [d ->] B.
+    destruct (SettledMeans th sign cut turn n a A A') as (_ & _ & D).
+    unfold StrictDisk in D. apply andb_prop in D. destruct D as [_ D].
+    rewrite forallb_forall in D. specialize (D d (InAllDirections d)).
+    unfold IsZero in D at 1. rewrite B in D. cbn [negb orb] in D.
+    apply andb_prop in D. destruct D as [D _].
+    destruct (GoodRingRuns a _ d D) as [(e & N & I) J].
+    set (part := RingPart (IsInner (fun d => now n (Translate a (Offset d)))) d) in *.
+    assert (E : forall x, InPart a part x <->
+      plus n x /\ Adjacent a x /\ Adjacent (Translate a (Offset d)) x).
+    { intros x. unfold InPart, part, RingPart, IsInner, plus. split.
+      - intros (f & -> & F). apply andb_prop in F. destruct F as [F G].
+        split; [destruct (now n (Translate a (Offset f))); congruence|].
+        split; [exists f; reflexivity|apply NextInLinkMeans, F].
+      - intros (P & [f ->] & Q). exists f. split; [reflexivity|].
+        rewrite P, (proj2 (NextInLinkMeans a d f) Q). reflexivity. }
+    split.
+    - exists (Translate a (Offset e)). split; [exists e; reflexivity|].
+      split; [apply NextInLinkMeans, N|]. intros P. apply PlusBackwards in P.
+      unfold IsInner in I. unfold plus in P. rewrite P in I. discriminate I.
+    - intros x y Ax Bx Px Ay By Py.
+      apply (JoinedWider (InPart a part)).
+      + intros z Z. apply E in Z. destruct Z as (P & Q & R).
+        split; [exact (PlusKept n a z A A' Q P)|auto].
+      + apply J; apply E; auto using PlusBackwards.
+  Qed.
+
+  (** Who leaves a ring stands at the end of its run. *)
+  Lemma LeavesAtEnd n a b v u w :
+    settled (S n) v = true -> settled n v = false ->
+    now n a = OnSurface -> now n b = OnSurface -> Adjacent a b ->
+    Adjacent a v -> Adjacent b v -> Adjacent v u -> Adjacent v w ->
+    Adjacent a u -> Adjacent b u -> plus n u ->
+    Adjacent a w -> Adjacent b w -> plus n w -> u = w.
+  Proof.
+    intros V V' A B Ab Av Bv Vu Vw Au Bu U Aw Bw W.
+    destruct (SettledMeans th sign cut turn n v V V') as (_ & _ & D).
+    apply (SeenFrom th sign cut turn n v a b u w); auto using AdjacentMutual.
+  Qed.
+
+  Lemma OneRunEver n a b : Adjacent a b ->
+    now n a = OnSurface -> now n b = OnSurface -> OneRun (plus n) a b.
+  Proof.
+    revert a b. induction n as [|n IH]; intros a b Ab A B.
+    { apply (NowZero th sign cut turn Decided) in A. discriminate A. }
+    apply (NowZero th sign cut turn Decided) in A, B.
+    assert (Z : forall x, settled n x = true -> now n x = OnSurface)
+      by (intros; apply (NowZero th sign cut turn Decided); assumption).
+    destruct (settled n a) eqn:A'.
+    2: { destruct (settled n b) eqn:B'.
+         - apply RunFromLink; auto.
+         - destruct (NotAdjacent th sign cut turn Turns n a b A A' B B' Ab). }
+    destruct (settled n b) eqn:B'.
+    2: { apply OneRunTurned, RunFromLink; auto using AdjacentMutual. }
+    destruct (IH a b Ab (Z a A') (Z b B')) as [(x & Ax & Bx & N) J].
+    split; [exists x; split; [exact Ax|split; [exact Bx|]];
+            intros P; exact (N (PlusBackwards n x P))|].
+    set (ring := fun k z => plus k z /\ Adjacent a z /\ Adjacent b z) in *.
+    assert (Kept : forall x y, Joined (ring n) Adjacent x y -> ring (S n) x ->
+      (ring (S n) y -> Joined (ring (S n)) Adjacent x y) /\
+      (~ plus (S n) y -> forall z, Adjacent y z -> ring (S n) z ->
+         Joined (ring (S n)) Adjacent x z)).
+    { clear x Ax Bx N J. intros x y J X.
+      induction J as [x I|x u w J IHJ S I].
+      - split; [intros _; constructor; exact X|]. intros Q. destruct X. contradiction.
+      - destruct (IHJ X) as [Stay Gone].
+        pose proof (JoinedInside _ _ _ _ _ J) as [_ U].
+        assert (Leaving : forall v, ring n v -> ~ plus (Datatypes.S n) v ->
+          settled (Datatypes.S n) v = true /\ settled n v = false).
+        { intros v (P & _) Q. unfold plus in P, Q. rewrite NowPlus in P, Q.
+          destruct (settled (Datatypes.S n) v); tauto. }
+        assert (Decide : {plus (Datatypes.S n) u} + {~ plus (Datatypes.S n) u})
+          by (unfold plus; destruct (now (Datatypes.S n) u); [left|right|right]; congruence).
+        destruct Decide as [Pu|Pu].
+        + assert (Ru : ring (Datatypes.S n) u) by (destruct U; split; tauto).
+          split.
+          * intros W. exact (Joined_step _ _ x u w (Stay Ru) S W).
+          * intros Q z Wz Rz. destruct (Leaving w I Q) as [L L'].
+            replace z with u; [exact (Stay Ru)|].
+            destruct I as (_ & Aw & Bw), U as (Un & Au & Bu), Rz as (Pz & Az & Bz).
+            apply (LeavesAtEnd n a b w u z L L' (Z a A') (Z b B') Ab);
+              auto using AdjacentMutual, PlusBackwards.
+        + split.
+          * intros W. exact (Gone Pu w S W).
+          * intros Q. destruct (Leaving u U Pu) as [L L'], (Leaving w I Q) as [M M'].
+            destruct (NotAdjacent th sign cut turn Turns n u w L L' M M' S). }
+    intros y z Ay By Py Az Bz Pz.
+    assert (Y : ring (S n) y) by (split; auto).
+    apply (proj1 (Kept y z (J y z Ay By (PlusBackwards n y Py) Az Bz
+      (PlusBackwards n z Pz)) Y)). split; auto.
+  Qed.
+End Rule.
+
+(** Around every edge of the lattice with both ends on the surface. *)
+Theorem DiskOneRun th sign cut limit a b :
+  let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+  (forall v, sign v <> OnSurface) -> Adjacent a b ->
+  PlacedSign sign warping (Corner a) = OnSurface ->
+  PlacedSign sign warping (Corner b) = OnSurface ->
+  OneRun (PlusAfter sign warping) a b.
+Proof.
+  intros warping D Ab A B. unfold warping, PlusAfter in *.
+  unfold DiskRule in *. rewrite AfterDisk in A, B.
+  pose proof (OneRunEver th sign cut (Turn th sign cut) D
+    (TurnsDiffer th sign cut) DiskRule.Turns a b Ab A B) as [(x & Ax & Bx & N) J].
+  split.
+  - exists x. rewrite AfterDisk. auto.
+  - intros y z Ay By Py Az Bz Pz. rewrite AfterDisk in Py, Pz.
+    apply (JoinedWider (fun z => SignNow th sign cut (Turn th sign cut) DiskRule.Turns z
+      = Plus /\ Adjacent a z /\ Adjacent b z)); [|auto].
+    intros u. rewrite AfterDisk. tauto.
 Qed.
