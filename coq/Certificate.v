@@ -45,7 +45,6 @@ From Certet Require Embedding.MeshApartProof Embedding.FoldWitness.
 From Certet Require Embedding.WarpOrClampProof Embedding.RuledMeshProof.
 From Certet Require Embedding.RuledDegreesProof.
 From Certet Require Embedding.PiecesProof Embedding.DiskPiecesProof.
-From Certet Require Embedding.RunsProof.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
@@ -622,18 +621,6 @@ Theorem DiskMakesNoCavity :
     exists q, ~ PlusBefore sign q /\
       Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q.
 Proof. exact DiskPiecesProof.DiskMakesNoCavity. Qed.
-
-(** Around every edge of the lattice with both ends on the surface the + is one
-    run, or none, and never all there is: the surface does not touch itself
-    there. *)
-Theorem DiskOneRun :
-  forall th sign cut limit a b,
-    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
-    (forall v, sign v <> OnSurface) -> Adjacent a b ->
-    PlacedSign sign warping (Corner a) = OnSurface ->
-    PlacedSign sign warping (Corner b) = OnSurface ->
-    OneRun (PlusAfter sign warping) a b.
-Proof. exact RunsProof.DiskOneRun. Qed.
 
 (** All at once, of one mesh: who stays by the strict disk, who moves stops at a
     quarter where it would cross another, cuts are kept alpha away from the ends.

@@ -45,14 +45,6 @@ Inductive AllLeave {V : Type} (next : V -> V -> Prop)
 Definition Adjacent (u v : Coord3) : Prop :=
   exists d, v = Translate u (Offset d).
 
-(** Of the points next to both [a] and [b] not all are [plus], and those that are
-    are in one piece. *)
-Definition OneRun (plus : Coord3 -> Prop) (a b : Coord3) : Prop :=
-  (exists x, Adjacent a x /\ Adjacent b x /\ ~ plus x) /\
-  forall x y, Adjacent a x -> Adjacent b x -> plus x ->
-    Adjacent a y -> Adjacent b y -> plus y ->
-    Joined (fun z => plus z /\ Adjacent a z /\ Adjacent b z) Adjacent x y.
-
 Definition ShareFace (t u : UnstructuredTet MeshVertex) : Prop :=
   exists a b c, HasTriangle t a b c /\ HasTriangle u a b c.
 
