@@ -17,6 +17,9 @@ From Certet Require Export Lattice.StructuredTet Stencil.UnstructuredTet.
 From Certet Require Export Warp.Cut Warp.Warp.
 From Certet Require Export Stuffing.Stuffing Stuffing.Domain.
 
+(** What no program runs yet: a warp with a rule of who stays. *)
+From Certet Require Export Embedding.WarpOrClamp Embedding.DiskRule.
+
 (** What is meant. *)
 From Certet Require Export Lattice.StructuredTetSpec Lattice.NeighborSpec.
 From Certet Require Export Stencil.CompatibilitySpec.
@@ -24,6 +27,7 @@ From Certet Require Export Stencil.StencilSet Stencil.OtherStencils.
 From Certet Require Export Stencil.TriangleSpec Stuffing.MeshSpec.
 From Certet Require Export Warp.WarpSpec.
 From Certet Require Export Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
+From Certet Require Export Embedding.EmbeddingSpec Embedding.PiecesSpec.
 From Certet Require Export Range.RangeSpec.
 
 (** Why it holds. *)
@@ -41,6 +45,13 @@ From Certet Require Angles.ApexProof.
 From Certet Require Angles.AngleTheorems Angles.LatticeProof.
 From Certet Require Angles.DegreesProof Angles.SharpnessProof.
 From Certet Require Angles.DomainProof Angles.DomainDegreesProof.
+From Certet Require Embedding.WarpedLatticeProof Embedding.MeshEmbedsProof.
+From Certet Require Embedding.LatticeVolumeProof.
+From Certet Require Embedding.LatticeCoversProof.
+From Certet Require Embedding.MeshApartProof Embedding.FoldWitness.
+From Certet Require Embedding.WarpOrClampProof Embedding.RuledMeshProof.
+From Certet Require Embedding.RuledDegreesProof.
+From Certet Require Embedding.PiecesProof Embedding.DiskPiecesProof.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
@@ -553,6 +564,287 @@ Theorem ConfigurationsCounted :
   AngleTheorems.CountConfigurations = 14717 /\
   AngleTheorems.CountAngles = 89430.
 Proof. exact AngleTheorems.ConfigurationsCounted. Qed.
+
+(** ** Beyond the paper: the whole mesh
+
+    Read [Embedding/EmbeddingSpec.v] (points of tetrahedra by integer weights,
+    and what it means that two of them meet in what they share) and
+    [Embedding/WarpOrClamp.v] (the warp with a rule of who stays). *)
+
+(** Wherever the lattice points are put, if no short edge is turned over along
+    any axis, the structured tetrahedra meet in the vertices they share; and
+    alpha at most 1/4 of a long edge and 1/2 of a short one turns none over. *)
+Theorem WarpedLatticeEmbeds :
+  forall long short sign cut tid tid',
+    long <= 64 -> short <= 128 -> CutsOnEdges sign cut ->
+    InLattice tid -> InLattice tid' ->
+    MeetInSharedVertices (WarpedPlace (TH long short) sign cut)
+      (LatticeTet tid) (LatticeTet tid').
+Proof. exact WarpedLatticeProof.WarpedLatticeEmbeds. Qed.
+
+(** Nor is any of them turned over, kept or dropped. *)
+Theorem KeptVolume :
+  forall place tid, KeepsShortEdges place -> KeepsHand place tid.
+Proof. exact LatticeVolumeProof.KeptVolume. Qed.
+
+(** And they leave no gaps: every rational point, [x] over [m], is in one. *)
+Theorem WarpedLatticeCovers :
+  forall long short sign cut m x,
+    long <= 64 -> short <= 128 -> CutsOnEdges sign cut -> 0 < m ->
+    exists tid w, InLattice tid /\ NonNegative w /\ 0 < Total w /\
+      Scale m (PointOf w
+        (MapTet (WarpedPlace (TH long short) sign cut) (LatticeTet tid)))
+      = Scale (Total w) x.
+Proof. exact LatticeCoversProof.WarpedLatticeCovers. Qed.
+
+(** The mesh embeds: any two of its tetrahedra meet exactly in the hull of the
+    vertices they share.  A point that they have in common is a weighted mean of
+    vertices of both, with the same weights seen from either side. *)
+Theorem MeshEmbeds :
+  forall long short sign cut tid tid' t t',
+    0 < long <= 64 -> 0 < short <= 128 -> CutsOnEdges sign cut ->
+    InLattice tid -> InLattice tid' ->
+    In t (StuffTet (TH long short) sign cut tid) ->
+    In t' (StuffTet (TH long short) sign cut tid') ->
+    forall w w', NonNegative w -> NonNegative w' -> Total w = Total w' ->
+      PointOf w (MapTet (MeshPosition (TH long short) sign cut) t)
+      = PointOf w' (MapTet (MeshPosition (TH long short) sign cut) t') ->
+      forall g : MeshVertex -> Z, Weigh g w t = Weigh g w' t'.
+Proof. exact MeshEmbedsProof.MeshEmbeds. Qed.
+
+(** No point is inside two of them. *)
+Theorem InteriorsApart :
+  forall long short sign cut tid tid' t t',
+    0 < long <= 64 -> 0 < short <= 128 -> CutsOnEdges sign cut ->
+    InLattice tid -> InLattice tid' ->
+    In t (StuffTet (TH long short) sign cut tid) ->
+    In t' (StuffTet (TH long short) sign cut tid') ->
+    Overlap (MapTet (MeshPosition (TH long short) sign cut) t)
+            (MapTet (MeshPosition (TH long short) sign cut) t') ->
+    tid = tid' /\ t = t'.
+Proof. exact MeshApartProof.InteriorsApart. Qed.
+
+(** The same mesh of a domain that is in or out, cut in the middle of its
+    edges. *)
+Theorem MidpointMeshEmbeds :
+  forall sign tid tid' t t',
+    let decided v := InOrOut (sign v) in
+    let cut (_ _ : Coord3) := MidpointCut in
+    InLattice tid -> InLattice tid' ->
+    In t (StuffTet NoWarpThresholds decided cut tid) ->
+    In t' (StuffTet NoWarpThresholds decided cut tid') ->
+    MeetInSharedVertices (MeshPosition NoWarpThresholds decided cut) t t'.
+Proof. exact MeshEmbedsProof.MidpointMeshEmbeds. Qed.
+
+(** At 73/256 of a long edge there are domains of which two kept tetrahedra
+    overlap, *)
+Theorem AngleThresholdsFold : SomeMeshFolds AngleThresholds.
+Proof. exact FoldWitness.AngleThresholdsFold. Qed.
+
+(** and at 65/256 already: 64 is sharp for the paper's warp. *)
+Theorem SixtyFiveFolds : SomeMeshFolds (TH 65 105).
+Proof. exact FoldWitness.SixtyFiveFolds. Qed.
+
+(** Moves of at most 73/256 and 102/256 keep the short edges if they cross
+    none, *)
+Theorem UncrossedKeepsShortEdges :
+  forall warping,
+    MovesAtMost AngleThresholds warping -> Uncrossed warping ->
+    KeepsShortEdges (fun v => WarpedPosition v (warping v)).
+Proof. exact WarpedLatticeProof.UncrossedMoves. Qed.
+
+(** so that the structured tetrahedra leave no gaps either, *)
+Theorem UncrossedLatticeCovers :
+  forall warping m x,
+    MovesAtMost AngleThresholds warping -> Uncrossed warping -> 0 < m ->
+    exists tid w, InLattice tid /\ NonNegative w /\ 0 < Total w /\
+      Scale m (PointOf w
+        (MapTet (fun v => WarpedPosition v (warping v)) (LatticeTet tid)))
+      = Scale (Total w) x.
+Proof. exact LatticeCoversProof.UncrossedLatticeCovers. Qed.
+
+(** and then the mesh embeds: if ends of a short edge that move towards each other
+    along parallel long edges move by less than half a long edge together. *)
+Theorem PlacedEmbeds :
+  forall before warping cut tid tid' t t',
+    MovesAtMost AngleThresholds warping -> Uncrossed warping ->
+    CutsInside before warping cut -> InLattice tid -> InLattice tid' ->
+    In t (PlacedNames before warping tid) ->
+    In t' (PlacedNames before warping tid') ->
+    MeetInSharedVertices (PlacedPosition warping cut) t t'.
+Proof. exact MeshEmbedsProof.PlacedEmbeds. Qed.
+
+(** ** Beyond the paper: any violated vertex may stay
+
+    [stays] and [limit] are whatever a rule makes of the domain. *)
+
+(** Whoever stays, and however the moves of the others are shortened: what is
+    left is admissible when cuts are kept alpha away from the ends, *)
+Theorem AnySubsetStays :
+  forall th sign cut stays limit tid,
+    AtMostHalf th -> CutsOnEdges sign cut ->
+    Admissible sign (RuledWarping th sign cut stays limit)
+      (ClampedCut th cut) th (Corners tid).
+Proof. exact WarpOrClampProof.AnySubsetStays. Qed.
+
+(** so that every tetrahedron has positive volume and dihedral angles between
+    10.77 and 164.76 degrees, as integers tell it *)
+Theorem RuledBounds :
+  forall sign cut stays limit, CutsOnEdges sign cut ->
+    forall tid t,
+      In t (WarpOrClamp AngleThresholds sign cut stays limit tid) ->
+      WellShaped (AB (CotSq 221 8) (CotSq 1751 130)) t.
+Proof. exact RuledMeshProof.RuledWidest. Qed.
+
+(** and in degrees. *)
+Theorem RuledBoundsInDegrees :
+  forall sign cut stays limit tid t, CutsOnEdges sign cut ->
+    In t (WarpOrClamp AngleThresholds sign cut stays limit tid) ->
+    WithinDegrees (1077 / 100) (16476 / 100) t.
+Proof. exact RuledDegreesProof.RuledBounds. Qed.
+
+(** The paper's rule is the one by which nobody stays. *)
+Theorem NobodyStays :
+  forall th sign cut tid,
+    AtMostHalf th -> CutsOnEdges sign cut -> InLattice tid ->
+    WarpOrClamp th sign cut (fun _ => false) (fun _ => Steps) tid
+    = StuffedTets th sign cut tid.
+Proof. exact WarpOrClampProof.NobodyStays. Qed.
+
+(** A rule that crosses no short edge gives a mesh that embeds. *)
+Theorem RuledMeshEmbeds :
+  forall sign cut stays limit, CutsOnEdges sign cut ->
+    forall tid tid' t t',
+      let warping := RuledWarping AngleThresholds sign cut stays limit in
+      Uncrossed warping -> InLattice tid -> InLattice tid' ->
+      In t (PlacedNames sign warping tid) ->
+      In t' (PlacedNames sign warping tid') ->
+      MeetInSharedVertices
+        (PlacedPosition warping (ClampedCut AngleThresholds cut)) t t'.
+Proof. exact RuledMeshProof.RuledMeshEmbeds. Qed.
+
+(** If it lets ends come level, which makes flat walls flat, still no point is
+    inside two tetrahedra. *)
+Theorem RuledInteriorsApart :
+  forall sign cut stays limit, CutsOnEdges sign cut ->
+    forall tid tid' t t',
+      let warping := RuledWarping AngleThresholds sign cut stays limit in
+      let place := PlacedPosition warping (ClampedCut AngleThresholds cut) in
+      UncrossedOrLevel warping -> InLattice tid -> InLattice tid' ->
+      In t (PlacedNames sign warping tid) ->
+      In t' (PlacedNames sign warping tid') ->
+      Overlap (MapTet place t) (MapTet place t') -> tid = tid' /\ t = t'.
+Proof. exact RuledMeshProof.RuledInteriorsApart. Qed.
+
+(** There are such rules, whoever stays: of two vertices that would cross or come
+    level each stops a step short of a quarter of its edge, *)
+Theorem BeforeQuarterUncrossed :
+  forall th sign cut stays, CutsOnEdges sign cut ->
+    Uncrossed (RuledWarping th sign cut stays
+      (StopIfCrossed th sign cut (Quarter - 1))).
+Proof. exact RuledMeshProof.BeforeQuarterUncrossed. Qed.
+
+(** or right there. *)
+Theorem AtQuarterUncrossedOrLevel :
+  forall th sign cut stays, CutsOnEdges sign cut ->
+    UncrossedOrLevel (RuledWarping th sign cut stays
+      (StopIfCrossed th sign cut Quarter)).
+Proof. exact RuledMeshProof.AtQuarterUncrossedOrLevel. Qed.
+
+(** ** Beyond the paper: no piece is lost, cut or joined to another
+
+    Read [Embedding/PiecesSpec.v] (pieces, and how a vertex leaves one) and
+    [Embedding/DiskRule.v] (the rule of the strict disk).  A mesh that has
+    angles, embeds and keeps its pieces is that of [WarpOrClamp] with who stays
+    by [DiskRule] and the limit [StopIfCrossed]. *)
+
+(** Whatever the warp: if no face of the lattice with all its corners on the
+    surface has + on both sides, two tetrahedra of the mesh are joined by faces
+    just as + corners of their structured tetrahedra are joined by edges. *)
+Theorem MeshPieces :
+  forall before warping p q t u,
+    NoWall before warping ->
+    PlusAfter before warping p -> PlusAfter before warping q ->
+    MadeAt before warping p t -> MadeAt before warping q u ->
+    Joined (InMesh before warping) ShareFace t u <->
+    Joined (PlusAfter before warping) Adjacent p q.
+Proof. exact PiecesProof.MeshPieces. Qed.
+
+(** The warp of the strict disk makes no such face, *)
+Theorem DiskMakesNoWall :
+  forall th sign cut limit, (forall v, sign v <> OnSurface) ->
+    NoWall sign (RuledWarping th sign cut (DiskRule th sign cut) limit).
+Proof. exact DiskPiecesProof.DiskMakesNoWall. Qed.
+
+(** and of a domain with finitely many + samples it keeps the pieces: those of
+    the mesh by faces are those of the samples by edges, *)
+Theorem DiskPiecesKept :
+  forall th sign cut limit all p q t u,
+    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+    (forall v, sign v <> OnSurface) -> (forall v, sign v = Plus -> In v all) ->
+    PlusAfter sign warping p -> PlusAfter sign warping q ->
+    MadeAt sign warping p t -> MadeAt sign warping q u ->
+    Joined (InMesh sign warping) ShareFace t u <->
+    Joined (PlusBefore sign) Adjacent p q.
+Proof. exact DiskPiecesProof.DiskPiecesKept. Qed.
+
+(** none is lost, *)
+Theorem DiskNoPieceLost :
+  forall th sign cut limit all p,
+    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+    (forall v, sign v = Plus -> In v all) ->
+    PlusBefore sign p -> (exists tid, InLattice tid /\ In p (Corners tid)) ->
+    exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
+      Joined (PlusBefore sign) Adjacent p q.
+Proof. exact DiskPiecesProof.DiskNoPieceLost. Qed.
+
+(** and the outside, with the surface, keeps its pieces too: none is joined to
+    another, *)
+Theorem DiskOutsideKept :
+  forall th sign cut limit all p q,
+    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+    (forall v, sign v = Plus -> In v all) ->
+    ~ PlusBefore sign p -> ~ PlusBefore sign q ->
+    Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q <->
+    Joined (fun v => ~ PlusBefore sign v) Adjacent p q.
+Proof. exact DiskPiecesProof.DiskOutsideKept. Qed.
+
+(** and no cavity is made. *)
+Theorem DiskMakesNoCavity :
+  forall th sign cut limit all p,
+    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+    (forall v, sign v = Plus -> In v all) -> ~ PlusAfter sign warping p ->
+    exists q, ~ PlusBefore sign q /\
+      Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q.
+Proof. exact DiskPiecesProof.DiskMakesNoCavity. Qed.
+
+(** All at once, of one mesh: who stays by the strict disk, who moves stops at a
+    quarter where it would cross another, cuts are kept alpha away from the ends.
+    For a domain with finitely many + samples, none of them on the surface: every
+    dihedral angle is between 10.77 and 164.76 degrees (as integers tell it, see
+    [RuledBoundsInDegrees]), no point is inside two tetrahedra, and the pieces by
+    faces are the pieces of the samples by edges. *)
+Theorem OneMeshHasItAll :
+  forall sign cut all,
+    CutsOnEdges sign cut -> (forall v, sign v <> OnSurface) ->
+    (forall v, sign v = Plus -> In v all) ->
+    let th := AngleThresholds in
+    let stays := DiskRule th sign cut in
+    let limit := StopIfCrossed th sign cut Quarter in
+    let warping := RuledWarping th sign cut stays limit in
+    let place := PlacedPosition warping (ClampedCut th cut) in
+    (forall tid t, In t (WarpOrClamp th sign cut stays limit tid) ->
+       WellShaped (AB (CotSq 221 8) (CotSq 1751 130)) t) /\
+    (forall tid tid' t t', InLattice tid -> InLattice tid' ->
+       In t (PlacedNames sign warping tid) ->
+       In t' (PlacedNames sign warping tid') ->
+       Overlap (MapTet place t) (MapTet place t') -> tid = tid' /\ t = t') /\
+    (forall p q t u,
+       PlusAfter sign warping p -> PlusAfter sign warping q ->
+       MadeAt sign warping p t -> MadeAt sign warping q u ->
+       Joined (InMesh sign warping) ShareFace t u <->
+       Joined (PlusBefore sign) Adjacent p q).
+Proof. exact DiskPiecesProof.OneMeshHasItAll. Qed.
 
 (** ** Beyond the paper: no overflow
 

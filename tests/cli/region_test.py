@@ -118,7 +118,7 @@ class Lost(RegionTest):
     def test_many_lost_labels_are_counted(self):
         self.write(lambda i, j, k: 1 + i + 24 * (j // 2) if 4 <= k < 9 else 0)
         report = self.mesh("a.nrrd", "--size", "4.5", "-o", "a.vtu")
-        self.assertLess(len(report["warnings"]), 20)
+        self.assertLess(len(report["warnings"]), 21)  # the volume has one too
         self.assertIn("more labels are not in the mesh", " ".join(report["warnings"]))
 
 

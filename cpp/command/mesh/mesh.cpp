@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -251,8 +252,10 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
 void describe(RegionWatch& watch, MeshReport& report) {
   report.regions = watch.regions(report.tets);
   report.counted_pieces = watch.counted_pieces();
-  for (std::string& warning : watch.warnings(!report.dry_run))
-    report.warnings.push_back(std::move(warning));
+  // What becomes of single labels explains what became of the whole.
+  std::vector<std::string> warnings = watch.warnings(!report.dry_run);
+  report.warnings.insert(report.warnings.begin(), std::make_move_iterator(warnings.begin()),
+                         std::make_move_iterator(warnings.end()));
 }
 
 MeshReport run(const MeshOptions& options, Context& context) {

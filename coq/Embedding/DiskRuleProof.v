@@ -1,0 +1,297 @@
+(** * The rule of the strict disk, turn by turn *)
+
+From Coq Require Import ZArith List Bool Lia.
+From Certet Require Import Lattice.Coord3 Lattice.Direction.
+From Certet Require Import Lattice.StructuredTet.
+From Certet Require Import Stencil.UnstructuredTet.
+From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
+From Certet Require Import Angles.AnglesSpec Angles.Isometry.
+From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
+From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
+From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
+From Certet Require Import Embedding.LeavingProof Embedding.LinkProof.
+Import ListNotations.
+
+(** Checking a proof needs their names, never what they are. *)
+Local Strategy 1000 [WarpVertex Settled StrictDisk].
+
+Section Rule.
+  Variables (th : Thresholds) (sign : SignField) (cut : CutField).
+  Variable turn : Coord3 -> nat.
+
+  Hypothesis Decided : forall v, sign v <> OnSurface.
+  Hypothesis Turns : forall v d, let u := Translate v (Offset d) in
+    Violated th sign cut v = true -> Violated th sign cut u = true ->
+    turn v <> turn u.
+
+  Local Notation settled := (Settled th sign cut turn).
+  Local Notation now := (SignNow th sign cut turn).
+
+  Lemma SettledMeans n v : settled (S n) v = true -> settled n v = false ->
+    turn v = n /\ Violated th sign cut v = true /\
+    StrictDisk (fun d => now n (Translate v (Offset d))) = true.
+  Proof.
+    cbn [Settled]. intros E N. rewrite N in E. cbn [orb] in E.
+    apply andb_prop in E. destruct E as [E D]. apply andb_prop in E.
+    destruct E as [T V]. apply Nat.eqb_eq in T. auto.
+  Qed.
+
+  Lemma SettledViolated n v : settled n v = true -> Violated th sign cut v = true.
+  Proof.
+    induction n as [|n IH]; [discriminate|]. intros E.
+    destruct (settled n v) eqn:N; [auto|]. apply (SettledMeans n v E N).
+  Qed.
+
+  Lemma SettledStays n v : settled n v = true -> settled (S n) v = true.
+  Proof. intros E. cbn [Settled]. rewrite E. reflexivity. Qed.
+
+  Lemma NowZero n v : now n v = OnSurface <-> settled n v = true.
+  Proof.
+    unfold SignNow. destruct (settled n v); [tauto|].
+    split; [intros E; destruct (Decided v E)|discriminate].
+  Qed.
+
+  Lemma NowPlus n v : now n v = Plus <-> settled n v = false /\ sign v = Plus.
+  Proof.
+    unfold SignNow. destruct (settled n v); [|tauto].
+    split; [discriminate|intros [E _]; discriminate E].
+  Qed.
+
+  (** Who become 0 in one turn are not adjacent. *)
+  Lemma NotAdjacent n u v : settled (S n) u = true -> settled n u = false ->
+    settled (S n) v = true -> settled n v = false -> ~ Adjacent u v.
+  Proof.
+    intros U U' V V' [d ->].
+    destruct (SettledMeans n u U U') as (Tu & Vu & _).
+    destruct (SettledMeans n _ V V') as (Tv & Vv & _).
+    apply (Turns u d Vu Vv). congruence.
+  Qed.
+
+  (** ** No walls *)
+
+  Definition NoWallNow (n : nat) : Prop :=
+    forall a b c p q,
+      Adjacent a b -> Adjacent a c -> Adjacent b c ->
+      Adjacent a p -> Adjacent b p -> Adjacent c p ->
+      Adjacent a q -> Adjacent b q -> Adjacent c q ->
+      now n a = OnSurface -> now n b = OnSurface -> now n c = OnSurface ->
+      now n p = Plus -> now n q = Plus -> p = q.
+
+  (** The link of [a] sees it when [a] is the last. *)
+  Lemma SeenFrom n a b c p q :
+    Adjacent a b -> Adjacent a c -> Adjacent b c ->
+    Adjacent a p -> Adjacent b p -> Adjacent c p ->
+    Adjacent a q -> Adjacent b q -> Adjacent c q ->
+    StrictDisk (fun d => now n (Translate a (Offset d))) = true ->
+    now n b = OnSurface -> now n c = OnSurface ->
+    now n p = Plus -> now n q = Plus -> p = q.
+  Proof.
+    intros [d ->] [e ->] Bc [f ->] Bp Cp [g ->] Bq Cq D B C P Q.
+    unfold StrictDisk in D. apply andb_prop in D. destruct D as [_ D].
+    rewrite forallb_forall in D. specialize (D d (InAllDirections d)).
+    unfold IsZero in D. rewrite B in D. cbn [negb orb] in D.
+    apply andb_prop in D. destruct D as [_ D].
+    rewrite forallb_forall in D. specialize (D e (InAllDirections e)).
+    rewrite C, (proj2 (NextInLinkMeans a d e) Bc) in D. cbn [negb orb andb] in D.
+    unfold NoWallBetween, IsInner in D.
+    rewrite forallb_forall in D. specialize (D f (InAllDirections f)).
+    rewrite forallb_forall in D. specialize (D g (InAllDirections g)).
+    rewrite P, Q, (proj2 (NextInLinkMeans a d f) Bp),
+      (proj2 (NextInLinkMeans a e f) Cp), (proj2 (NextInLinkMeans a d g) Bq),
+      (proj2 (NextInLinkMeans a e g) Cq) in D.
+    cbn [negb orb andb] in D. apply SameDirectionMeans in D. subst g. reflexivity.
+  Qed.
+
+  Lemma NoWallEver n : NoWallNow n.
+  Proof.
+    induction n as [|n IH].
+    - intros a b c p q _ _ _ _ _ _ _ _ _ A. apply NowZero in A. discriminate A.
+    - intros a b c p q Ab Ac Bc Ap Bp Cp Aq Bq Cq A B C P Q.
+      apply NowZero in A, B, C.
+      assert (Before : forall x, now (S n) x = Plus -> now n x = Plus).
+      { intros x X. apply NowPlus in X. apply NowPlus. split; [|tauto].
+        destruct (settled n x) eqn:E; [|reflexivity].
+        destruct X as [X _]. rewrite (SettledStays n x E) in X. discriminate X. }
+      apply Before in P, Q.
+      destruct (settled n a) eqn:A', (settled n b) eqn:B', (settled n c) eqn:C'.
+      + apply (IH a b c); try assumption; apply NowZero; assumption.
+      + destruct (SettledMeans n c C C') as (_ & _ & D).
+        apply (SeenFrom n c a b p q); try apply NowZero; auto using AdjacentMutual.
+      + destruct (SettledMeans n b B B') as (_ & _ & D).
+        apply (SeenFrom n b a c p q); try apply NowZero; auto using AdjacentMutual.
+      + destruct (NotAdjacent n b c B B' C C' Bc).
+      + destruct (SettledMeans n a A A') as (_ & _ & D).
+        apply (SeenFrom n a b c p q); try apply NowZero; auto.
+      + destruct (NotAdjacent n a c A A' C C' Ac).
+      + destruct (NotAdjacent n a b A A' B B' Ab).
+      + destruct (NotAdjacent n a b A A' B B' Ab).
+  Qed.
+
+  (** ** Nobody is lost *)
+
+  Variable all : list Coord3.
+  Hypothesis Bounded : forall v, sign v = Plus -> In v all.
+
+  Lemma NeverNext v : ~ Adjacent v v.
+  Proof.
+    intros [d E]. destruct v as [x y z], d; cbn [Translate Offset] in E;
+      injection E; lia.
+  Qed.
+
+  Lemma NowMayLeave n v : settled (S n) v = true -> settled n v = false ->
+    sign v = Plus -> MayLeave Coord3 Adjacent (fun x => now n x = Plus) v.
+  Proof.
+    intros S S' P. destruct (SettledMeans n v S S') as (_ & _ & D).
+    unfold StrictDisk in D. apply andb_prop in D. destruct D as [D _].
+    apply andb_prop in D. destruct D as [D _].
+    destruct (OnePieceMeans v _ D) as [(x & X) J].
+    assert (E : forall y, InPart v (IsInner (fun d => now n (Translate v (Offset d)))) y
+      <-> now n y = Plus /\ Adjacent v y).
+    { intros y. unfold InPart, IsInner, Adjacent. split.
+      - intros (d & -> & I). split; [|eauto].
+        destruct (now n (Translate v (Offset d))); congruence.
+      - intros (I & d & ->). exists d. rewrite I. auto. }
+    split; [apply NowPlus; auto|]. split; [apply NeverNext|].
+    split; [exists x; apply E in X; tauto|].
+    intros u w U W Iu Iw.
+    apply (JoinedWider (InPart v (IsInner (fun d => now n (Translate v (Offset d))))));
+      [intros y Y; apply E, Y|]. apply J; apply E; auto.
+  Qed.
+
+  (** The + vertices that become 0 in one turn. *)
+  Definition Leaving (n : nat) : list Coord3 :=
+    filter (fun v => settled (S n) v && negb (settled n v) &&
+      match sign v with Plus => true | _ => false end) all.
+
+  Lemma LeavingMeans n v : In v (Leaving n) <->
+    settled (S n) v = true /\ settled n v = false /\ sign v = Plus.
+  Proof.
+    unfold Leaving. rewrite filter_In, !andb_true_iff, negb_true_iff. split.
+    - intros (_ & (A & B) & C). repeat split; try assumption.
+      destruct (sign v); congruence.
+    - intros (A & B & C). rewrite C. auto.
+  Qed.
+
+  Lemma AllLeaveByTurns n :
+    AllLeave Adjacent (PlusBefore sign) (fun v => now n v = Plus).
+  Proof.
+    induction n as [|n IH].
+    - apply AllLeave_none. intros v. rewrite NowPlus. unfold PlusBefore. cbn [Settled].
+      tauto.
+    - apply (AllLeaveSame Adjacent _ (fun v => now n v = Plus /\ ~ In v (Leaving n))).
+      + apply (ManyLeave Coord3 Adjacent SamePoint3); [exact IH| |].
+        * intros v I. apply LeavingMeans in I. apply NowMayLeave; tauto.
+        * intros u v I J. apply LeavingMeans in I, J. apply (NotAdjacent n); tauto.
+      + intros v. rewrite LeavingMeans, !NowPlus. pose proof (SettledStays n v).
+        destruct (settled (S n) v), (settled n v), (sign v); intuition congruence.
+  Qed.
+
+  (** ** Nor is anybody outside *)
+
+  Let outside n v := now n v <> Plus.
+
+  Lemma NowOutsideLater n v : outside n v -> outside (S n) v.
+  Proof.
+    unfold outside. intros O P. apply O. apply NowPlus in P. apply NowPlus.
+    split; [|tauto]. destruct (settled n v) eqn:E; [|reflexivity].
+    rewrite (SettledStays n v E) in P. tauto.
+  Qed.
+
+  Lemma OutsideMayLeave n v : settled (S n) v = true -> settled n v = false ->
+    MayLeave Coord3 Adjacent (outside (S n)) v.
+  Proof.
+    intros S S' . destruct (SettledMeans n v S S') as (_ & _ & D).
+    unfold StrictDisk in D. apply andb_prop in D. destruct D as [D _].
+    apply andb_prop in D. destruct D as [_ D].
+    destruct (OnePieceMeans v _ D) as [(x & X) J].
+    set (part := fun d => negb (IsInner (fun d => now n (Translate v (Offset d))) d))
+      in *.
+    assert (E : forall y, InPart v part y <-> outside (Datatypes.S n) y /\ Adjacent v y).
+    { intros y. unfold InPart, part, IsInner, Adjacent. split.
+      - intros (d & -> & I). split; [|eauto]. apply NowOutsideLater. unfold outside.
+        destruct (now n (Translate v (Offset d))); discriminate.
+      - intros (I & d & ->). exists d. split; [reflexivity|].
+        destruct (now n (Translate v (Offset d))) eqn:P; try reflexivity.
+        exfalso. apply NowPlus in P. destruct P as [P Q].
+        apply I, NowPlus. split; [|exact Q].
+        destruct (settled (Datatypes.S n) (Translate v (Offset d))) eqn:R;
+          [|reflexivity].
+        exfalso. apply (NotAdjacent n v (Translate v (Offset d))); auto. exists d.
+        reflexivity. }
+    split; [unfold outside; rewrite NowPlus, S; intros [H _]; discriminate H|].
+    split; [apply NeverNext|].
+    split; [exists x; apply E in X; tauto|].
+    intros u w U W Iu Iw.
+    apply (JoinedWider (InPart v part)); [intros y Y; apply E, Y|].
+    apply J; apply E; auto.
+  Qed.
+
+  Lemma OutsideByTurns n : AllLeave Adjacent (outside n) (fun v => sign v <> Plus).
+  Proof.
+    induction n as [|n IH].
+    - apply AllLeave_none. intros v. unfold outside. rewrite NowPlus. cbn [Settled].
+      tauto.
+    - apply (AllLeaveThen Adjacent _ (outside n)); [|exact IH].
+      apply (AllLeaveSame Adjacent _
+        (fun v => outside (S n) v /\ ~ In v (Leaving n))).
+      + apply (ManyLeave Coord3 Adjacent SamePoint3).
+        * apply AllLeave_none. tauto.
+        * intros v I. apply LeavingMeans in I. apply OutsideMayLeave; tauto.
+        * intros u v I J. apply LeavingMeans in I, J. apply (NotAdjacent n); tauto.
+      + intros v. unfold outside. rewrite LeavingMeans, !NowPlus.
+        pose proof (SettledStays n v).
+        destruct (settled (S n) v), (settled n v), (sign v); intuition congruence.
+  Qed.
+
+  (** ** The mesh *)
+
+  Variables (turns : nat) (limit : Coord3 -> Z).
+
+  Let warping := RuledWarping th sign cut (DiskStays th sign cut turn turns) limit.
+
+  Lemma AfterDisk v : PlacedSign sign warping (Corner v) = now turns v.
+  Proof.
+    unfold warping, SignNow. cbn [PlacedSign]. unfold RuledWarping, DiskStays.
+    destruct (WarpVertex th sign cut v) as [|d t] eqn:W.
+    - destruct (settled turns v) eqn:S; [|reflexivity].
+      apply SettledViolated in S. unfold Violated in S. rewrite W in S. discriminate S.
+    - destruct (settled turns v); reflexivity.
+  Qed.
+
+  Theorem DiskAllLeave : AllLeave Adjacent (PlusBefore sign) (PlusAfter sign warping).
+  Proof.
+    apply (AllLeaveSame _ _ _ _ (AllLeaveByTurns turns)).
+    intros v. unfold PlusAfter. rewrite AfterDisk. tauto.
+  Qed.
+
+  Theorem DiskOutsideLeave : AllLeave Adjacent
+    (fun v => ~ PlusAfter sign warping v) (fun v => ~ PlusBefore sign v).
+  Proof.
+    apply (AllLeaveThen Adjacent _ (outside turns)).
+    - apply AllLeave_none. intros v. unfold PlusAfter, outside.
+      rewrite AfterDisk. tauto.
+    - apply (AllLeaveSame _ _ _ _ (OutsideByTurns turns)).
+      intros v. unfold PlusBefore. tauto.
+  Qed.
+
+  Theorem DiskNoWall : NoWall sign warping.
+  Proof.
+    intros a b c p q Nab Nbc Nac Z P Q (tid & _ & I) (tid' & _ & J).
+    unfold PlusAfter in P, Q. rewrite AfterDisk in P, Q.
+    assert (Z' : forall v, In v [a; b; c] -> now turns v = OnSurface)
+      by (intros v V; rewrite <- AfterDisk; auto).
+    assert (N : forall v x, In v [a; b; c] -> now turns x = Plus -> v <> x)
+      by (intros v x V X ->; rewrite (Z' x V) in X; discriminate X).
+    assert (E : forall own u v, incl [a; b; c; own] (Corners tid) ->
+      In u [a; b; c; own] -> In v [a; b; c; own] -> u <> v -> Adjacent u v).
+    { intros own u v Sub U V D.
+      destruct (EdgeBetween tid u v (Sub u U) (Sub v V) D) as [d X]. exists d. exact X. }
+    assert (E' : forall own u v, incl [a; b; c; own] (Corners tid') ->
+      In u [a; b; c; own] -> In v [a; b; c; own] -> u <> v -> Adjacent u v).
+    { intros own u v Sub U V D.
+      destruct (EdgeBetween tid' u v (Sub u U) (Sub v V) D) as [d X]. exists d. exact X. }
+    cbn [In] in *.
+    apply (NoWallEver turns a b c p q); auto 6;
+      solve [apply (E p); cbn [In]; auto 6 | apply (E' q); cbn [In]; auto 6].
+  Qed.
+End Rule.
