@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -98,9 +99,12 @@ VoxelBox reach_above(const Image& image, const Buffer<T>& voxels, double level) 
           box.high[a] = std::max(box.high[a], at[a]);
         }
       }
-  if (box.high[0] < 0)
-    throw Error(ErrorCode::empty_domain,
-                "no voxel of '" + image.name + "' is above the level");
+  if (box.high[0] < 0) {
+    std::ostringstream sentence;
+    sentence << "no voxel of '" << image.name << "' is above the level " << level
+             << "; the greatest is " << static_cast<double>(*std::ranges::max_element(voxels));
+    throw Error(ErrorCode::empty_domain, sentence.str());
+  }
   for (std::size_t a = 0; a < 3; ++a) {
     box.low[a] = std::max<std::int64_t>(box.low[a] - 1, 0);
     box.high[a] = std::min(box.high[a] + 1, image.size[a] - 1);

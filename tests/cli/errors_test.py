@@ -201,7 +201,7 @@ class Images(ProgramTest):
     def test_empty_selection(self):
         write_nrrd(self.path, SIZE, self.values)
         self.refused(EMPTY, "chosen", options=["--labels", "2-9"])
-        self.refused(EMPTY, "above", options=["--iso", "1"])
+        self.refused(EMPTY, "above the level 1; the greatest is 1", options=["--iso", "1"])
         write_nrrd(self.path, SIZE, [0] * 125)
         self.refused(EMPTY, "other than 0")
 

@@ -139,11 +139,15 @@ Source from_smoothed(const std::shared_ptr<const Image>& image, const MeshOption
 }
 
 Source from_voxels(const std::shared_ptr<const Image>& image, const MeshOptions& options) {
-  const auto place = [image, options](double size) {
+  std::optional<double> volume;
+  if (!options.iso && !options.crop) volume = chosen_volume(*image, options.labels);
+  const auto place = [image, options, volume](double size) {
     const ImageLattice lattice{size, options.margin};
-    return placed_image(options.iso ? level_domain(image, *options.iso, lattice)
-                                    : label_domain(image, options.labels, lattice),
-                        *image, options);
+    PlacedSource source = placed_image(options.iso ? level_domain(image, *options.iso, lattice)
+                                                   : label_domain(image, options.labels, lattice),
+                                       *image, options);
+    source.volume = volume;
+    return source;
   };
   return {options.iso ? "level" : "labels", image->name, place, image->notes};
 }
