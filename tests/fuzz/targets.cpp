@@ -18,6 +18,7 @@ const std::vector<Target>& targets() {
       {"run_file", run_file},
 #endif
       {"planted_reader", planted_reader, true},
+      {"planted_memory", planted_memory, true},
       {"planted_core", planted_core, true},
   };
   return all;

@@ -17,6 +17,7 @@ void run_file(Bytes bytes);     ///< what `certet mesh --json` says
 void core(Bytes bytes);         ///< lattice and options; then signs and cuts
 
 void planted_reader(Bytes bytes);  ///< throws what no reader may throw
+void planted_memory(Bytes bytes);  ///< hands on memory that nobody wrote
 void planted_core(Bytes bytes);    ///< spoils the mesh before it is judged
 
 }  // namespace fuzz
