@@ -37,7 +37,7 @@ EQUIVALENT = [
     (r"row_ranks\.cpp$", r"if \(any_plus == 0 \|\| any_minus == 0\)|any_(plus|minus) = 0", "a shortcut around words without cuts"),
     (r"row_ranks\.hpp$", r"= 0;$", "overwritten by compute before it is read"),
     (r"sample\.cpp$", r"any|int block = |blocks_in|return planes", "how much is skipped or sampled at a time"),
-    (r"stuffing\.cpp$", r"rows_per_task|pieces|j_begin = ", "how the work is divided among threads"),
+    (r"emit_loop\.hpp$", r"rows_per_task|pieces|j = ", "how the work is divided among threads"),
     (r"cuts\.cpp$", r"batch|reserve", "how many edges are bisected in lockstep"),
     (r"warped_lattice\.hpp$", r"direction = 0", "whoever writes a distance writes the direction"),
     (r"warped_lattice\.cpp$", r"if \(zero == 0\) return", "a shortcut around words without zeros"),
