@@ -143,7 +143,8 @@ Image read_tiff(const fs::path& file, std::uint64_t max_bytes, const ImageChoice
   image.spacing = found.spacing;
   if (!choice.spacing) image.notes.push_back(found.note);
   if (page.zero_is_white)
-    image.notes.push_back("the file shows its zeros white; its numbers are taken as they are stored");
+    image.notes.push_back("the file shows its zeros white; its numbers are taken as they are stored, "
+                          "and --labels 0 takes the zeros");
   judge_geometry(image);
   image.voxels = load_voxels(file, tiff.get(), page, pages);
   return image;
