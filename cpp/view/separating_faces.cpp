@@ -4,9 +4,9 @@
 #include <compare>
 
 #include "certet/tet_shape.hpp"
-#include "quality/boundary.hpp"
-#include "quality/faces.hpp"
-#include "quality/groups.hpp"
+#include "mesh/boundary.hpp"
+#include "mesh/faces.hpp"
+#include "mesh/groups.hpp"
 
 namespace certet::view {
 namespace {

@@ -6,15 +6,15 @@
 #include <cstddef>
 
 #include "cell_tables.hpp"
-#include "certet/lattice_limits.hpp"
+#include "certet/lattice/lattice_limits.hpp"
 #include "certet/quality.hpp"
-#include "certet/sign.hpp"
-#include "certet/stencil.hpp"
-#include "certet/structured_tet.hpp"
-#include "certet/warp.hpp"
+#include "certet/lattice/sign.hpp"
+#include "certet/lattice/stencil.hpp"
+#include "certet/lattice/structured_tet.hpp"
+#include "certet/lattice/warp.hpp"
 #include "cuts.hpp"
-#include "quality/boundary.hpp"
-#include "quality/shape_counter.hpp"
+#include "mesh/boundary.hpp"
+#include "mesh/quality/shape_counter.hpp"
 
 namespace certet::tables {
 

@@ -11,9 +11,9 @@
 #include <type_traits>
 
 #include "certet/quality.hpp"
-#include "certet/stencil.hpp"
+#include "certet/lattice/stencil.hpp"
 #include "cell_tables.hpp"
-#include "certet/warp.hpp"
+#include "certet/lattice/warp.hpp"
 
 namespace certet::tables {
 

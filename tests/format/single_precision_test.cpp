@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "expect_error.hpp"
-#include "formats/single_precision.hpp"
+#include "files/formats/single_precision.hpp"
 #include "sample_mesh.hpp"
 #include "scratch_folder.hpp"
 

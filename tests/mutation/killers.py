@@ -7,10 +7,13 @@ import subprocess
 from pathlib import Path
 
 FLAGS = ["-std=c++20", "-ffp-contract=off", "-fno-math-errno", "-march=x86-64-v2", "-w",
-         "-D_GLIBCXX_ASSERTIONS", "-Icpp/include", "-Icpp", "-Icpp/core", "-Itests", "-Ibridge",
+         "-D_GLIBCXX_ASSERTIONS", "-Icpp/include", "-Icpp", "-Itests", "-Ibridge",
          "-Itests/differential", "-Itests/property"]
 OPTIMIZED = ["-O1"]   # the engine
 QUICK = ["-O0"]       # the tests, which are compiled more often than they are run
+
+# What is compiled of the library.
+ENGINE = ("cpp/lattice", "cpp/engine")
 
 # Every program is one test file; those with the bridge compare with the certified functions.
 PROGRAMS = {
@@ -70,7 +73,8 @@ class Workshop:
         test, needs = PROGRAMS[program]
         sources = [test]
         if "core" in needs:
-            sources += sorted(str(p.relative_to(self.tree)) for p in (self.tree / "cpp/core").glob("*.cpp"))
+            sources += sorted(str(p.relative_to(self.tree)) for room in ENGINE
+                              for p in (self.tree / room).glob("*.cpp"))
         if "bridge" in needs:
             sources += ["tests/differential/main.cpp"]
             sources += [f"bridge/{n}.cpp" for n in ("certified", "runtime", "stubs")]

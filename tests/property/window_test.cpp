@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "certet/stuffing.hpp"
-#include "core/emit.hpp"
-#include "core/sample.hpp"
-#include "core/window.hpp"
+#include "engine/emit.hpp"
+#include "engine/sample.hpp"
+#include "engine/window.hpp"
 #include "domains.hpp"
 
 namespace {

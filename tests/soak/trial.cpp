@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "certet/warp.hpp"
+#include "certet/lattice/warp.hpp"
 #include "domains.hpp"
 
 namespace soak {

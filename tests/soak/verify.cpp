@@ -6,7 +6,7 @@
 
 #include "certet/check.hpp"
 #include "certet/checksum.hpp"
-#include "certet/direction.hpp"
+#include "certet/lattice/direction.hpp"
 #include "certet/quality.hpp"
 #include "certet/write_mesh.hpp"
 #include "volume_estimate.hpp"

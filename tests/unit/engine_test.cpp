@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "certet/error.hpp"
-#include "certet/orientation.hpp"
-#include "certet/structured_tet.hpp"
+#include "certet/lattice/orientation.hpp"
+#include "certet/lattice/structured_tet.hpp"
 #include "certet/stuffing.hpp"
-#include "core/parallel.hpp"
-#include "core/sign_planes.hpp"
+#include "engine/parallel.hpp"
+#include "engine/sign_planes.hpp"
 #include "domains.hpp"
 
 namespace certet {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "certet/expression.hpp"
+#include "certet/formula.hpp"
 #include "certet/formats.hpp"
 #include "certet/image.hpp"
 #include "certet/stuffing.hpp"

@@ -33,7 +33,7 @@ Source from_formula(const MeshOptions& options) {
   const auto place = [formula = options.formula, bounds = options.bounds.value(),
                       margin = options.margin, cuts = options.stuffing.cuts](double size) {
     PlacedSource source =
-        placed(std::make_unique<ExpressionDomain>(formula, bounds, size, margin));
+        placed(std::make_unique<FormulaDomain>(formula, bounds, size, margin));
     set_border(source, bounds, cuts);
     return source;
   };

@@ -4,16 +4,16 @@
 #include <variant>
 
 #include "certet/error.hpp"
-#include "certet/expression.hpp"
+#include "certet/formula.hpp"
 #include "certet/quality.hpp"
 #include "certet/stuffing.hpp"
 
 int main() try {
-  if (!certet::can_read_expressions()) {
+  if (!certet::can_read_formulas()) {
     std::puts("this certet was built without formulas");
     return 0;
   }
-  const certet::ExpressionDomain torus("(sqrt(x^2+y^2)-1)^2+z^2-0.16",
+  const certet::FormulaDomain torus("(sqrt(x^2+y^2)-1)^2+z^2-0.16",
                                        {{-1.5, -1.5, -0.5}, {1.5, 1.5, 0.5}}, 0.1, 2);
   certet::Context context;
   const certet::Mesh mesh = certet::stuff(torus, torus.lattice(), torus.frame(), {}, context);

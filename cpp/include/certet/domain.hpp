@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "certet/coord3.hpp"
-#include "certet/sign.hpp"
+#include "certet/lattice/coord3.hpp"
+#include "certet/lattice/sign.hpp"
 
 namespace certet {
 

@@ -8,10 +8,10 @@
 
 #include "certet/context.hpp"
 #include "certet/domain.hpp"
-#include "certet/lattice_limits.hpp"
+#include "certet/lattice/lattice_limits.hpp"
 #include "certet/mesh.hpp"
-#include "certet/structured_tet.hpp"
-#include "certet/warp.hpp"
+#include "certet/lattice/structured_tet.hpp"
+#include "certet/lattice/warp.hpp"
 
 namespace certet {
 

@@ -7,7 +7,7 @@
 
 #include "certet/check.hpp"
 #include "certet/stuffing.hpp"
-#include "faces.hpp"
+#include "mesh/faces.hpp"
 #include "domains.hpp"
 
 namespace certet {
