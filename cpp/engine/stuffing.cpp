@@ -51,48 +51,49 @@ struct Stuffing::State {
   Lattice lattice;
   WarpedLattice warped;
   RowNumbers numbers;
-  Guarantee guarantee;
+  Method method;
   std::uint64_t inverted_tets = 0;
 };
 
 namespace {
 
-static_assert(no_warp_thresholds.long_edge == 0 && no_warp_thresholds.short_edge == 0,
+static_assert(facts(Method::midpoint).thresholds.long_edge == 0 &&
+                  facts(Method::midpoint).thresholds.short_edge == 0,
               "with cuts in the middle no cut violates a vertex");
 
-/// Warps with the thresholds asked for; falls back to those of `embedding` if a
-/// tetrahedron that is dropped came out inverted, for it would cover others.
+/// Warps by the method asked for; `angles` falls back to `embedding` if a tetrahedron
+/// that is dropped came out inverted, for it would cover others.
 WarpedLattice warp_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
-                           const Lattice& lattice, Guarantee& guarantee, std::uint64_t& inverted,
+                           const Lattice& lattice, Method& method, std::uint64_t& inverted,
                            Context& context) {
   const Window all = whole(lattice);
-  if (guarantee == Guarantee::angles) {
-    const Violations violations(planes, cuts, lattice, all, angle_thresholds, context);
+  if (method == Method::angles) {
+    const Violations violations(planes, cuts, lattice, all, facts(method).thresholds, context);
     inverted = violations.inverted_tets(context);
     if (inverted == 0) return violations.apply(context);
+    method = Method::embedding;
   }
-  guarantee = Guarantee::embedding;
-  return Violations(planes, cuts, lattice, all, embedding_thresholds, context).apply(context);
+  return Violations(planes, cuts, lattice, all, facts(method).thresholds, context).apply(context);
 }
 
 }  // namespace
 
-Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, const StuffingOptions& options,
+Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, Method method,
                    Context& context) {
   check_range(lattice);
   state_ = within_memory([&] {
-    Guarantee guarantee = options.guarantee;
     std::uint64_t inverted = 0;
+    const Cuts where = facts(method).cuts;
     const Window all = whole(lattice);
-    SignPlanes planes = sample(domain, lattice, all, options.cuts, context);
-    Layers<CutLayer> cuts = find_cuts(planes, domain, lattice, all, options.cuts, context);
+    SignPlanes planes = sample(domain, lattice, all, where, context);
+    Layers<CutLayer> cuts = find_cuts(planes, domain, lattice, all, where, context);
     WarpedLattice warped =
-        options.cuts == Cuts::midpoint
+        where == Cuts::midpoint
             ? unwarped(std::move(planes), std::move(cuts), all)
-            : warp_lattice(planes, cuts, lattice, guarantee, inverted, context);
+            : warp_lattice(planes, cuts, lattice, method, inverted, context);
     RowNumbers numbers(warped.planes, lattice, all, context);
     return std::make_unique<State>(
-        State{lattice, std::move(warped), std::move(numbers), guarantee, inverted});
+        State{lattice, std::move(warped), std::move(numbers), method, inverted});
   });
 }
 
@@ -103,7 +104,7 @@ Stuffing& Stuffing::operator=(Stuffing&&) noexcept = default;
 std::uint64_t Stuffing::point_count() const { return state_->numbers.point_count(); }
 std::uint64_t Stuffing::tet_count() const { return state_->numbers.tet_count(); }
 const Lattice& Stuffing::lattice() const { return state_->lattice; }
-Guarantee Stuffing::guarantee() const { return state_->guarantee; }
+Method Stuffing::method() const { return state_->method; }
 std::uint64_t Stuffing::inverted_tets() const { return state_->inverted_tets; }
 std::int32_t Stuffing::layers() const { return state_->lattice.cells[2]; }
 
@@ -164,9 +165,9 @@ Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context) {
   });
 }
 
-Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame,
-           const StuffingOptions& options, Context& context) {
-  const Stuffing stuffing(domain, lattice, options, context);
+Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame, Method method,
+           Context& context) {
+  const Stuffing stuffing(domain, lattice, method, context);
   if (stuffing.tet_count() == 0)
     throw Error(ErrorCode::empty_domain, "no lattice point lies inside the domain");
   return emit(stuffing, frame, context);

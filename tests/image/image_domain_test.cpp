@@ -255,11 +255,11 @@ TEST(ImageDomain, BoundsHold) {
 
 TEST(ImageDomain, LabelsAreChosenOnes) {
   for (const Axes& axes : all_axes)
-    for (const Cuts cuts : {Cuts::bisect, Cuts::midpoint}) {
+    for (const Method method : {Method::angles, Method::midpoint}) {
       const auto domain =
           label_domain(blobs<std::int16_t>(axes, {1, 1, 1}), {{1, 1}, {3, 3}}, {});
       Context context;
-      const Mesh mesh = stuff(*domain, domain->lattice(), domain->frame(), {cuts}, context);
+      const Mesh mesh = stuff(*domain, domain->lattice(), domain->frame(), method, context);
       for (const auto& tet : std::get<0>(mesh.tets)) {
         const std::array<Coord3, 4> corners{mesh.points[tet[0]], mesh.points[tet[1]],
                                             mesh.points[tet[2]], mesh.points[tet[3]]};

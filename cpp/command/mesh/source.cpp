@@ -31,7 +31,7 @@ void set_border(PlacedSource& source, const Bounds& box, Cuts cuts) {
 
 Source from_formula(const MeshOptions& options) {
   const auto place = [formula = options.formula, bounds = options.bounds.value(),
-                      margin = options.margin, cuts = options.stuffing.cuts](double size) {
+                      margin = options.margin, cuts = facts(options.method).cuts](double size) {
     PlacedSource source =
         placed(std::make_unique<FormulaDomain>(formula, bounds, size, margin));
     set_border(source, bounds, cuts);
@@ -42,7 +42,7 @@ Source from_formula(const MeshOptions& options) {
 
 Source from_shape(const MeshOptions& options) {
   const auto place = [shape = options.shape, bounds = options.bounds, margin = options.margin,
-                      cuts = options.stuffing.cuts](double size) {
+                      cuts = facts(options.method).cuts](double size) {
     auto domain = std::make_unique<ShapeDomain>(shape, bounds, size, margin);
     const std::optional<double> volume = domain->volume();
     PlacedSource source = placed(std::move(domain));
@@ -107,11 +107,11 @@ PlacedSource placed_image(std::unique_ptr<ImageDomain> domain, const Image& voxe
   const ImageDomain& image = *domain;
   PlacedSource source = placed(std::move(domain));
   source.image = &image;
-  set_border(source, outer_corners(voxels), options.stuffing.cuts);
+  set_border(source, outer_corners(voxels), facts(options.method).cuts);
   if (options.crop)
     source.border = [of_image = std::move(source.border),
                      of_crop = world_box_border(source.frame, options.crop->low,
-                                                options.crop->high, options.stuffing.cuts)](
+                                                options.crop->high, facts(options.method).cuts)](
                         Coord3 p) { return of_image(p) || of_crop(p); };
   if (!options.iso)
     source.labeller = [&image](std::span<const std::array<Coord3, 4>> tets,

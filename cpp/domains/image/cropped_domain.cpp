@@ -12,7 +12,7 @@ namespace {
 /// The part of a solid in a box of the world.
 class CroppedDomain final : public ImageDomain {
  public:
-  CroppedDomain(std::unique_ptr<ImageDomain> whole, const WorldBox& box)
+  CroppedDomain(std::unique_ptr<ImageDomain> whole, const Bounds& box)
       : whole_(std::move(whole)), box_(box), lattice_(whole_->lattice()) {
     crop_lattice();
   }
@@ -30,7 +30,7 @@ class CroppedDomain final : public ImageDomain {
       if (out[i] != Sign::minus && !inside(positions[i])) out[i] = Sign::minus;
   }
   [[nodiscard]] Extent extent(const LatticeBox& box) const override {
-    const WorldBox world = in_world(box);
+    const Bounds world = in_world(box);
     bool within = true;
     for (std::size_t a = 0; a < 3; ++a) {
       if (world.high[a] < box_.low[a] || world.low[a] > box_.high[a]) return Extent::outside;
@@ -62,8 +62,8 @@ class CroppedDomain final : public ImageDomain {
   }
 
   /// A box around a lattice box, a little wider than rounding may move a corner.
-  [[nodiscard]] WorldBox in_world(const LatticeBox& box) const {
-    WorldBox world;
+  [[nodiscard]] Bounds in_world(const LatticeBox& box) const {
+    Bounds world;
     world.low.fill(std::numeric_limits<double>::infinity());
     world.high.fill(-std::numeric_limits<double>::infinity());
     for (int corner = 0; corner < 8; ++corner) {
@@ -118,14 +118,14 @@ class CroppedDomain final : public ImageDomain {
   }
 
   std::unique_ptr<ImageDomain> whole_;
-  WorldBox box_;
+  Bounds box_;
   Lattice lattice_;
 };
 
 }  // namespace
 
 std::unique_ptr<ImageDomain> cropped_domain(std::unique_ptr<ImageDomain> whole,
-                                            const WorldBox& box) {
+                                            const Bounds& box) {
   for (std::size_t a = 0; a < 3; ++a)
     if (!(box.low[a] < box.high[a]) || !std::isfinite(box.low[a]) || !std::isfinite(box.high[a]))
       throw Error(ErrorCode::bad_option, "the box to crop to is empty or not finite");

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "certet/bounds.hpp"
+#include "certet/lattice.hpp"
 #include "certet/placed_domain.hpp"
 
 namespace certet {
@@ -53,7 +54,7 @@ class ShapeDomain final : public PlacedDomain {
  private:
   Bounds bounds_;
   std::optional<double> volume_;
-  BoxLattice around_;
+  PlacedLattice around_;
   std::unique_ptr<Domain> solid_;
 };
 
