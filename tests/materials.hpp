@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "certet/domain.hpp"
-#include "certet/stuffing.hpp"
+#include "certet/lattice.hpp"
 #include "seed.hpp"
 
 namespace materials {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "certet/error.hpp"
+#include "certet/method.hpp"
 #include "json.hpp"
 #include "table.hpp"
 
@@ -13,6 +14,7 @@ namespace certet::command {
 namespace {
 
 constexpr const char* not_a_run = "is not what `certet mesh --json` writes";
+constexpr const char* other_theorem = "names another theorem or other bounds than such a run has";
 
 [[noreturn]] void refuse(const char* reason) { throw Error(ErrorCode::bad_input, reason); }
 
@@ -28,18 +30,29 @@ std::uint64_t hexadecimal(const std::string& digits) {
   return number;
 }
 
+/// The method that the run used in the end.  Runs of older versions name a guarantee
+/// with cuts in the middle too, where it had no part in the mesh.
+Method method_of(const Json& json) {
+  const std::string cuts = text(json.at("lattice").at("cuts"));
+  const std::optional<Method> used = method_named(text(json.at("guarantee").at("used")));
+  if (!used) refuse(not_a_run);
+  const Method method = cuts == name(Cuts::midpoint) ? Method::midpoint : *used;
+  if (cuts != name(facts(method).cuts)) refuse(not_a_run);
+  return method;
+}
+
 /// The bounds are the product's own, never those that a file claims.
-AngleBounds bounds_of(const Json& lattice, const Json& guarantee) {
-  const std::string cuts = text(lattice.at("cuts")), used = text(guarantee.at("used"));
-  if ((cuts != "bisect" && cuts != "midpoint") || (used != "angles" && used != "embedding"))
-    refuse(not_a_run);
-  const AngleBounds bounds =
-      proven_bounds(cuts == "midpoint" ? Cuts::midpoint : Cuts::bisect,
-                    used == "angles" ? Guarantee::angles : Guarantee::embedding);
+AngleBounds bounds_of(const Json& json) {
+  const Method method = method_of(json);
+  const AngleBounds& bounds = facts(method).bounds;
+  const Json& guarantee = json.at("guarantee");
+  if (json.value("method", name(method)) != name(method) ||
+      json.value("theorem", bounds.theorem) != bounds.theorem)
+    refuse(other_theorem);
   if (text(guarantee.at("theorem")) != bounds.theorem ||
       guarantee.at("min_dihedral").get<double>() != bounds.min_dihedral ||
       guarantee.at("max_dihedral").get<double>() != bounds.max_dihedral)
-    refuse("names another theorem or other bounds than such a run has");
+    refuse(other_theorem);
   if (!guarantee.at("holds").get<bool>()) refuse("does not tell of a mesh that was written");
   return bounds;
 }
@@ -57,8 +70,9 @@ std::vector<PageRow> rows_of(const Json& json) {
   add("lattice", fmt::format("{} × {} × {} cells of size {:g}", cells[0], cells[1], cells[2],
                              lattice.at("size").get<double>()));
   add("cuts", text(lattice.at("cuts")));
-  const std::string used = text(guarantee.at("used")), asked = text(guarantee.at("asked"));
-  add("guarantee", used == asked ? used : used + ", instead of " + asked);
+  const std::string used{name(method_of(json))};
+  const bool fell_back = text(guarantee.at("used")) != text(guarantee.at("asked"));
+  add("method", fell_back ? used + ", instead of " + text(guarantee.at("asked")) : used);
   add("checksum", text(json.at("mesh").at("checksum")));
   add("time", fmt::format("{:.2f} s", json.at("seconds").at("total").get<double>()));
   add("memory", bytes(json.at("memory").at("peak").get<std::uint64_t>()));
@@ -75,7 +89,7 @@ RunFile understand(const Json& json) {
   const Json& mesh = json.at("mesh");
   run.points = mesh.at("points").get<std::uint64_t>();
   run.tets = mesh.at("tets").get<std::uint64_t>();
-  run.bounds = bounds_of(json.at("lattice"), json.at("guarantee"));
+  run.bounds = bounds_of(json);
   run.rows = rows_of(json);
   if (!mesh.contains("file_checksum"))
     refuse("does not tell what its output holds (mesh.file_checksum)");

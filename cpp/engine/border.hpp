@@ -6,7 +6,8 @@
 #include <span>
 
 #include "certet/border.hpp"
-#include "certet/stuffing.hpp"
+#include "certet/lattice/coord3.hpp"
+#include "certet/method.hpp"
 
 namespace certet::core {
 

@@ -53,49 +53,49 @@ struct Stuffing::State {
   Lattice lattice;
   WarpedLattice warped;
   RowNumbers numbers;
-  Cuts cuts;
-  Guarantee guarantee;
+  Method method;
   std::uint64_t inverted_tets = 0;
 };
 
 namespace {
 
-static_assert(no_warp_thresholds.long_edge == 0 && no_warp_thresholds.short_edge == 0,
+static_assert(facts(Method::midpoint).thresholds.long_edge == 0 &&
+                  facts(Method::midpoint).thresholds.short_edge == 0,
               "with cuts in the middle no cut violates a vertex");
 
-/// Warps with the thresholds asked for; falls back to those of `embedding` if a
-/// tetrahedron that is dropped came out inverted, for it would cover others.
+/// Warps by the method asked for; `angles` falls back to `embedding` if a tetrahedron
+/// that is dropped came out inverted, for it would cover others.
 WarpedLattice warp_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
-                           const Lattice& lattice, Guarantee& guarantee, std::uint64_t& inverted,
+                           const Lattice& lattice, Method& method, std::uint64_t& inverted,
                            Context& context) {
   const Window all = whole(lattice);
-  if (guarantee == Guarantee::angles) {
-    const Violations violations(planes, cuts, lattice, all, angle_thresholds, context);
+  if (method == Method::angles) {
+    const Violations violations(planes, cuts, lattice, all, facts(method).thresholds, context);
     inverted = violations.inverted_tets(context);
     if (inverted == 0) return violations.apply(context);
+    method = Method::embedding;
   }
-  guarantee = Guarantee::embedding;
-  return Violations(planes, cuts, lattice, all, embedding_thresholds, context).apply(context);
+  return Violations(planes, cuts, lattice, all, facts(method).thresholds, context).apply(context);
 }
 
 }  // namespace
 
-Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, const StuffingOptions& options,
+Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, Method method,
                    Context& context) {
   check_range(lattice);
   state_ = within_memory([&] {
-    Guarantee guarantee = options.guarantee;
     std::uint64_t inverted = 0;
+    const Cuts where = facts(method).cuts;
     const Window all = whole(lattice);
-    SignPlanes planes = sample(domain, lattice, all, options.cuts, context);
-    Layers<CutLayer> cuts = find_cuts(planes, domain, lattice, all, options.cuts, context);
+    SignPlanes planes = sample(domain, lattice, all, where, context);
+    Layers<CutLayer> cuts = find_cuts(planes, domain, lattice, all, where, context);
     WarpedLattice warped =
-        options.cuts == Cuts::midpoint
+        where == Cuts::midpoint
             ? unwarped(std::move(planes), std::move(cuts), all)
-            : warp_lattice(planes, cuts, lattice, guarantee, inverted, context);
+            : warp_lattice(planes, cuts, lattice, method, inverted, context);
     RowNumbers numbers(warped.planes, lattice, all, context);
     return std::make_unique<State>(
-        State{domain, lattice, std::move(warped), std::move(numbers), options.cuts, guarantee, inverted});
+        State{domain, lattice, std::move(warped), std::move(numbers), method, inverted});
   });
 }
 
@@ -106,7 +106,7 @@ Stuffing& Stuffing::operator=(Stuffing&&) noexcept = default;
 std::uint64_t Stuffing::point_count() const { return state_->numbers.point_count(); }
 std::uint64_t Stuffing::tet_count() const { return state_->numbers.tet_count(); }
 const Lattice& Stuffing::lattice() const { return state_->lattice; }
-Guarantee Stuffing::guarantee() const { return state_->guarantee; }
+Method Stuffing::method() const { return state_->method; }
 std::uint64_t Stuffing::inverted_tets() const { return state_->inverted_tets; }
 std::int32_t Stuffing::layers() const { return state_->lattice.cells[2]; }
 
@@ -155,10 +155,17 @@ void Stuffing::emit_materials(std::int32_t begin, std::int32_t end,
                        tets, out, context);
 }
 
+void Stuffing::materials_of(std::span<const TetCorners> tets, std::span<Material> out) const {
+  if (labels().size() <= 1)
+    std::ranges::fill(out, 1);
+  else
+    state_->domain.materials_of(tets, out);
+}
+
 bool Stuffing::has_border() const { return !state_->domain.border().empty(); }
 
 bool Stuffing::is_on_border(Coord3 point) const {
-  return core::is_on_border(point, state_->domain.border(), state_->cuts);
+  return core::is_on_border(point, state_->domain.border(), facts(state_->method).cuts);
 }
 
 std::uint64_t Stuffing::bytes() const {
@@ -185,7 +192,8 @@ Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context) {
         mesh.labels = Buffer<std::int32_t>(tets.size());
         stuffing.emit_materials(0, stuffing.layers(), mesh.points,
                                 std::span<const Tet<Index>>(tets), mesh.labels, context);
-        labels_in_place(mesh.labels, stuffing.labels());
+        labels_in_place(std::span(mesh.labels), stuffing.labels(),
+                        [](std::int32_t, std::uint64_t) {});
       }
       mesh.tets = std::move(tets);
     };
@@ -197,9 +205,9 @@ Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context) {
   });
 }
 
-Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame,
-           const StuffingOptions& options, Context& context) {
-  const Stuffing stuffing(domain, lattice, options, context);
+Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame, Method method,
+           Context& context) {
+  const Stuffing stuffing(domain, lattice, method, context);
   if (stuffing.tet_count() == 0)
     throw Error(ErrorCode::empty_domain, "no lattice point lies inside the domain");
   return emit(stuffing, frame, context);

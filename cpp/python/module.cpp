@@ -9,10 +9,11 @@
 #include <utility>
 
 #include "arrays.hpp"
-#include "certet/bounds.hpp"
 #include "certet/checksum.hpp"
 #include "certet/error.hpp"
 #include "certet/image.hpp"
+#include "certet/lattice.hpp"
+#include "certet/method.hpp"
 #include "certet/placed_quality.hpp"
 #include "certet/surface.hpp"
 #include "domains.hpp"
@@ -25,14 +26,13 @@ namespace {
 struct PythonMesh {
   Mesh mesh;
   Buffer<Point3> world;
-  Guarantee guarantee{};
-  Cuts cuts{};
+  Method method{};
   std::uint64_t inverted_tets = 0;
   std::vector<std::string> notes;
 };
 
 struct Options {
-  StuffingOptions stuffing;
+  Method method{};
   int threads = 0;
 };
 
@@ -56,12 +56,11 @@ std::shared_ptr<PythonMesh> mesh_of(const std::function<Placed()>& place, const 
   context.threads = options.threads;
   run(context, [&] {
     const Placed placed = place();
-    const Stuffing stuffing(*placed.domain, placed.lattice, options.stuffing, context);
+    const Stuffing stuffing(*placed.domain, placed.lattice, options.method, context);
     if (stuffing.tet_count() == 0)
       throw Error(ErrorCode::empty_domain, "nothing is inside at this size, so there is no mesh");
     result->mesh = emit(stuffing, placed.frame, context);
-    result->guarantee = stuffing.guarantee();
-    result->cuts = options.stuffing.cuts;
+    result->method = stuffing.method();
     result->inverted_tets = stuffing.inverted_tets();
     result->notes = placed.notes;
     result->world = world_points(result->mesh);
@@ -101,7 +100,7 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
 std::shared_ptr<PythonMesh> mesh_function(py::object function, const Point3& low,
                                           const Point3& high, double size, int margin,
                                           const Options& options) {
-  const BoxLattice box = lattice_around({low, high}, size, margin);
+  const PlacedLattice box = lattice_around({low, high}, size, margin);
   // Kept here, under Python's lock, for it has to be let go of under it too.
   const PythonDomain domain(std::move(function), box.frame, {low, high});
   return mesh_of(
@@ -147,7 +146,7 @@ std::shared_ptr<PythonMesh> mesh_surface(
 }
 
 py::dict quality_of(const PythonMesh& mesh) {
-  const AngleBounds bounds = proven_bounds(mesh.cuts, mesh.guarantee);
+  const AngleBounds& bounds = facts(mesh.method).bounds;
   PlacedQuality placed;
   {
     const py::gil_scoped_release unlocked;
@@ -221,12 +220,14 @@ void translate(std::exception_ptr pointer) {
 PYBIND11_MODULE(_certet, module) {
   py::register_exception_translator(translate);
   py::class_<Options>(module, "Options")
-      .def(py::init([](bool midpoint, bool embedding, int threads) {
-             return Options{{midpoint ? Cuts::midpoint : Cuts::bisect,
-                             embedding ? Guarantee::embedding : Guarantee::angles},
-                            threads};
+      .def(py::init([](const std::string& method, int threads) {
+             const std::optional<Method> named = method_named(method);
+             if (!named)
+               throw Error(ErrorCode::bad_option,
+                           "method is one of " + method_names() + ", not '" + method + "'");
+             return Options{*named, threads};
            }),
-           py::arg("midpoint"), py::arg("embedding"), py::arg("threads"));
+           py::arg("method"), py::arg("threads"));
   py::class_<PythonMesh, std::shared_ptr<PythonMesh>>(module, "Mesh")
       .def_property_readonly("points", [](const py::object& self) {
         const auto& world = self.cast<const PythonMesh&>().world;
@@ -238,8 +239,8 @@ PYBIND11_MODULE(_certet, module) {
       .def_property_readonly("size", [](const PythonMesh& mesh) { return mesh.mesh.frame.size; })
       .def_property_readonly("origin", [](const PythonMesh& mesh) { return mesh.mesh.frame.origin; })
       .def_property_readonly("axes", [](const PythonMesh& mesh) { return mesh.mesh.frame.axes; })
-      .def_property_readonly("guarantee", [](const PythonMesh& mesh) {
-        return mesh.guarantee == Guarantee::angles ? "angles" : "embedding";
+      .def_property_readonly("method", [](const PythonMesh& mesh) {
+        return std::string(name(mesh.method));
       })
       .def_property_readonly("inverted_tets",
                              [](const PythonMesh& mesh) { return mesh.inverted_tets; })

@@ -5,14 +5,14 @@
 #include <array>
 #include <cstddef>
 
-#include "cell_tables.hpp"
+#include "lattice/cell_tables.hpp"
 #include "certet/lattice/lattice_limits.hpp"
-#include "certet/quality.hpp"
+#include "certet/method.hpp"
 #include "certet/lattice/sign.hpp"
 #include "certet/lattice/stencil.hpp"
 #include "certet/lattice/structured_tet.hpp"
 #include "certet/lattice/warp.hpp"
-#include "cuts.hpp"
+#include "engine/cuts.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/quality/shape_counter.hpp"
 
@@ -50,6 +50,7 @@ void for_each_constant(const Visit& visit) {
   CERTET_CONSTANT(angle_thresholds);
   CERTET_CONSTANT(embedding_thresholds);
   CERTET_CONSTANT(no_warp_thresholds);
+  CERTET_CONSTANT(methods);
 
   CERTET_CONSTANT(core::grid_count);
   CERTET_CONSTANT(core::corner_kinds);
@@ -111,12 +112,6 @@ void for_each_function(const Visit& visit) {
       return core::neighbor(static_cast<core::Grid>(grid), static_cast<std::size_t>(d));
     });
   }));
-
-  visit("proven_bounds", std::array{
-      std::array{proven_bounds(Cuts::bisect, Guarantee::angles),
-                 proven_bounds(Cuts::bisect, Guarantee::embedding)},
-      std::array{proven_bounds(Cuts::midpoint, Guarantee::angles),
-                 proven_bounds(Cuts::midpoint, Guarantee::embedding)}});
 }
 
 template <class Visit>

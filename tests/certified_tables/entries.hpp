@@ -10,9 +10,9 @@
 #include <tuple>
 #include <type_traits>
 
-#include "certet/quality.hpp"
+#include "certet/method.hpp"
 #include "certet/lattice/stencil.hpp"
-#include "cell_tables.hpp"
+#include "lattice/cell_tables.hpp"
 #include "certet/lattice/warp.hpp"
 
 namespace certet::tables {
@@ -49,6 +49,13 @@ template <OfThree T, class Visit>
 void for_each_part(T& value, const Visit& visit) {
   auto& [a, b, c] = value;
   visit(a), visit(b), visit(c);
+}
+
+/// All that a method does and promises, but for the sentence that tells people of it.
+template <OneOf<MethodFacts> T, class Visit>
+void for_each_part(T& value, const Visit& visit) {
+  auto& [method, name, cuts, thresholds, bounds, sentence] = value;
+  visit(method), visit(name), visit(cuts), visit(thresholds), visit(bounds);
 }
 
 /// Calls visit(entry) for every entry, in order.

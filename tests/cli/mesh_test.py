@@ -15,6 +15,7 @@ KEYS = {
     "lattice": {"cells", "size", "cuts"},
     "mesh": {"points", "tets", "volume", "checksum", "file_checksum"},
     "dihedral": {"min", "max", "lattice_min", "lattice_max", "rounding", "histogram"},
+    "method": None, "theorem": None,
     "guarantee": {"asked", "used", "theorem", "min_dihedral", "max_dihedral",
                   "inverted_tets", "holds"},
     "seconds": {"read", "sample", "cut", "warp", "count", "emit", "measure", "write",
@@ -88,10 +89,35 @@ class Formula(ProgramTest):
         self.assertLess(report["mesh"]["volume"], 4.1)
         self.check("root.vtu")
 
-    def test_other_thresholds_and_cuts(self):
-        for choice, low in ((("--guarantee", "embedding"), 9.2), (("--cuts", "midpoint"), 30)):
+    def test_every_method_says_so(self):
+        for choice, method, theorem, low in (
+                ((), "angles", "DihedralBounds", 10.77),
+                (("--guarantee", "embedding"), "embedding", "DihedralBoundsEmbedding", 9.27),
+                (("--cuts", "midpoint"), "midpoint", "MidpointBounds", 30),
+                (("--cuts", "midpoint", "--guarantee", "embedding"), "midpoint",
+                 "MidpointBounds", 30)):
             report = self.mesh(*TORUS, *choice, "-o", "t.vtu")
             self.assertGreaterEqual(report["dihedral"]["min"], low - 1e-6)
+            self.assertEqual((report["method"], report["theorem"]), (method, theorem))
+            self.assertEqual({key: report["guarantee"][key]
+                              for key in ("asked", "used", "theorem", "min_dihedral")},
+                             {"asked": method, "used": method, "theorem": theorem,
+                              "min_dihedral": low})
+            table = self.run_certet("mesh", *TORUS, *choice, "-o", "t.vtu").stdout
+            self.assertRegex(table, rf"\nmethod +{method}: ")
+            self.assertEqual('"angles"' in json.dumps(report), method == "angles")
+
+    def test_the_method_used_in_the_end_is_the_one_told(self):
+        """The faces of voxels make `angles` turn over tetrahedra that are dropped."""
+        size = (12, 12, 12)
+        write_nrrd(self.folder / "a.nrrd", size,
+                   voxels(size, lambda i, j, k: int((i * 7 + j * 3 + k * 5) % 11 < 6)))
+        report = self.mesh("a.nrrd", "-o", "t.vtu")
+        self.assertGreater(report["guarantee"]["inverted_tets"], 0)
+        self.assertEqual((report["guarantee"]["asked"], report["method"], report["theorem"]),
+                         ("angles", "embedding", "DihedralBoundsEmbedding"))
+        table = self.run_certet("mesh", "a.nrrd", "-o", "t.vtu").stdout
+        self.assertRegex(table, r"\nmethod +embedding: .*\(angles inverted \d+ dropped")
 
     def test_medit(self):
         report = self.mesh(*TORUS, "--size", "0.2", "-o", "t.mesh")

@@ -310,7 +310,7 @@ TEST(ImageDomain, MaterialsAgreeWithSigns) {
     expect_agreement(*level_domain(blobs<float>(axes, {1, 1, 1}), 1.3, {0.5, 2}), 20);
     auto whole = label_domain(painted(axes, palettes[2]), {}, {0.5, 2});
     const Point3 middle = whole->frame().world({0, 0, 0});
-    WorldBox box;
+    Bounds box;
     for (std::size_t a = 0; a < 3; ++a) {
       box.low[a] = middle[a] - 5.3;
       box.high[a] = middle[a] + 4.1;
@@ -351,11 +351,11 @@ TEST(LabelDomain, ThereMayBeManyLabels) {
 
 TEST(ImageDomain, LabelsAreChosenOnes) {
   for (const Axes& axes : all_axes)
-    for (const Cuts cuts : {Cuts::bisect, Cuts::midpoint}) {
+    for (const Method method : {Method::angles, Method::midpoint}) {
       const auto domain =
           label_domain(blobs<std::int16_t>(axes, {1, 1, 1}), {{1, 1}, {3, 3}}, {});
       Context context;
-      const Mesh mesh = stuff(*domain, domain->lattice(), domain->frame(), {cuts}, context);
+      const Mesh mesh = stuff(*domain, domain->lattice(), domain->frame(), method, context);
       ASSERT_EQ(mesh.labels.size(), mesh.tet_count());
       for (const std::int32_t label : mesh.labels) ASSERT_TRUE(label == 1 || label == 3) << label;
     }

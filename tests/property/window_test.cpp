@@ -28,21 +28,13 @@ struct Made {
   friend bool operator==(const Made&, const Made&) = default;
 };
 
-/// How a mesh is made.
-struct Method {
-  Cuts cuts;
-  Thresholds thresholds;
-};
-
-Method random_method() {
-  return *rc::gen::element(Method{Cuts::bisect, angle_thresholds},
-                           Method{Cuts::bisect, embedding_thresholds},
-                           Method{Cuts::midpoint, no_warp_thresholds});
+const MethodFacts& random_method() {
+  return facts(*rc::gen::element(Method::angles, Method::embedding, Method::midpoint));
 }
 
 /// Adds the mesh of one window; `signs` is where it is sampled.
 void add_window(const Domain& domain, const Lattice& lattice, core::Window window,
-                core::Window signs, const Method& method, Made& made) {
+                core::Window signs, const MethodFacts& method, Made& made) {
   Context context;
   context.threads = 1;
   core::SignPlanes planes = core::sample(domain, lattice, signs, method.cuts, context);
@@ -72,7 +64,7 @@ void add_window(const Domain& domain, const Lattice& lattice, core::Window windo
 }
 
 Made in_windows(const Domain& domain, const Lattice& lattice, const std::vector<int>& bounds,
-                const Method& method) {
+                const MethodFacts& method) {
   Made made;
   for (std::size_t n = 0; n + 1 < bounds.size(); ++n) {
     const core::Window window{bounds[n], bounds[n + 1]};
@@ -109,7 +101,7 @@ std::vector<int> random_bounds(int layers) {
 RC_GTEST_PROP(Window, WindowsMakeTheWhole, ()) {
   const Lattice lattice = random_lattice();
   const auto domain = random_domain();
-  const Method method = random_method();
+  const MethodFacts& method = random_method();
   const auto layers = lattice.cells[2];
   const Made whole = in_windows(domain, lattice, {0, layers}, method);
   RC_ASSERT(in_windows(domain, lattice, random_bounds(layers), method) == whole);
@@ -120,7 +112,7 @@ TEST(Window, OneLayerAtATime) {
   const auto domain = domains::of_level(domains::gyroid(11, 0.8));
   std::vector<int> bounds(13);
   for (int k = 0; k < 13; ++k) bounds[static_cast<std::size_t>(k)] = k;
-  const Method method{Cuts::bisect, embedding_thresholds};
+  const MethodFacts& method = facts(Method::embedding);
   const Made whole = in_windows(domain, lattice, {0, 12}, method);
   EXPECT_GT(whole.tets.size(), 500u);
   EXPECT_EQ(in_windows(domain, lattice, bounds, method), whole);
@@ -131,9 +123,9 @@ TEST(Window, TheWholeIsTheEnginesMesh) {
   const Lattice lattice{{0, 0, 0}, {9, 9, 12}};
   const auto domain = domains::of_level(domains::gyroid(11, 0.8));
   Context context;
-  const Stuffing stuffing(domain, lattice, {Cuts::bisect, Guarantee::embedding}, context);
+  const Stuffing stuffing(domain, lattice, Method::embedding, context);
   const Mesh mesh = emit(stuffing, {}, context);
-  const Made made = in_windows(domain, lattice, {0, 12}, {Cuts::bisect, embedding_thresholds});
+  const Made made = in_windows(domain, lattice, {0, 12}, facts(Method::embedding));
   EXPECT_TRUE(std::ranges::equal(mesh.points, made.points));
   EXPECT_TRUE(std::ranges::equal(std::get<0>(mesh.tets), made.tets));
 }
@@ -141,8 +133,8 @@ TEST(Window, TheWholeIsTheEnginesMesh) {
 /// Materials of the tetrahedra of windows, one after the other.  `behind` is how many
 /// layers of points behind its own each window asks its neighbour for.
 std::vector<Material> materials_in_windows(const Domain& domain, const Lattice& lattice,
-                                           const std::vector<int>& bounds, const Method& method,
-                                           int behind) {
+                                           const std::vector<int>& bounds,
+                                           const MethodFacts& method, int behind) {
   Context context;
   context.threads = 1;
   std::vector<Material> all;
@@ -182,7 +174,7 @@ materials::Positional random_materials() {
 RC_GTEST_PROP(Window, MaterialsOfWindowsAreThoseOfTheWhole, ()) {
   const Lattice lattice = random_lattice();
   const auto domain = random_materials();
-  const Method method = random_method();
+  const MethodFacts& method = random_method();
   const auto layers = lattice.cells[2];
   const auto whole = materials_in_windows(domain, lattice, {0, layers}, method, 1);
   RC_ASSERT(materials_in_windows(domain, lattice, random_bounds(layers), method, 1) == whole);
@@ -193,7 +185,7 @@ RC_GTEST_PROP(Window, MaterialsOfWindowsAreThoseOfTheWhole, ()) {
 TEST(Window, MaterialsAreThoseOfTheCorners) {
   const Lattice lattice{{0, 0, 0}, {9, 9, 12}};
   const auto domain = materials::cubes(3, 2, {1, 2, 3}, 60);
-  const Method method{Cuts::bisect, embedding_thresholds};
+  const MethodFacts& method = facts(Method::embedding);
   const Made made = in_windows(domain, lattice, {0, 12}, method);
   const auto found = materials_in_windows(domain, lattice, {0, 5, 6, 12}, method, 1);
   ASSERT_EQ(found.size(), made.tets.size());
@@ -216,7 +208,7 @@ TEST(Window, MaterialsAreThoseOfTheCorners) {
 TEST(Window, MaterialsNeedTheLayerBehind) {
   const Lattice lattice{{0, 0, 0}, {9, 9, 12}};
   const auto domain = materials::cubes(3, 2, {1, 2, 3}, 60);
-  const Method method{Cuts::bisect, embedding_thresholds};
+  const MethodFacts& method = facts(Method::embedding);
   EXPECT_NO_THROW(materials_in_windows(domain, lattice, {4, 6}, method, 1));
   EXPECT_THROW(materials_in_windows(domain, lattice, {4, 6}, method, 0), Error);
   // The last layer has none behind it.
@@ -228,7 +220,7 @@ TEST(Window, NoLayerOfTheHaloIsIdle) {
   const Lattice lattice{{0, 0, 0}, {12, 12, 16}};
   const core::Window window{6, 8};
   const core::Window needed = core::sampled_window(window, lattice);
-  const Method method{Cuts::bisect, angle_thresholds};
+  const MethodFacts& method = facts(Method::angles);
   const auto differs = [&](core::Window signs) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
       const auto domain = domains::random_cuts(seed, 0, {1000, 30000, 64000});

@@ -160,6 +160,19 @@ class Images(unittest.TestCase):
         self.assertEqual(quality.theorem, "MidpointBounds")
         self.assertGreaterEqual(quality.min_dihedral, 30 - 1e-6)
 
+    def test_methods(self):
+        theorems = {"angles": "DihedralBounds", "embedding": "DihedralBoundsEmbedding",
+                    "midpoint": "MidpointBounds"}
+        for method, theorem in theorems.items():
+            mesh = certet.mesh_function(lambda p: (p**2).sum(1) - 1, ((-1.5,) * 3, (1.5,) * 3),
+                                        0.25, method=method)
+            self.assertEqual((mesh.method, mesh.guarantee), (method, method))
+            self.assertEqual(mesh.quality().theorem, theorem)
+        older = certet.mesh_image(ball(), cuts="midpoint")
+        self.assertEqual(older.method, "midpoint")
+        self.assertEqual(older.checksum, certet.mesh_image(ball(), method="midpoint").checksum)
+        self.assertEqual(certet.mesh_image(ball(), guarantee="embedding").method, "embedding")
+
     def test_far_from_the_origin(self):
         """Bounds that are attained are crossed by rounding alone, which is no fault; what
         doubles cannot hold is one."""
@@ -186,6 +199,8 @@ class Images(unittest.TestCase):
             (dict(array=ball(), labels=[1], iso=1), "exclude"),
             (dict(array=ball(), labels=[]), "empty"),
             (dict(array=ball(), cuts="middle"), "'midpoint'"),
+            (dict(array=ball(), method="paper"), "angles, embedding, midpoint"),
+            (dict(array=ball(), method="angles", cuts="midpoint"), "one or the others"),
             (dict(array=np.full((4, 4, 4), 2**40)), "32 bits"),
         ]:
             with self.subTest(sentence), self.assertRaisesRegex(ValueError, sentence):

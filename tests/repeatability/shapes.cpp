@@ -116,11 +116,10 @@ std::vector<Shape> shapes() {
 }
 
 std::vector<Manner> manners() {
-  using certet::Cuts;
-  using certet::Guarantee;
-  return {{"bisect-angles", {Cuts::bisect, Guarantee::angles}},
-          {"bisect-embedding", {Cuts::bisect, Guarantee::embedding}},
-          {"midpoint", {Cuts::midpoint, Guarantee::angles}}};
+  using certet::Method;
+  return {{"bisect-angles", Method::angles},
+          {"bisect-embedding", Method::embedding},
+          {"midpoint", Method::midpoint}};
 }
 
 }  // namespace repeatability

@@ -49,7 +49,7 @@ struct Trial {
   LabelImage labels;                           ///< of kind `labels`
   certet::Lattice lattice;
   certet::Frame frame;
-  certet::StuffingOptions options;
+  certet::Method method{};
   int threads = 1;
 };
 

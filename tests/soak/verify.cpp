@@ -126,8 +126,8 @@ class Judge {
       }
   }
 
-  void check_angles(certet::Guarantee guarantee) {
-    const certet::AngleBounds bounds = certet::proven_bounds(trial_.options.cuts, guarantee);
+  void check_angles(certet::Method method) {
+    const certet::AngleBounds& bounds = certet::facts(method).bounds;
     const std::span<const NarrowTet> tets(mesh_.tets);
     const certet::Quality lattice = certet::measure_lattice(mesh_.points, 0, tets);
     verdict_.min_dihedral = lattice.min_dihedral;
@@ -257,9 +257,9 @@ Verdict verify(const Trial& trial, Plant plant) {
   if (plant == Plant::half_domain && trial.kind == Kind::smooth) meshed = &half;
   const Half none(*trial.domain, trial.lattice.origin.x - 1);
   if (plant == Plant::no_domain) meshed = &none;
-  const certet::Stuffing stuffing(*meshed, trial.lattice, trial.options, context);
+  const certet::Stuffing stuffing(*meshed, trial.lattice, trial.method, context);
   verdict.tets = stuffing.tet_count();
-  verdict.fell_back = stuffing.guarantee() != trial.options.guarantee;
+  verdict.fell_back = stuffing.method() != trial.method;
   PlainMesh mesh = in_memory(stuffing, trial, context);
   if (verdict.tets > 0) spoil(mesh, plant);
   Judge judge(trial, std::move(mesh), verdict);
@@ -270,7 +270,7 @@ Verdict verify(const Trial& trial, Plant plant) {
   }
   judge.check_soundness();
   if (plant != Plant::half_domain) judge.check_cracks();
-  judge.check_angles(stuffing.guarantee());
+  judge.check_angles(stuffing.method());
   judge.check_volume();
   judge.check_labels();
   judge.check_stream(stuffing, plant, context);

@@ -172,10 +172,10 @@ TEST(Labels, OfOneMaterialCostNothing) {
 /// The border's faces are those whose points lie at the box; warped ones that have
 /// moved along it, too.
 TEST(Labels, TheSurveyAsksTheDomainForItsBorder) {
-  for (const Cuts cuts : {Cuts::bisect, Cuts::midpoint}) {
+  for (const Method method : {Method::angles, Method::midpoint}) {
     const Counting domain;
     Context context;
-    const Stuffing stuffing(domain, lattice, {.cuts = cuts}, context);
+    const Stuffing stuffing(domain, lattice, method, context);
     const Mesh mesh = emit(stuffing, {}, context);
     EXPECT_TRUE(stuffing.has_border());
     std::size_t on_border = 0;
@@ -184,7 +184,7 @@ TEST(Labels, TheSurveyAsksTheDomainForItsBorder) {
       const bool expected = std::ranges::all_of(face.points, [&](std::uint64_t p) {
         const Coord3 at = mesh.points[p];
         const std::int32_t far = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
-        return cuts == Cuts::bisect ? std::abs(far - half * steps) <= 4 : stuffing.is_on_border(at);
+        return method == Method::angles ? std::abs(far - half * steps) <= 4 : stuffing.is_on_border(at);
       });
       ASSERT_EQ(face.patch == Patch::border, expected);
       on_border += expected;

@@ -92,14 +92,15 @@ Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report) {
 
 [[noreturn]] void refuse_angles(const MeshReport& report) {
   const Quality& lattice = report.written.lattice;
-  const bool in_lattice = within(lattice, report.bounds, shown_rounding);
+  const AngleBounds& bounds = facts(report.used).bounds;
+  const bool in_lattice = within(lattice, bounds, shown_rounding);
   const Quality& quality = in_lattice ? report.written.world : lattice;
   throw Error(ErrorCode::check_failed,
               fmt::format("'{}' was not written: {} has angles from {:.6f} to {:.6f} degrees and "
                           "{} tetrahedra that are flat or turned over, which {} rules out",
                           report.output, in_lattice ? "the mesh in the world" : "the mesh",
                           quality.min_dihedral, quality.max_dihedral, quality.nonpositive,
-                          report.bounds.theorem));
+                          bounds.theorem));
 }
 
 /// The mesh is sound, but not where it is to be.
@@ -142,7 +143,7 @@ KeepingSize keeping_size(const MeshOptions& options, const Source& source, std::
     PlacedSource placed = source.place(size);
     judge_lattice(placed, limit);
     if (!budget.pay_for(placed)) return std::nullopt;
-    Stuffing stuffing(*placed.domain, placed.lattice, options.stuffing, context);
+    Stuffing stuffing(*placed.domain, placed.lattice, options.method, context);
     if (static_cast<double>(stuffing.tet_count()) > most_searched_tets) return std::nullopt;
     return Counted{std::move(placed), std::move(stuffing)};
   };
@@ -211,7 +212,7 @@ Counted count(const MeshOptions& options, const Source& source, Context& context
   const auto count_at = [&](double size) {
     PlacedSource placed = source.place(size);
     judge_lattice(placed, report.memory_limit);
-    Stuffing stuffing(*placed.domain, placed.lattice, options.stuffing, context);
+    Stuffing stuffing(*placed.domain, placed.lattice, options.method, context);
     return Counted{std::move(placed), std::move(stuffing)};
   };
   if (options.target_tets != 0)
@@ -228,8 +229,7 @@ void describe(const MeshOptions& options, const Source& source, MeshReport& repo
   report.output = options.output.string();
   report.format = name(options.format);
   report.target_tets = options.target_tets;
-  report.cuts = options.stuffing.cuts;
-  report.asked = options.stuffing.guarantee;
+  report.asked = options.method;
 }
 
 void describe(const MeshOptions& options, const Counted& counted, const Progress& progress,
@@ -238,9 +238,8 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
   report.cells = source.lattice.cells;
   report.size = source.frame.size;
   if (options.origin == OutputOrigin::lattice) report.output_origin = source.frame.origin;
-  report.used = stuffing.guarantee();
+  report.used = stuffing.method();
   report.inverted_tets = stuffing.inverted_tets();
-  report.bounds = proven_bounds(options.stuffing.cuts, report.used);
   report.points = stuffing.point_count();
   report.tets = stuffing.tet_count();
   report.sample_seconds = progress.seconds(Stage::sample);

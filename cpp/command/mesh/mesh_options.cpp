@@ -69,10 +69,10 @@ tetrahedra turn over, or angles leave their bounds by what tables show of them.
 Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file,
 format, bytes, origin}, lattice {cells, size, cuts, and with --target-tets:
 target_tets, tries}, mesh {points, tets, volume, checksum, file_checksum}, dihedral
-{min, max, lattice_min, lattice_max, rounding, histogram}, guarantee {asked, used,
-theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
-cut, warp, count, emit, measure, write, total}, memory {limit, needed, least,
-peak}, warnings, and for images regions [{label, voxels, tets, name where the file or
+{min, max, lattice_min, lattice_max, rounding, histogram}, method and theorem, those
+of the mesh, guarantee {asked, used, theorem, min_dihedral, max_dihedral,
+inverted_tets, holds}, seconds {read, sample, cut, warp, count, emit, measure, write,
+total}, memory {limit, needed, least, peak}, warnings, and for images regions [{label, voxels, tets, name where the file or
 --label-names has one, and where pieces were counted: pieces, image_pieces {by_corners, by_faces}}], with --smooth: smoothing
 {sigma, voxel_volume, mesh_volume, change}.  Lengths are in world units, angles in degrees, memory in bytes; the
 histogram has 36 bins of 5 degrees, counted before coordinates are rounded; rounding
@@ -90,6 +90,8 @@ a dry run leaves out what it does not know.)";
 struct RawMesh {
   std::string volume, nan, size, relative_size, target_tets, iso, labels, spacing, smooth, crop,
       bounds, format, origin;
+  Cuts cuts = Cuts::bisect;
+  Method guarantee = Method::angles;
   bool compress = false;
 };
 
@@ -153,16 +155,16 @@ void declare_lattice(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("--margin", options.margin, "Lattice cells around the solid (default: 2)")
       ->check(CLI::Range(1, 1000))
       ->option_text("N");
-  mesh.add_option("--cuts", options.stuffing.cuts,
+  mesh.add_option("--cuts", raw.cuts,
                   "bisect: on the surface (default); midpoint: in the middle of edges")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Cuts>{
           {"bisect", Cuts::bisect}, {"midpoint", Cuts::midpoint}}))
       ->option_text("WHERE");
-  mesh.add_option("--guarantee", options.stuffing.guarantee,
+  mesh.add_option("--guarantee", raw.guarantee,
                   "angles: the widest dihedral angles (default); embedding: the warped "
                   "lattice never folds")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Guarantee>{
-          {"angles", Guarantee::angles}, {"embedding", Guarantee::embedding}}))
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Method>{
+          {"angles", Method::angles}, {"embedding", Method::embedding}}))
       ->option_text("WHICH");
 }
 
@@ -254,13 +256,12 @@ double parse_nan(const MeshOptions& options, const std::string& text) {
 MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   judge_source(options, raw);
   read_size(options, raw);
+  // No vertex is warped at cuts in the middle, whatever the guarantee.
+  options.method = raw.cuts == Cuts::midpoint ? Method::midpoint : raw.guarantee;
   if (!raw.iso.empty()) options.iso = parse_number("--iso", raw.iso);
   if (!raw.labels.empty()) options.labels = parse_labels(raw.labels);
   if (!raw.smooth.empty()) options.smooth = positive("--smooth", raw.smooth);
-  if (!raw.crop.empty()) {
-    const Bounds box = parse_bounds(raw.crop, "--crop");
-    options.crop = WorldBox{box.low, box.high};
-  }
+  if (!raw.crop.empty()) options.crop = parse_bounds(raw.crop, "--crop");
   if (!raw.volume.empty()) options.image.volume = parse_whole("--volume", raw.volume);
   if (!raw.nan.empty()) options.nan = parse_nan(options, raw.nan);
   if (!raw.spacing.empty()) options.image.spacing = parse_spacing(raw.spacing);

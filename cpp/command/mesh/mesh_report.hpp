@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "certet/method.hpp"
 #include "certet/quality.hpp"
-#include "certet/stuffing.hpp"
 #include "certet/write_mesh.hpp"
 #include "regions.hpp"
 #include "report.hpp"
@@ -34,10 +34,8 @@ struct MeshReport {
   double size = 0;
   std::uint64_t target_tets = 0;  ///< 0: the size was not searched for
   int tries = 1;
-  Cuts cuts{};
-  Guarantee asked{}, used{};
+  Method asked{}, used{};
   std::uint64_t inverted_tets = 0;
-  AngleBounds bounds{};
 
   std::uint64_t points = 0, tets = 0;
   WrittenMesh written;  ///< empty after a dry run
@@ -52,9 +50,6 @@ struct MeshReport {
 
 /// How the mesh that was measured stands to its theorem.
 Standing standing(const MeshReport& report);
-
-std::string name(Cuts cuts);
-std::string name(Guarantee guarantee);
 
 /// For people.
 std::string table(const MeshReport& report);

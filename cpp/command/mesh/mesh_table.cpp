@@ -7,16 +7,16 @@ namespace certet::command {
 namespace {
 
 /// Nothing is called proven that was not measured.
-void add_guarantee(Lines& lines, const MeshReport& report) {
+void add_method(Lines& lines, const MeshReport& report) {
+  const MethodFacts& method = facts(report.used);
   lines.add(report.dry_run ? "bounds" : "proven", "{:.3f}° to {:.3f}°, theorem {}{}",
-            report.bounds.min_dihedral, report.bounds.max_dihedral, report.bounds.theorem,
+            method.bounds.min_dihedral, method.bounds.max_dihedral, method.bounds.theorem,
             report.dry_run ? "; no angle was measured" : "");
-  if (report.cuts == Cuts::midpoint) return;
-  lines.add("thresholds", "{}{}", name(report.used),
+  lines.add("method", "{}: {}{}", method.name, method.sentence,
             report.used == report.asked
                 ? ""
-                : fmt::format(" (those of {} inverted {} dropped tetrahedra)",
-                              name(report.asked), grouped(report.inverted_tets)));
+                : fmt::format(" ({} inverted {} dropped tetrahedra)", name(report.asked),
+                              grouped(report.inverted_tets)));
 }
 
 void add_regions(Lines& lines, const MeshReport& report) {
@@ -41,7 +41,7 @@ std::string table(const MeshReport& report) {
     lines.add("origin", "0 in the output is ({:.17g}, {:.17g}, {:.17g}) in the world",
               report.output_origin[0], report.output_origin[1], report.output_origin[2]);
   lines.add("lattice", "{} x {} x {} cells of size {:.6g}, cuts {}", report.cells[0],
-            report.cells[1], report.cells[2], report.size, name(report.cuts));
+            report.cells[1], report.cells[2], report.size, name(facts(report.used).cuts));
   if (report.target_tets != 0)
     lines.add("target", "{} tetrahedra, size found in {} tries", grouped(report.target_tets),
               report.tries);
@@ -58,7 +58,7 @@ std::string table(const MeshReport& report) {
     // In exact coordinates an angle on the edge between two bins is in its own.
     add_histogram(lines, report.written.lattice);
   }
-  add_guarantee(lines, report);
+  add_method(lines, report);
   lines.add("seconds", "read {:.2f}, sample {:.2f}, cut {:.2f}, warp {:.2f}, count {:.2f}",
             report.read_seconds, report.sample_seconds, report.cut_seconds,
             report.warp_seconds, report.count_seconds);

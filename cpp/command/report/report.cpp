@@ -25,7 +25,7 @@ within its bounds; a file that is another, or angles outside of the bounds that 
 /// What the user asks of `certet report`.
 struct Options {
   std::filesystem::path mesh, output, run;
-  std::optional<Guarantee> guarantee;
+  std::optional<Method> guarantee;
   std::optional<Cuts> cuts;
 };
 
@@ -45,13 +45,18 @@ void judge(const Options& options) {
   judge_output(options.output);
 }
 
+/// Whether the options leave open that a mesh was made by this method.
+bool may_be(const MethodFacts& method, const Options& options) {
+  if (options.cuts && method.cuts != *options.cuts) return false;
+  return !options.guarantee || method.method == *options.guarantee ||
+         options.cuts == Cuts::midpoint;  // where no vertex is warped, whatever the guarantee
+}
+
 /// All bounds that may hold, as far as the options tell.
 std::vector<AngleBounds> possible_bounds(const Options& options) {
-  if (options.cuts == Cuts::midpoint) return {proven_bounds(Cuts::midpoint, Guarantee::angles)};
-  if (options.guarantee) return {proven_bounds(Cuts::bisect, *options.guarantee)};
-  std::vector<AngleBounds> bounds{proven_bounds(Cuts::bisect, Guarantee::angles),
-                                  proven_bounds(Cuts::bisect, Guarantee::embedding)};
-  if (!options.cuts) bounds.push_back(proven_bounds(Cuts::midpoint, Guarantee::angles));
+  std::vector<AngleBounds> bounds;
+  for (const MethodFacts& method : methods)
+    if (may_be(method, options)) bounds.push_back(method.bounds);
   return bounds;
 }
 
@@ -102,8 +107,8 @@ Run declare_report(CLI::App& app) {
       ->option_text("FILE");
   app.add_option("--guarantee", options->guarantee,
                  "Of the run, where there is no --run: angles or embedding")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Guarantee>{
-          {"angles", Guarantee::angles}, {"embedding", Guarantee::embedding}}))
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Method>{
+          {"angles", Method::angles}, {"embedding", Method::embedding}}))
       ->option_text("WHICH");
   app.add_option("--cuts", options->cuts, "Of the run, where there is no --run: bisect or midpoint")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Cuts>{

@@ -13,7 +13,7 @@ namespace {
 /// The part of a solid in a box of the world.
 class CroppedDomain final : public PlacedDomain {
  public:
-  CroppedDomain(std::unique_ptr<PlacedDomain> whole, const WorldBox& box)
+  CroppedDomain(std::unique_ptr<PlacedDomain> whole, const Bounds& box)
       : whole_(std::move(whole)), box_(box), lattice_(whole_->lattice()),
         border_(whole_->border().begin(), whole_->border().end()) {
     border_.push_back(BorderBox::along_world(frame(), box.low, box.high));
@@ -83,7 +83,7 @@ class CroppedDomain final : public PlacedDomain {
   }
 
   /// How a box of the world lies to the one that is cropped to.
-  [[nodiscard]] Extent place_of(const WorldBox& world) const {
+  [[nodiscard]] Extent place_of(const Bounds& world) const {
     bool within = true;
     for (std::size_t a = 0; a < 3; ++a) {
       if (world.high[a] < box_.low[a] || world.low[a] > box_.high[a]) return Extent::outside;
@@ -93,8 +93,8 @@ class CroppedDomain final : public PlacedDomain {
   }
 
   /// A box around a lattice box, a little wider than rounding may move a corner.
-  [[nodiscard]] WorldBox in_world(const LatticeBox& box) const {
-    WorldBox world;
+  [[nodiscard]] Bounds in_world(const LatticeBox& box) const {
+    Bounds world;
     world.low.fill(std::numeric_limits<double>::infinity());
     world.high.fill(-std::numeric_limits<double>::infinity());
     for (int corner = 0; corner < 8; ++corner) {
@@ -149,7 +149,7 @@ class CroppedDomain final : public PlacedDomain {
   }
 
   std::unique_ptr<PlacedDomain> whole_;
-  WorldBox box_;
+  Bounds box_;
   Lattice lattice_;
   std::vector<BorderBox> border_;
 };
@@ -157,7 +157,7 @@ class CroppedDomain final : public PlacedDomain {
 }  // namespace
 
 std::unique_ptr<PlacedDomain> cropped_domain(std::unique_ptr<PlacedDomain> whole,
-                                            const WorldBox& box) {
+                                            const Bounds& box) {
   for (std::size_t a = 0; a < 3; ++a)
     if (!(box.low[a] < box.high[a]) || !std::isfinite(box.low[a]) || !std::isfinite(box.high[a]))
       throw Error(ErrorCode::bad_option, "the box to crop to is empty or not finite");

@@ -18,7 +18,7 @@ int main() try {
 
   const auto domain = certet::label_domain(std::move(image), {}, {});  // all labels but 0
   certet::Context context;
-  const certet::Stuffing stuffing(*domain, domain->lattice(), {certet::Cuts::midpoint}, context);
+  const certet::Stuffing stuffing(*domain, domain->lattice(), certet::Method::midpoint, context);
   const auto file = certet::open_writer("labels.vtu", certet::Format::vtu,
                                         {stuffing.point_count(), stuffing.tet_count(), true});
   const certet::WrittenMesh mesh =

@@ -4,6 +4,7 @@
 
 #include "certet/error.hpp"
 #include "certet/quality.hpp"
+#include "certet/stuffing.hpp"
 #include "certet/surface.hpp"
 
 int main() try {

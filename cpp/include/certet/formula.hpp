@@ -7,6 +7,7 @@
 #include <string>
 
 #include "certet/bounds.hpp"
+#include "certet/lattice.hpp"
 #include "certet/placed_domain.hpp"
 
 namespace certet {

@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "certet/bounds.hpp"
 #include "certet/buffer.hpp"
 #include "certet/context.hpp"
 #include "certet/placed_domain.hpp"
@@ -150,16 +151,11 @@ std::unique_ptr<PlacedDomain> smoothed_domain(std::shared_ptr<const Image> label
                                              std::shared_ptr<const Image> smoothed,
                                              const ImageLattice& lattice);
 
-/// A box along the axes of the world.
-struct WorldBox {
-  Point3 low{}, high{};
-};
-
 /// The part of a solid in a box, closed flat at the box's faces, which belong to it.
 /// The lattice is the whole solid's, without the cells beyond the box.
 /// \throws Error `bad_option` for a box that is empty, `empty_domain`.
 std::unique_ptr<PlacedDomain> cropped_domain(std::unique_ptr<PlacedDomain> whole,
-                                            const WorldBox& box);
+                                            const Bounds& box);
 
 /// One label in an image, and what a lattice finds of it.  A piece is what hangs
 /// together: voxels by their faces, or by faces, edges and corners; points of the

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "certet/bounds.hpp"
+#include "certet/lattice.hpp"
 #include "certet/placed_domain.hpp"
 
 namespace certet {
@@ -55,7 +56,7 @@ class ShapeDomain final : public PlacedDomain {
  private:
   Bounds bounds_;
   std::optional<double> volume_;
-  BoxLattice around_;
+  PlacedLattice around_;
   std::vector<BorderBox> border_;  ///< the bounds, if they cut the solid off
   std::unique_ptr<Domain> solid_;
 };

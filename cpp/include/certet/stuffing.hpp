@@ -8,41 +8,11 @@
 
 #include "certet/context.hpp"
 #include "certet/domain.hpp"
-#include "certet/lattice/lattice_limits.hpp"
+#include "certet/lattice.hpp"
 #include "certet/mesh.hpp"
-#include "certet/lattice/structured_tet.hpp"
-#include "certet/lattice/warp.hpp"
+#include "certet/method.hpp"
 
 namespace certet {
-
-/// The piece of the lattice that is searched: the even points
-/// origin + 2 (i,j,k), 0 <= i < cells[0] and so on, and the odd points
-/// origin + 2 (i,j,k) + (1,1,1).  `origin` is an even point, in lattice units.
-/// The outermost points (first and last index of each axis) count as outside
-/// whatever the domain says, which closes the mesh.
-struct Lattice {
-  Coord3 origin{0, 0, 0};
-  std::array<std::int32_t, 3> cells{0, 0, 0};
-};
-
-/// Where the cuts are put.
-enum class Cuts {
-  bisect,    ///< on the surface, found by bisection to one step
-  midpoint,  ///< in the middle of each edge; no vertex is warped, and one that
-             ///< lies on the surface counts as inside
-};
-
-/// Which theorem shall cover the mesh.
-enum class Guarantee {
-  angles,     ///< thresholds 73/256, 102/256: the widest angles
-  embedding,  ///< thresholds 64/256, 105/256: the warped lattice never folds
-};
-
-/// What the caller chooses.
-struct StuffingOptions {
-  Cuts cuts = Cuts::bisect;
-  Guarantee guarantee = Guarantee::angles;
-};
 
 /// A mesh that is decided and counted, but not yet written out: signs, cuts
 /// and warped vertices of the lattice.  It is made of layers (one for each k of
@@ -55,8 +25,7 @@ class Stuffing {
   /// long as the object, which asks it for materials while it emits.
   /// \throws Error `too_large` (lattice outside the coordinate range, or out
   /// of memory), `cancelled`, `bad_option`; whatever the domain throws.
-  Stuffing(const Domain& domain, const Lattice& lattice,
-           const StuffingOptions& options, Context& context);
+  Stuffing(const Domain& domain, const Lattice& lattice, Method method, Context& context);
   ~Stuffing();
   Stuffing(Stuffing&&) noexcept;
   Stuffing& operator=(Stuffing&&) noexcept;
@@ -65,10 +34,10 @@ class Stuffing {
   [[nodiscard]] std::uint64_t tet_count() const;
 
   [[nodiscard]] const Lattice& lattice() const;
-  /// The thresholds that were used in the end.
-  [[nodiscard]] Guarantee guarantee() const;
-  /// All-zero tetrahedra that the `angles` thresholds had inverted; if there
-  /// were any, the mesh was warped anew with those of `embedding`.
+  /// The method that was used in the end, whose theorem covers the mesh.
+  [[nodiscard]] Method method() const;
+  /// All-zero tetrahedra that `Method::angles` had inverted; if there were any, the
+  /// mesh was warped anew by `Method::embedding`.
   [[nodiscard]] std::uint64_t inverted_tets() const;
 
   /// Number of layers; layers are numbered from 0.
@@ -110,6 +79,9 @@ class Stuffing {
                       std::span<const Tet<std::uint64_t>> tets, std::span<Material> out,
                       Context& context) const;
 
+  /// The same for some tetrahedra of the mesh, whose corners are at hand.
+  void materials_of(std::span<const TetCorners> tets, std::span<Material> out) const;
+
   /// Whether the domain is cut off anywhere.
   [[nodiscard]] bool has_border() const;
   /// Whether a point of the mesh's surface, in steps, lies where the domain is cut off.
@@ -126,7 +98,7 @@ class Stuffing {
 
 /// The whole mesh in memory.  \throws Error as `Stuffing` and `emit`, and `empty_domain`.
 Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame,
-           const StuffingOptions& options, Context& context);
+           Method method, Context& context);
 
 /// Writes a counted mesh into memory, with labels if the domain has any.  \throws Error `too_large` (out of memory), and
 /// as `checked_size` for the size of the frame.

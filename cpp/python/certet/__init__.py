@@ -26,6 +26,7 @@ __version__: str = _certet.version
 
 Cuts = Literal["bisect", "midpoint"]
 Guarantee = Literal["angles", "embedding"]
+Method = Literal["angles", "embedding", "midpoint"]
 
 
 class Quality(NamedTuple):
@@ -94,9 +95,15 @@ class Mesh:
         return np.asarray(self._inner.axes)
 
     @property
-    def guarantee(self) -> Guarantee:
-        """The thresholds that were used in the end."""
-        return self._inner.guarantee
+    def method(self) -> Method:
+        """The method that was used in the end, whose theorem covers the mesh: where "angles"
+        would turn over a tetrahedron that is dropped, it is "embedding"."""
+        return self._inner.method
+
+    @property
+    def guarantee(self) -> Method:
+        """The same, under its older name."""
+        return self.method
 
     @property
     def notes(self) -> list[str]:
@@ -134,6 +141,7 @@ def mesh_image(
     iso: float | None = None,
     size: float | None = None,
     margin: int = 2,
+    method: Method | None = None,
     cuts: Cuts = "bisect",
     guarantee: Guarantee = "angles",
     threads: int = 0,
@@ -152,9 +160,11 @@ def mesh_image(
     iso : the level; then `labels` must be None
     size : the long edge of the lattice, in world units (default: the smallest spacing)
     margin : cells of the lattice around the solid, at least 1
-    cuts : "bisect" finds the surface along every edge, "midpoint" cuts edges in the middle
-        (angles between 30 and 135 degrees)
-    guarantee : thresholds of warping; see the README
+    method : "angles" (default; dihedral angles from 10.77 to 164.76 degrees), "embedding" (from
+        9.27 to 161.46, and the mesh embeds) or "midpoint" (from 30 to 135: edges are cut in
+        the middle, whatever the surface does between its ends)
+    cuts, guarantee : the same in two older words, where there is no `method`: cuts="midpoint",
+        or guarantee="embedding"
     threads : 0 takes all cores; the mesh does not depend on it
 
     Raises
@@ -170,7 +180,7 @@ def mesh_image(
     axes = np.eye(3) if direction is None else np.asarray(direction, float)
     return Mesh(_certet.mesh_image(np.asarray(array), _three(spacing), _three(origin),
                                    axes.tolist(), ranges, iso, _size(size), margin,
-                                   _options(cuts, guarantee, threads)))
+                                   _options(method, cuts, guarantee, threads)))
 
 
 def mesh_function(
@@ -179,6 +189,7 @@ def mesh_function(
     size: float | None = None,
     *,
     margin: int = 2,
+    method: Method | None = None,
     cuts: Cuts = "bisect",
     guarantee: Guarantee = "angles",
     threads: int = 0,
@@ -192,7 +203,7 @@ def mesh_function(
         answer for the same point every time.  What it raises ends the run and is raised here.
     bounds : ((x0, y0, z0), (x1, y1, z1)): a box, beyond which all is outside
     size : the long edge of the lattice (default: a 64th of the longest side of the box)
-    margin, cuts, guarantee, threads : as `mesh_image` has them
+    margin, method, cuts, guarantee, threads : as `mesh_image` has them
 
     Raises
     ------
@@ -200,7 +211,7 @@ def mesh_function(
     """
     low, high = bounds
     return Mesh(_certet.mesh_function(f, _three(low), _three(high), _size(size), margin,
-                                      _options(cuts, guarantee, threads)))
+                                      _options(method, cuts, guarantee, threads)))
 
 
 def mesh_surface(
@@ -210,6 +221,7 @@ def mesh_surface(
     size: float | None = None,
     repair: bool = False,
     margin: int = 2,
+    method: Method | None = None,
     cuts: Cuts = "bisect",
     guarantee: Guarantee = "angles",
     threads: int = 0,
@@ -226,7 +238,7 @@ def mesh_surface(
     size : the long edge of the lattice (default: a 64th of the longest side, or less where the
         solid is thin, as far as some 4 million tetrahedra)
     repair : close the holes of an open surface
-    margin, cuts, guarantee, threads : as `mesh_image` has them
+    margin, method, cuts, guarantee, threads : as `mesh_image` has them
 
     Raises
     ------
@@ -235,7 +247,7 @@ def mesh_surface(
     """
     return Mesh(_certet.mesh_surface(np.asarray(points, float), np.asarray(triangles, np.int64),
                                      _size(size), margin, repair,
-                                     _options(cuts, guarantee, threads)))
+                                     _options(method, cuts, guarantee, threads)))
 
 
 def _three(numbers: Sequence[float]) -> tuple[float, float, float]:
@@ -252,9 +264,13 @@ def _size(size: float | None) -> float:
     return float(size)
 
 
-def _options(cuts: str, guarantee: str, threads: int) -> _certet.Options:
+def _options(method: str | None, cuts: str, guarantee: str, threads: int) -> _certet.Options:
     if cuts not in ("bisect", "midpoint"):
         raise ValueError(f"cuts is 'bisect' or 'midpoint', not {cuts!r}")
     if guarantee not in ("angles", "embedding"):
         raise ValueError(f"guarantee is 'angles' or 'embedding', not {guarantee!r}")
-    return _certet.Options(cuts == "midpoint", guarantee == "embedding", threads)
+    if method is None:
+        method = "midpoint" if cuts == "midpoint" else guarantee
+    elif (cuts, guarantee) != ("bisect", "angles"):
+        raise ValueError("method says all that cuts and guarantee do: give one or the others")
+    return _certet.Options(method, threads)

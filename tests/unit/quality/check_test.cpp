@@ -175,15 +175,15 @@ TEST(Check, IndicesOfBothWidthsGiveTheSame) {
 TEST(Check, MeshesOfTheEnginePass) {
   Context context;
   const Lattice lattice{{-24, -24, -24}, {24, 24, 24}};
-  for (const Guarantee guarantee : {Guarantee::angles, Guarantee::embedding}) {
+  for (const Method method : {Method::angles, Method::embedding}) {
     const auto torus = domains::of_level(domains::torus(0, 0, 0, 14, 6));
-    const Mesh mesh = stuff(torus, lattice, {}, {Cuts::bisect, guarantee}, context);
+    const Mesh mesh = stuff(torus, lattice, {}, method, context);
     std::vector<Point3> points;
     for (const Coord3 p : mesh.points) points.push_back(mesh.frame.world(p));
     const std::span<const Tet32> tets = std::get<Buffer<Tet32>>(mesh.tets);
     const CheckReport report = check(points, tets);
     EXPECT_TRUE(report.failures.empty()) << report.failures.front();
-    const AngleBounds bounds = proven_bounds(Cuts::bisect, guarantee);
+    const AngleBounds& bounds = facts(method).bounds;
     EXPECT_GE(report.quality.min_dihedral, bounds.min_dihedral);
     EXPECT_LE(report.quality.max_dihedral, bounds.max_dihedral);
     const Quality exact = measure_lattice(mesh.points, 0, tets);
