@@ -82,7 +82,7 @@ bench-deps:
 	$(call install,$(BENCH_PACKAGES))
 
 # The product alone: a folder that is configured for the tests too stays so.
-CONFIGURE := cmake -S . -B $(BUILD) -G Ninja -DCERTET_WERROR=ON
+CONFIGURE := cmake -S . -B $(BUILD) -G Ninja -DCERTET_WERROR=ON -DCERTET_UNITY=ON
 configured:
 	$(CONFIGURE) $(if $(wildcard $(BUILD)/CMakeCache.txt),,-DCERTET_TESTS=OFF -DCERTET_BENCH=OFF)
 
