@@ -5,14 +5,14 @@
 #include <array>
 #include <cstddef>
 
-#include "cell_tables.hpp"
+#include "lattice/cell_tables.hpp"
 #include "certet/lattice/lattice_limits.hpp"
 #include "certet/quality.hpp"
 #include "certet/lattice/sign.hpp"
 #include "certet/lattice/stencil.hpp"
 #include "certet/lattice/structured_tet.hpp"
 #include "certet/lattice/warp.hpp"
-#include "cuts.hpp"
+#include "engine/cuts.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/quality/shape_counter.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "certet/quality.hpp"
 #include "certet/lattice/stencil.hpp"
-#include "cell_tables.hpp"
+#include "lattice/cell_tables.hpp"
 #include "certet/lattice/warp.hpp"
 
 namespace certet::tables {
