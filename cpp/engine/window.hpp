@@ -28,7 +28,7 @@
 #include <utility>
 #include <vector>
 
-#include "certet/stuffing.hpp"
+#include "certet/lattice.hpp"
 
 namespace certet::core {
 

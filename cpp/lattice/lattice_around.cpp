@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "certet/bounds.hpp"
 #include "certet/error.hpp"
-#include "certet/lattice/structured_tet.hpp"
+#include "certet/lattice.hpp"
+#include "certet/lattice/lattice_limits.hpp"
 
 namespace certet {
 namespace {
@@ -29,10 +29,10 @@ double longest_side(const Bounds& bounds) {
                    bounds.high[2] - bounds.low[2]});
 }
 
-BoxLattice lattice_around(const Bounds& bounds, double size, std::int32_t margin) {
+PlacedLattice lattice_around(const Bounds& bounds, double size, std::int32_t margin) {
   judge(bounds);
   checked_margin(margin);
-  BoxLattice result;
+  PlacedLattice result;
   result.frame.size = checked_size(size == 0 ? longest_side(bounds) / 64 : size);
   auto& cells = result.lattice.cells;
   for (std::size_t a = 0; a < 3; ++a) {

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "arrays.hpp"
-#include "certet/bounds.hpp"
 #include "certet/checksum.hpp"
 #include "certet/error.hpp"
 #include "certet/image.hpp"
+#include "certet/lattice.hpp"
 #include "certet/placed_quality.hpp"
 #include "certet/surface.hpp"
 #include "domains.hpp"
@@ -125,7 +125,7 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
 std::shared_ptr<PythonMesh> mesh_function(py::object function, const Point3& low,
                                           const Point3& high, double size, int margin,
                                           const Options& options) {
-  const BoxLattice box = lattice_around({low, high}, size, margin);
+  const PlacedLattice box = lattice_around({low, high}, size, margin);
   // Kept here, under Python's lock, for it has to be let go of under it too.
   const PythonDomain domain(std::move(function), box.frame, {low, high});
   return mesh_of(

@@ -40,7 +40,7 @@ struct FormulaDomain::State {
     NodeId level;  ///< NaN where the formula is NaN, which is outside too
   };
 
-  State(const std::string& text, const Bounds& bounds, const BoxLattice& around)
+  State(const std::string& text, const Bounds& bounds, const PlacedLattice& around)
       : formula(text, bounds),
         of_rows(formula.tape, formula.level, Batch::row),
         of_points(formula.tape, formula.level, Batch::points),

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "certet/domain.hpp"
-#include "certet/stuffing.hpp"
+#include "certet/lattice.hpp"
 #include "exact.hpp"
 
 namespace certet {

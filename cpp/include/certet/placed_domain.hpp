@@ -6,7 +6,7 @@
 
 #include "certet/domain.hpp"
 #include "certet/frame.hpp"
-#include "certet/stuffing.hpp"
+#include "certet/lattice.hpp"
 
 namespace certet {
 

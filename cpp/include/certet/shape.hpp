@@ -53,7 +53,7 @@ class ShapeDomain final : public PlacedDomain {
  private:
   Bounds bounds_;
   std::optional<double> volume_;
-  BoxLattice around_;
+  PlacedLattice around_;
   std::unique_ptr<Domain> solid_;
 };
 

@@ -8,22 +8,13 @@
 
 #include "certet/context.hpp"
 #include "certet/domain.hpp"
+#include "certet/lattice.hpp"
 #include "certet/lattice/lattice_limits.hpp"
 #include "certet/mesh.hpp"
 #include "certet/lattice/structured_tet.hpp"
 #include "certet/lattice/warp.hpp"
 
 namespace certet {
-
-/// The piece of the lattice that is searched: the even points
-/// origin + 2 (i,j,k), 0 <= i < cells[0] and so on, and the odd points
-/// origin + 2 (i,j,k) + (1,1,1).  `origin` is an even point, in lattice units.
-/// The outermost points (first and last index of each axis) count as outside
-/// whatever the domain says, which closes the mesh.
-struct Lattice {
-  Coord3 origin{0, 0, 0};
-  std::array<std::int32_t, 3> cells{0, 0, 0};
-};
 
 /// Where the cuts are put.
 enum class Cuts {
