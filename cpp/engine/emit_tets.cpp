@@ -1,7 +1,6 @@
 #include <limits>
 
 #include "lattice/cell_tables.hpp"
-#include "certet/lattice/stencil.hpp"
 #include "emit.hpp"
 #include "emit_loop.hpp"
 #include "row_window.hpp"
@@ -72,7 +71,7 @@ class TetEmitter {
     Index* to = out_->data();
     for (int i = 0; i < length; ++i, to += interior_size)
       for (std::size_t n = 0; n < interior_size; ++n) to[n] = current[n]++;
-    out_ += length * case_count;
+    out_ += length * int{cell_tet_count};
   }
 
   /// A cell with the surface in or near it: case by case, by the stencils.
@@ -81,11 +80,11 @@ class TetEmitter {
     for (std::size_t v = 0; v < cell_vertex_count; ++v)
       sign[v] = sign_of_bits(static_cast<int>(vertex_[v].plus >> b & 1),
                              static_cast<int>(vertex_[v].zero >> b & 1));
-    for (std::size_t c = 0; c < case_count; ++c) {
+    for (std::size_t c = 0; c < cell_tet_count; ++c) {
       const auto& corner = cell.corner[c];
       const auto pattern = static_cast<std::size_t>(pattern_index(
           sign[corner[0]], sign[corner[1]], sign[corner[2]], sign[corner[3]]));
-      for (const UnstructuredTet& tet : stencil_table[pattern]) {
+      for (const UnstructuredTet& tet : stencils[pattern]) {
         for (std::size_t n = 0; n < 4; ++n) (*out_)[n] = vertex_number(c, tet[output_orders[c][n]], w, b);
         ++out_;
       }

@@ -35,7 +35,7 @@ class MovedVertices {
     const std::uint64_t* const row = violated_.plus(ref.grid, j + ref.shift.y, k + ref.shift.z);
     if ((row[x >> 6] >> (x & 63) & 1) == 0) return home;
     const Displacement d = move(ref.grid, x, j + ref.shift.y, k + ref.shift.z);
-    return home + std::int32_t{d.distance} * direction_offset[d.direction];
+    return home + std::int32_t{d.distance} * tiling.directions[d.direction];
   }
 
  private:
@@ -43,8 +43,8 @@ class MovedVertices {
     const ZeroLayer& layer = moves_[k];
     std::size_t at = layer.row_begin[static_cast<std::size_t>(j)];
     const auto count = [](std::uint64_t word) { return static_cast<std::size_t>(std::popcount(word)); };
-    if (grid == odd)
-      for (int w = 0; w < violated_.words(); ++w) at += count(violated_.plus(even, j, k)[w]);
+    for (std::size_t before = 0; before < grid; ++before)
+      for (int w = 0; w < violated_.words(); ++w) at += count(violated_.plus(before, j, k)[w]);
     const std::uint64_t* const row = violated_.plus(grid, j, k);
     for (int w = 0; w < i >> 6; ++w) at += count(row[w]);
     at += count(row[i >> 6] & below(i & 63));
@@ -70,7 +70,7 @@ std::uint64_t Violations::inverted_tets(Context& context) const {
         std::array<std::uint64_t, cell_vertex_count> zero;
         for (std::size_t v = 0; v < cell_vertex_count; ++v)
           zero[v] = vertices.zero(cell.vertices[v], j, k, w);
-        for (std::size_t c = 0; c < case_count; ++c) {
+        for (std::size_t c = 0; c < cell_tet_count; ++c) {
           const auto& corner = cell.corner[c];
           for_each_bit(zero[corner[0]] & zero[corner[1]] & zero[corner[2]] & zero[corner[3]],
                        [&](int b) {
@@ -78,7 +78,7 @@ std::uint64_t Violations::inverted_tets(Context& context) const {
             for (std::size_t n = 0; n < 4; ++n)
               p[n] = vertices.position(cell.vertices[corner[n]], 64 * w + b, j, k);
             const std::int64_t six_volume = certet::six_volume(p[0], p[1], p[2], p[3]);
-            if (structured_tet_table[c].right_handed ? six_volume <= 0 : six_volume >= 0) ++inverted;
+            if (tiling.tets[c].right_handed ? six_volume <= 0 : six_volume >= 0) ++inverted;
           });
         }
       }

@@ -61,7 +61,7 @@ class BlockRowSampler {
     if (!find_extents(block_j, block_k)) return;
     for (int k = k_begin; k < k_end; ++k)
       for (int j = j_begin; j < j_end; ++j)
-        for (const Grid grid : {even, odd}) sample_row(grid, j, k);
+        for (const Grid grid : grids) sample_row(grid, j, k);
   }
 
  private:
@@ -101,7 +101,7 @@ class BlockRowSampler {
         case Extent::inside: std::ranges::fill(run, Sign::plus); break;
         case Extent::outside: std::ranges::fill(run, Sign::minus); break;
         case Extent::mixed:
-          domain_.row(lattice_.origin + 2 * Coord3{begin, j, k} + Coord3{grid, grid, grid}, run);
+          domain_.row(lattice_.origin + 2 * Coord3{begin, j, k} + tiling.grids[grid], run);
       }
       b = e;
     }

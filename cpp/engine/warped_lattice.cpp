@@ -69,7 +69,7 @@ class LayerWarper {
       if (cuts_.window().contains(k_ - 1)) collect(j, k_ - 1);
       collect(j, k_);
       moves.row_begin.push_back(static_cast<std::uint32_t>(moves.displacements.size()));
-      for (const Grid grid : {even, odd})
+      for (const Grid grid : grids)
         for (int w = 0; w < planes_.words(); ++w)
           violated.plus(grid, j, k_)[w] =
               rows_[j & 1].take(grid, w, thresholds_, moves.displacements);
@@ -156,7 +156,7 @@ ZeroLayer remaining_zeros(const SignPlanes& violated, const ZeroLayer& moves,
   std::size_t next_move = 0;
   for (int j = 0; j < after.cells()[1]; ++j) {
     left.row_begin.push_back(static_cast<std::uint32_t>(left.displacements.size()));
-    for (const Grid grid : {even, odd})
+    for (const Grid grid : grids)
       for (int w = 0; w < after.words(); ++w) {
         const std::uint64_t moved = violated.plus(grid, j, k)[w];
         const std::uint64_t zero = after.zero(grid, j, k)[w];
@@ -188,7 +188,7 @@ WarpedLattice Violations::apply(Context& context) const {
   SignPlanes& after = warped.planes;
   const auto for_each_word = [&](const auto& visit) {
     for (int j = 0; j < after.cells()[1]; ++j)
-      for (const Grid grid : {even, odd})
+      for (const Grid grid : grids)
         for (int w = 0; w < after.words(); ++w) visit(grid, j, w);
   };
   for_each_layer(context, Stage::warp, violated_.window(), [&](std::int32_t k) {
@@ -204,7 +204,7 @@ WarpedLattice Violations::apply(Context& context) const {
       std::uint64_t& zero = after.zero(grid, j, k)[w];
       if (zero == 0) return;
       std::uint64_t any_plus = 0;
-      for (std::size_t d = 0; d < direction_count; ++d) {
+      for (std::size_t d = 0; d < tiling.directions.size(); ++d) {
         const VertexRef ref = neighbor(grid, d);
         any_plus |= shifted(after.plus(ref.grid, j + ref.shift.y, k + ref.shift.z), w, ref.shift.x);
       }

@@ -18,7 +18,7 @@ struct Displacement {
   std::uint8_t direction = 0;
 };
 
-/// The displacements of one layer's zero vertices: row by row, even before odd,
+/// The displacements of one layer's zero vertices: row by row, grid by grid,
 /// in the order of the index.
 struct ZeroLayer {
   std::vector<Displacement> displacements;

@@ -187,6 +187,14 @@ Definition EdgeEnds : Table :=
        Row (map (fun f => Numbers (map (fun v => PlaceOf Coord3Equal v EdgeEndsList) (Ends f)))
               Families)].
 
+(** The tiling as data: its vertices, tetrahedra, edges at a vertex, and edges of a
+    cell. *)
+Definition LatticeTilingTable : Table :=
+  Row [Row (map Point Grids);
+       StructuredTetTable;
+       OfDirections (fun d => Point (Offset d));
+       Row (map (fun f => Row (map Point (Ends f))) Families)].
+
 (** ** The cell: the twelve tetrahedra of an index *)
 
 Definition CellVertices : list Coord3 := FirstSeen (flat_map CornersOf AllCases).
@@ -316,6 +324,7 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("structured_tet_table", Is StructuredTetTable);
    ("direction_count", Is (Count AllDirections));
    ("direction_offset", Is (OfDirections (fun d => Point (Offset d))));
+   ("lattice_tiling", Is LatticeTilingTable);
    ("pattern_count", Is (Number (Z.of_nat PatternCount)));
    ("stencil_table", Is StencilTable);
    ("step_bits", Is (Number (Z.of_nat StepBits)));
@@ -327,6 +336,7 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("no_warp_thresholds", Is (ThresholdsEntry NoWarpThresholds));
    ("methods", AreMethods);
    ("core::grid_count", Is (Count Grids));
+   ("core::grids", Is (Numbers (Upto (length Grids))));
    ("core::corner_kinds", Is (Number CornerKinds));
    ("core::family_count", Is (Count Families));
    ("core::kind_count", Is (Number (CornerKinds + Z.of_nat (length Families))));
@@ -335,6 +345,7 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("core::family_directions", Is FamilyDirections);
    ("core::edge_end_count", Is (Count EdgeEndsList));
    ("core::edge_ends", Is EdgeEnds);
+   ("core::cell_tet_count", Is (Count AllCases));
    ("core::cell_vertex_count", Is (Count CellVertices));
    ("core::cell", Is CellTable);
    ("core::output_orders", Is (Row (map (fun c => Numbers (OutputOrder c)) AllCases)));
@@ -357,5 +368,4 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("length_squared", Is (OfDirections (fun d => Number (LengthSquared (DirectionKind d)))));
    ("thresholds_in_steps",
       Is (Row (map StepsEntry [AngleThresholds; EmbeddingThresholds; NoWarpThresholds])));
-   ("core::grids", Is (Numbers (Upto (length Grids))));
    ("core::neighbor", Is Neighbors)]%string.

@@ -9,6 +9,7 @@
 #include "certet/context.hpp"
 #include "certet/domain.hpp"
 #include "certet/lattice.hpp"
+#include "certet/lattice/lattice_limits.hpp"
 #include "certet/mesh.hpp"
 #include "certet/method.hpp"
 
