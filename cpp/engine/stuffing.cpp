@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "border.hpp"
 #include "count.hpp"
 #include "cuts.hpp"
 #include "emit.hpp"
@@ -48,6 +49,7 @@ auto within_memory(const Work& work) {
 }  // namespace
 
 struct Stuffing::State {
+  const Domain& domain;
   Lattice lattice;
   WarpedLattice warped;
   RowNumbers numbers;
@@ -93,7 +95,7 @@ Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, Method method,
             : warp_lattice(planes, cuts, lattice, method, inverted, context);
     RowNumbers numbers(warped.planes, lattice, all, context);
     return std::make_unique<State>(
-        State{lattice, std::move(warped), std::move(numbers), method, inverted});
+        State{domain, lattice, std::move(warped), std::move(numbers), method, inverted});
   });
 }
 
@@ -135,6 +137,30 @@ void Stuffing::emit_tets(std::int32_t begin, std::int32_t end,
   core::emit_tets(state_->warped, state_->numbers, state_->lattice, {begin, end}, out, context);
 }
 
+std::span<const std::int32_t> Stuffing::labels() const { return state_->domain.labels(); }
+
+void Stuffing::emit_materials(std::int32_t begin, std::int32_t end,
+                              std::span<const Coord3> points,
+                              std::span<const Tet<std::uint32_t>> tets, std::span<Material> out,
+                              Context& context) const {
+  core::emit_materials(state_->domain, state_->numbers, state_->lattice, {begin, end}, points,
+                       tets, out, context);
+}
+
+void Stuffing::emit_materials(std::int32_t begin, std::int32_t end,
+                              std::span<const Coord3> points,
+                              std::span<const Tet<std::uint64_t>> tets, std::span<Material> out,
+                              Context& context) const {
+  core::emit_materials(state_->domain, state_->numbers, state_->lattice, {begin, end}, points,
+                       tets, out, context);
+}
+
+bool Stuffing::has_border() const { return !state_->domain.border().empty(); }
+
+bool Stuffing::is_on_border(Coord3 point) const {
+  return core::is_on_border(point, state_->domain.border(), facts(state_->method).cuts);
+}
+
 std::uint64_t Stuffing::bytes() const {
   const State& s = *state_;
   std::uint64_t bytes = s.warped.planes.bytes() + s.numbers.bytes();
@@ -155,6 +181,12 @@ Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context) {
     const auto emit_tets = [&]<class Index>(Index) {
       Buffer<Tet<Index>> tets(stuffing.tet_count());
       stuffing.emit_tets(0, stuffing.layers(), std::span<Tet<Index>>(tets), context);
+      if (!stuffing.labels().empty()) {
+        mesh.labels = Buffer<std::int32_t>(tets.size());
+        stuffing.emit_materials(0, stuffing.layers(), mesh.points,
+                                std::span<const Tet<Index>>(tets), mesh.labels, context);
+        labels_in_place(mesh.labels, stuffing.labels());
+      }
       mesh.tets = std::move(tets);
     };
     if (stuffing.point_count() <= std::numeric_limits<std::uint32_t>::max())

@@ -26,7 +26,6 @@ namespace {
 struct PythonMesh {
   Mesh mesh;
   Buffer<Point3> world;
-  Buffer<std::int32_t> labels;  ///< empty where there are none
   Method method{};
   std::uint64_t inverted_tets = 0;
   std::vector<std::string> notes;
@@ -43,29 +42,11 @@ Buffer<Point3> world_points(const Mesh& mesh) {
   return world;
 }
 
-using Labels = std::function<void(std::span<const std::array<Coord3, 4>>, std::span<std::int32_t>)>;
-
-Buffer<std::int32_t> labels_of(const Mesh& mesh, const Labels& label) {
-  return std::visit(
-      [&](const auto& tets) {
-        Buffer<std::int32_t> labels(tets.size());
-        for (std::size_t i = 0; i < tets.size(); ++i) {
-          std::array<Coord3, 4> corners;
-          for (std::size_t v = 0; v < 4; ++v)
-            corners[v] = mesh.points[static_cast<std::size_t>(tets[i][v])];
-          label({&corners, 1}, {&labels[i], 1});
-        }
-        return labels;
-      },
-      mesh.tets);
-}
-
 /// `place` makes the domain; it runs, like all the rest, without Python's lock.
 struct Placed {
   std::shared_ptr<const Domain> domain;
   Lattice lattice;
   Frame frame;
-  Labels label;  ///< empty where there are no labels
   std::vector<std::string> notes = {};  ///< what is doubtful about the solid
 };
 
@@ -83,17 +64,12 @@ std::shared_ptr<PythonMesh> mesh_of(const std::function<Placed()>& place, const 
     result->inverted_tets = stuffing.inverted_tets();
     result->notes = placed.notes;
     result->world = world_points(result->mesh);
-    if (placed.label) result->labels = labels_of(result->mesh, placed.label);
   });
   return result;
 }
 
-Placed placed(const std::shared_ptr<ImageDomain>& domain, bool labels) {
-  Placed result{domain, domain->lattice(), domain->frame(), {}};
-  if (labels)
-    result.label = [domain](std::span<const std::array<Coord3, 4>> tets,
-                            std::span<std::int32_t> out) { domain->label(tets, out); };
-  return result;
+Placed placed(const std::shared_ptr<PlacedDomain>& domain) {
+  return {domain, domain->lattice(), domain->frame()};
 }
 
 using Direction = std::array<std::array<double, 3>, 3>;
@@ -115,8 +91,8 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
   return mesh_of(
       [&] {
         const ImageLattice lattice{size, margin};
-        return iso ? placed(level_domain(std::move(image), *iso, lattice), false)
-                   : placed(label_domain(std::move(image), ranges, lattice), true);
+        return iso ? placed(level_domain(std::move(image), *iso, lattice))
+                   : placed(label_domain(std::move(image), ranges, lattice));
       },
       options);
 }
@@ -130,7 +106,7 @@ std::shared_ptr<PythonMesh> mesh_function(py::object function, const Point3& low
   return mesh_of(
       [&] {
         return Placed{std::shared_ptr<const Domain>(std::shared_ptr<void>(), &domain), box.lattice,
-                      box.frame, {}};
+                      box.frame};
       },
       options);
 }
@@ -164,7 +140,7 @@ std::shared_ptr<PythonMesh> mesh_surface(
         if (!is_closed(surface))
           refuse_open(surface, inspect(surface), repair ? "" : "repair=True closes what is open");
         std::shared_ptr<PlacedDomain> domain = surface_domain(surface, {size, margin});
-        return Placed{domain, domain->lattice(), domain->frame(), {}, sentences_on(repairs)};
+        return Placed{domain, domain->lattice(), domain->frame(), sentences_on(repairs)};
       },
       options);
 }
@@ -213,7 +189,7 @@ py::object tets_of(const py::object& self) {
 }
 
 py::object labels_of(const py::object& self) {
-  const auto& labels = self.cast<const PythonMesh&>().labels;
+  const auto& labels = self.cast<const PythonMesh&>().mesh.labels;
   if (labels.empty()) return py::none();
   return py::array(py::dtype::of<std::int32_t>(),
                    {static_cast<py::ssize_t>(labels.size())},

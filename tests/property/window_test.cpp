@@ -14,6 +14,7 @@
 #include "engine/sample.hpp"
 #include "engine/window.hpp"
 #include "domains.hpp"
+#include "materials.hpp"
 
 namespace {
 
@@ -127,6 +128,91 @@ TEST(Window, TheWholeIsTheEnginesMesh) {
   const Made made = in_windows(domain, lattice, {0, 12}, facts(Method::embedding));
   EXPECT_TRUE(std::ranges::equal(mesh.points, made.points));
   EXPECT_TRUE(std::ranges::equal(std::get<0>(mesh.tets), made.tets));
+}
+
+/// Materials of the tetrahedra of windows, one after the other.  `behind` is how many
+/// layers of points behind its own each window asks its neighbour for.
+std::vector<Material> materials_in_windows(const Domain& domain, const Lattice& lattice,
+                                           const std::vector<int>& bounds,
+                                           const MethodFacts& method, int behind) {
+  Context context;
+  context.threads = 1;
+  std::vector<Material> all;
+  for (std::size_t n = 0; n + 1 < bounds.size(); ++n) {
+    const core::Window window{bounds[n], bounds[n + 1]};
+    const core::Window reached = core::widened(window, 0, behind, lattice);
+    core::SignPlanes planes = core::sample(
+        domain, lattice, core::sampled_window(reached, lattice), method.cuts, context);
+    const auto warped = [&] {
+      const auto cuts = core::find_cuts(planes, domain, lattice, core::cut_window(reached, lattice),
+                                        method.cuts, context);
+      return core::Violations(planes, cuts, lattice, reached, method.thresholds, context)
+          .apply(context);
+    }();
+    const core::RowNumbers numbers(warped.planes, lattice, reached, context);
+    std::vector<Coord3> points(numbers.point_count());
+    core::emit_points(warped, numbers, lattice, reached, std::span(points), context);
+    const std::uint64_t count =
+        numbers.first_tet(0, window.end) - numbers.first_tet(0, window.begin);
+    std::vector<Tet<std::uint32_t>> tets(count);
+    core::emit_tets(warped, numbers, lattice, window, std::span(tets), context);
+    const std::size_t before = all.size();
+    all.resize(before + count);
+    core::emit_materials(domain, numbers, lattice, window, points,
+                         std::span<const Tet<std::uint32_t>>(tets),
+                         std::span(all).subspan(before), context);
+  }
+  return all;
+}
+
+materials::Positional random_materials() {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  return materials::cubes(seed, *rc::gen::element(1, 2, 5), {1, 2, 3, 8}, 70);
+}
+
+/// With the layer of points behind each, windows have the materials of the whole.
+RC_GTEST_PROP(Window, MaterialsOfWindowsAreThoseOfTheWhole, ()) {
+  const Lattice lattice = random_lattice();
+  const auto domain = random_materials();
+  const MethodFacts& method = random_method();
+  const auto layers = lattice.cells[2];
+  const auto whole = materials_in_windows(domain, lattice, {0, layers}, method, 1);
+  RC_ASSERT(materials_in_windows(domain, lattice, random_bounds(layers), method, 1) == whole);
+}
+
+/// They are the whole mesh's, tetrahedron by tetrahedron, and do depend on where the
+/// corners are: those of the tetrahedron before would be other ones.
+TEST(Window, MaterialsAreThoseOfTheCorners) {
+  const Lattice lattice{{0, 0, 0}, {9, 9, 12}};
+  const auto domain = materials::cubes(3, 2, {1, 2, 3}, 60);
+  const MethodFacts& method = facts(Method::embedding);
+  const Made made = in_windows(domain, lattice, {0, 12}, method);
+  const auto found = materials_in_windows(domain, lattice, {0, 5, 6, 12}, method, 1);
+  ASSERT_EQ(found.size(), made.tets.size());
+  const auto differences = [&](std::size_t shift) {
+    std::size_t count = 0;
+    for (std::size_t t = shift; t < found.size(); ++t) {
+      TetCorners corners;
+      for (std::size_t v = 0; v < 4; ++v) corners[v] = made.points[made.tets[t - shift][v]];
+      Material material = 0;
+      domain.materials_of({&corners, 1}, {&material, 1});
+      count += material != found[t];
+    }
+    return count;
+  };
+  EXPECT_EQ(differences(0), 0u);
+  EXPECT_GT(differences(1), 0u);
+}
+
+/// Without the layer behind there is no room for its points, which is said.
+TEST(Window, MaterialsNeedTheLayerBehind) {
+  const Lattice lattice{{0, 0, 0}, {9, 9, 12}};
+  const auto domain = materials::cubes(3, 2, {1, 2, 3}, 60);
+  const MethodFacts& method = facts(Method::embedding);
+  EXPECT_NO_THROW(materials_in_windows(domain, lattice, {4, 6}, method, 1));
+  EXPECT_THROW(materials_in_windows(domain, lattice, {4, 6}, method, 0), Error);
+  // The last layer has none behind it.
+  EXPECT_NO_THROW(materials_in_windows(domain, lattice, {4, 12}, method, 0));
 }
 
 /// A halo with a layer less on either side makes another mesh of some domains.

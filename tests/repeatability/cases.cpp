@@ -42,7 +42,7 @@ std::uint64_t streamed(const Shape& shape, const Manner& manner, int threads,
   context.threads = threads;
   const certet::Stuffing stuffing(*shape.domain, shape.lattice, manner.method, context);
   Nowhere nowhere;
-  return certet::write_mesh(stuffing, shape.frame, certet::cut_slabs(stuffing, max_bytes), {},
+  return certet::write_mesh(stuffing, shape.frame, certet::cut_slabs(stuffing, max_bytes),
                             nowhere, context)
       .checksum;
 }

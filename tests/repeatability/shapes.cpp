@@ -69,7 +69,7 @@ Image image(std::array<std::int64_t, 3> size, certet::Point3 spacing, const Valu
   return made;
 }
 
-Shape of_image(std::string name, std::unique_ptr<certet::ImageDomain> domain) {
+Shape of_image(std::string name, std::unique_ptr<certet::PlacedDomain> domain) {
   const Lattice lattice = domain->lattice();
   const Frame frame = domain->frame();
   return {std::move(name), std::move(domain), lattice, frame};

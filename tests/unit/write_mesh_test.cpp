@@ -66,7 +66,7 @@ Outcome write(const Frame& frame, Method method = Method::angles, std::uint64_t 
   const Stuffing stuffing(domain, {{-16, -16, -16}, {16, 16, 16}}, method, context);
   Keeper keeper;
   const WrittenMesh written =
-      write_mesh(stuffing, frame, cut_slabs(stuffing, slab_bytes), {}, keeper, context);
+      write_mesh(stuffing, frame, cut_slabs(stuffing, slab_bytes), keeper, context);
   return {written.world, keeper.measured(),  frame.rounding(16),
           written,       keeper.checksum(), keeper.coincident()};
 }

@@ -79,8 +79,9 @@ void judge_lattice(const PlacedSource& source, std::uint64_t limit) {
 /// Chooses the slabs by the memory that is left.
 Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report) {
   const auto& [source, stuffing] = counted;
-  const std::uint64_t faces = size.survey == nullptr ? 0 : size.survey->boundary.size();
-  const std::uint64_t held = source.bytes + stuffing.bytes() + faces * sizeof(BoundaryFace);
+  std::uint64_t held = source.bytes + stuffing.bytes();
+  if (size.survey != nullptr)
+    held += size.survey->boundary.size() * sizeof(BoundaryFace) + size.survey->materials.bytes();
   report.memory_least = held + cut_slabs(stuffing, 0).bytes;
   if (report.memory_least > report.memory_limit)
     refuse_memory("the mesh", report.memory_least, report.memory_limit);
@@ -125,12 +126,10 @@ void judge_written(const MeshReport& report) {
 /// What the format says of the mesh before its numbers.
 MeshSize announce(const MeshOptions& options, const LabelNames& names, const Counted& counted,
                   Context& context) {
-  const auto& [source, stuffing] = counted;
-  MeshSize size{stuffing.point_count(), stuffing.tet_count(),
-                static_cast<bool>(source.labeller)};
+  const Stuffing& stuffing = counted.stuffing;
+  MeshSize size{stuffing.point_count(), stuffing.tet_count(), !stuffing.labels().empty()};
   if (!needs_survey(options.format)) return size;
-  auto found = std::make_shared<Survey>(
-      survey(stuffing, source.labeller, source.border, context));
+  auto found = std::make_shared<Survey>(survey(stuffing, context));
   name_regions(*found, names);
   size.survey = std::move(found);
   return size;
@@ -177,16 +176,17 @@ void judge_volume(const MeshOptions& options, const Source& source, const Counte
 }
 
 void write(const MeshOptions& options, const Source& from, const Counted& counted,
-           const Slabs& slabs, const MeshSize& size, const RegionWatch& watch, Context& context,
-           Progress& progress, MeshReport& report) {
+           const Slabs& slabs, const MeshSize& size, Context& context, Progress& progress,
+           MeshReport& report) {
   const auto& [source, stuffing] = counted;
   judge_room(options.output, report.output_bytes);
   const auto file = open_writer(options.output, options.format, size);
   WatchedWriter writer(*file, size, progress);
   Frame frame = source.frame;
   if (options.origin == OutputOrigin::lattice) frame.origin = {0, 0, 0};
-  report.written =
-      write_mesh(stuffing, frame, slabs, watch.watch(source.labeller), writer, context);
+  const MaterialRuns none;
+  report.written = write_mesh(stuffing, frame, slabs, writer, context,
+                              size.survey == nullptr ? none : size.survey->materials);
   judge_written(report);
   judge_volume(options, from, counted, context, report);
   const Stopwatch finishing;
@@ -281,7 +281,8 @@ MeshReport run(const MeshOptions& options, Context& context) {
   const Slabs slabs = plan(counted, size, report);
   RegionWatch watch(source, counted.source, context);
   if (!options.dry_run)
-    write(options, source, counted, slabs, size, watch, context, progress, report);
+    write(options, source, counted, slabs, size, context, progress, report);
+  watch.see(report.written.regions);
   describe(watch, report);
   report.total_seconds = clock.seconds();
   report.memory_peak = peak_memory();

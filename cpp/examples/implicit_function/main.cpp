@@ -19,7 +19,7 @@ int main() try {
   const auto file = certet::open_writer("ball.vtu", certet::Format::vtu,
                                         {stuffing.point_count(), stuffing.tet_count(), false});
   const certet::WrittenMesh mesh = certet::write_mesh(
-      stuffing, frame, certet::cut_slabs(stuffing, 64 << 20), {}, *file, context);
+      stuffing, frame, certet::cut_slabs(stuffing, 64 << 20), *file, context);
   file->finish();
   std::printf("ball.vtu: %llu tetrahedra, dihedral angles from %.2f to %.2f degrees\n",
               static_cast<unsigned long long>(mesh.lattice.tets), mesh.lattice.min_dihedral,

@@ -21,10 +21,9 @@ int main() try {
   const certet::Stuffing stuffing(*domain, domain->lattice(), certet::Method::midpoint, context);
   const auto file = certet::open_writer("labels.vtu", certet::Format::vtu,
                                         {stuffing.point_count(), stuffing.tet_count(), true});
-  const certet::Labeller labeller = [&](auto tets, auto out) { domain->label(tets, out); };
   const certet::WrittenMesh mesh =
       certet::write_mesh(stuffing, domain->frame(), certet::cut_slabs(stuffing, 64 << 20),
-                         labeller, *file, context);
+                         *file, context);
   file->finish();
   std::printf("labels.vtu: %llu tetrahedra, dihedral angles from %.2f to %.2f degrees\n",
               static_cast<unsigned long long>(mesh.lattice.tets), mesh.lattice.min_dihedral,

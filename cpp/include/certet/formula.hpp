@@ -45,6 +45,7 @@ class FormulaDomain final : public PlacedDomain {
   void row(Coord3 first, std::span<Sign> out) const override;
   void at(std::span<const Coord3> positions, std::span<Sign> out) const override;
   [[nodiscard]] Extent extent(const LatticeBox& box) const override;
+  [[nodiscard]] std::span<const BorderBox> border() const override;  ///< the bounds
 
  private:
   struct State;

@@ -25,6 +25,7 @@ struct Mesh {
   Buffer<Coord3> points;  ///< positions in steps
   Tets tets;
   Frame frame;
+  Buffer<std::int32_t> labels = {};  ///< of the tetrahedra; empty where the domain has none
 
   [[nodiscard]] std::size_t tet_count() const {
     return std::visit([](const auto& t) { return t.size(); }, tets);

@@ -22,7 +22,8 @@ namespace certet {
 /// mesh larger than memory can be written slab by slab.
 class Stuffing {
  public:
-  /// Samples the domain, finds the cuts, warps and counts.
+  /// Samples the domain, finds the cuts, warps and counts.  The domain must live as
+  /// long as the object, which asks it for materials while it emits.
   /// \throws Error `too_large` (lattice outside the coordinate range, or out
   /// of memory), `cancelled`, `bad_option`; whatever the domain throws.
   Stuffing(const Domain& domain, const Lattice& lattice, Method method, Context& context);
@@ -64,6 +65,27 @@ class Stuffing {
   void emit_tets(std::int32_t begin, std::int32_t end,
                  std::span<Tet<std::uint64_t>> out, Context& context) const;
 
+  /// What the domain calls the materials: that of material m is labels()[m - 1].
+  /// None: tetrahedra have no labels.
+  [[nodiscard]] std::span<const std::int32_t> labels() const;
+  /// Asks the domain for the materials of the tetrahedra of the layers [begin, end):
+  /// `tets`, as emit_tets writes them.  `points` are those of the layers [begin,
+  /// end + 1), or up to the last layer, as emit_points writes them.
+  /// \throws Error `bad_option` if a size is another one, `cancelled`; what the
+  /// domain throws.
+  void emit_materials(std::int32_t begin, std::int32_t end, std::span<const Coord3> points,
+                      std::span<const Tet<std::uint32_t>> tets, std::span<Material> out,
+                      Context& context) const;
+  void emit_materials(std::int32_t begin, std::int32_t end, std::span<const Coord3> points,
+                      std::span<const Tet<std::uint64_t>> tets, std::span<Material> out,
+                      Context& context) const;
+
+  /// Whether the domain is cut off anywhere.
+  [[nodiscard]] bool has_border() const;
+  /// Whether a point of the mesh's surface, in steps, lies where the domain is cut off.
+  /// A face of the boundary whose three points do is part of no surface of the shape.
+  [[nodiscard]] bool is_on_border(Coord3 point) const;
+
   /// Bytes that the object holds.
   [[nodiscard]] std::uint64_t bytes() const;
 
@@ -76,7 +98,7 @@ class Stuffing {
 Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame,
            Method method, Context& context);
 
-/// Writes a counted mesh into memory.  \throws Error `too_large` (out of memory), and
+/// Writes a counted mesh into memory, with labels if the domain has any.  \throws Error `too_large` (out of memory), and
 /// as `checked_size` for the size of the frame.
 Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context);
 
