@@ -176,6 +176,7 @@ Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context) {
   return within_memory([&] {
     Mesh mesh;
     mesh.frame = frame;
+    mesh.method = stuffing.method();
     mesh.points = Buffer<Coord3>(stuffing.point_count());
     stuffing.emit_points(0, stuffing.layers(), mesh.points, context);
     const auto emit_tets = [&]<class Index>(Index) {
@@ -201,8 +202,29 @@ Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame, Met
            Context& context) {
   const Stuffing stuffing(domain, lattice, method, context);
   if (stuffing.tet_count() == 0)
-    throw Error(ErrorCode::empty_domain, "no lattice point lies inside the domain");
+    throw Error(ErrorCode::empty_domain, "nothing is inside at this size, so there is no mesh");
   return emit(stuffing, frame, context);
+}
+
+Mesh mesh(const PlacedDomain& domain, Method method, Context& context) {
+  Mesh mesh = stuff(domain, domain.lattice(), domain.frame(), method, context);
+  mesh.names = domain.names();
+  mesh.border.assign(domain.border().begin(), domain.border().end());
+  return mesh;
+}
+
+Mesh mesh(const PlacedDomain& domain, Method method) {
+  Context context;
+  return mesh(domain, method, context);
+}
+
+Buffer<Point3> world_points(const Mesh& mesh) {
+  return within_memory([&] {
+    Buffer<Point3> world(mesh.points.size());
+    std::ranges::transform(mesh.points, world.begin(),
+                           [&](Coord3 position) { return mesh.frame.world(position); });
+    return world;
+  });
 }
 
 }  // namespace certet

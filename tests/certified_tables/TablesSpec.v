@@ -354,8 +354,8 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("coordinate_limit", Is (Number LatticeLimit));
    ("anchor_limit", Is (Number AnchorLimit));
    ("cells_limit", IsCellsLimit);
-   ("quality::edge_limit", Is (Number WidthLimit));
-   ("quality::outward_faces", AreOutwardFaces);
+   ("core::edge_limit", Is (Number WidthLimit));
+   ("core::outward_faces", AreOutwardFaces);
    ("signs", Is (Numbers (map SignNumber AllSigns)));
    ("sign_of_bits", Is (Numbers (map SignNumber AllSigns)));
    ("opposite", Is (Row (map (fun a => Row (map (fun b => Truth (Opposite a b)) AllSigns))

@@ -74,8 +74,8 @@ void for_each_constant(const Visit& visit) {
   CERTET_CONSTANT(coordinate_limit);
   CERTET_CONSTANT(anchor_limit);
   CERTET_CONSTANT(cells_limit);
-  CERTET_CONSTANT(quality::edge_limit);
-  CERTET_CONSTANT(quality::outward_faces);
+  CERTET_CONSTANT(core::edge_limit);
+  CERTET_CONSTANT(core::outward_faces);
 }
 
 #undef CERTET_CONSTANT

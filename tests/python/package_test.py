@@ -209,6 +209,44 @@ class Images(unittest.TestCase):
             certet.mesh_image(ball(), size=1e-6)
 
 
+class Files(unittest.TestCase):
+    def test_every_kind_of_shape_to_a_file_and_back(self):
+        cube = Surfaces.points, Surfaces.triangles
+        shapes = [(ball(), dict(method="midpoint")), (cube, dict(size=0.25)),
+                  (lambda p: (p**2).sum(1) - 1, dict(bounds=((-2, -2, 0), (2, 2, 2)), size=0.25))]
+        with tempfile.TemporaryDirectory() as folder:
+            for shape, options in shapes:
+                mesh = certet.mesh(shape, **options)
+                self.assertEqual(certet.check(mesh).failures, [])
+                for name in ("a.vtu", "a.mesh", "a.meshb", "a.msh"):
+                    file = pathlib.Path(folder) / name
+                    certet.write(mesh, file)
+                    back = certet.read(file)
+                    np.testing.assert_array_equal(back.points, mesh.points)
+                    np.testing.assert_array_equal(back.tets, mesh.tets)
+                    if mesh.labels is not None:
+                        np.testing.assert_array_equal(back.labels, mesh.labels)
+                    report = certet.check(back)
+                    self.assertEqual((report.failures, report.tets), ([], len(mesh.tets)))
+                    found = certet.quality(back)
+                    self.assertAlmostEqual(found.min_dihedral, certet.quality(mesh).min_dihedral)
+                    self.assertIsNone(found.theorem)
+                    certet.write(back, file.with_stem("again"))
+                    self.assertEqual(file.with_stem("again").read_bytes(), file.read_bytes())
+
+    def test_refusals(self):
+        mesh = certet.mesh(ball())
+        with tempfile.TemporaryDirectory() as folder:
+            for words, action in [
+                    ("a.xyz", lambda: certet.write(mesh, f"{folder}/a.xyz")),
+                    ("none of", lambda: certet.write(mesh, f"{folder}/a.vtu", "xyz")),
+                    ("cannot", lambda: certet.write(mesh, f"{folder}/none/a.vtu")),
+                    ("none.vtu", lambda: certet.read(f"{folder}/none.vtu"))]:
+                with self.assertRaisesRegex(ValueError, words):
+                    action()
+            self.assertEqual(os.listdir(folder), [])
+
+
 class Surfaces(unittest.TestCase):
     points = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
     triangles = np.array([[0, 2, 1], [1, 2, 3], [4, 5, 6], [5, 7, 6], [0, 1, 4], [1, 5, 4],

@@ -81,7 +81,7 @@ Status report(const ReportOptions& options) {
   facts.rows.push_back(size_row(options.mesh));
   std::optional<RunFile> run;
   if (!options.run.empty()) run = read_run(options.run);
-  const FileMesh mesh = read_mesh(options.mesh);
+  const FileMesh mesh = certet::read(options.mesh);
   if (run)
     add_run(*run, options.mesh, mesh, facts);
   else

@@ -12,6 +12,7 @@
 #include "certet/lattice/lattice_limits.hpp"
 #include "certet/mesh.hpp"
 #include "certet/method.hpp"
+#include "certet/placed_domain.hpp"
 
 namespace certet {
 
@@ -94,7 +95,15 @@ class Stuffing {
   std::unique_ptr<State> state_;
 };
 
-/// The whole mesh in memory.  \throws Error as `Stuffing` and `emit`, and `empty_domain`.
+/// The mesh of a shape, in memory, by the method asked for or, where
+/// `Method::angles` would turn over a tetrahedron that is dropped, by
+/// `Method::embedding`: `Mesh::method` says which.
+/// \throws Error `empty_domain` (nothing is inside at this size), `too_large`
+/// (memory, coordinate range), `cancelled`; what the domain throws.
+Mesh mesh(const PlacedDomain& domain, Method method, Context& context);
+Mesh mesh(const PlacedDomain& domain, Method method = Method::angles);
+
+/// The whole mesh in memory, of a domain that does not know where it lies.  \throws Error as `Stuffing` and `emit`, and `empty_domain`.
 Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame,
            Method method, Context& context);
 
