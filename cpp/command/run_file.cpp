@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* not_a_run = "is not what `certet mesh --json` writes";
 
-[[noreturn]] void refuse(const char* reason) { throw Error(ErrorCode::bad_input, reason); }
+[[noreturn]] void refuse_run(const char* reason) { throw Error(ErrorCode::bad_input, reason); }
 
 std::string text(const Json& value) { return value.get<std::string>(); }
 
@@ -22,9 +22,9 @@ std::string text(const Json& value) { return value.get<std::string>(); }
 std::uint64_t hexadecimal(const std::string& digits) {
   std::uint64_t number = 0;
   const char* const end = digits.data() + digits.size();
-  if (digits.size() != 18 || !digits.starts_with("0x")) refuse(not_a_run);
+  if (digits.size() != 18 || !digits.starts_with("0x")) refuse_run(not_a_run);
   const auto [stop, failure] = std::from_chars(digits.data() + 2, end, number, 16);
-  if (failure != std::errc() || stop != end) refuse(not_a_run);
+  if (failure != std::errc() || stop != end) refuse_run(not_a_run);
   return number;
 }
 
@@ -32,15 +32,15 @@ std::uint64_t hexadecimal(const std::string& digits) {
 AngleBounds bounds_of(const Json& lattice, const Json& guarantee) {
   const std::string cuts = text(lattice.at("cuts")), used = text(guarantee.at("used"));
   if ((cuts != "bisect" && cuts != "midpoint") || (used != "angles" && used != "embedding"))
-    refuse(not_a_run);
+    refuse_run(not_a_run);
   const AngleBounds bounds =
       proven_bounds(cuts == "midpoint" ? Cuts::midpoint : Cuts::bisect,
                     used == "angles" ? Guarantee::angles : Guarantee::embedding);
   if (text(guarantee.at("theorem")) != bounds.theorem ||
       guarantee.at("min_dihedral").get<double>() != bounds.min_dihedral ||
       guarantee.at("max_dihedral").get<double>() != bounds.max_dihedral)
-    refuse("names another theorem or other bounds than such a run has");
-  if (!guarantee.at("holds").get<bool>()) refuse("does not tell of a mesh that was written");
+    refuse_run("names another theorem or other bounds than such a run has");
+  if (!guarantee.at("holds").get<bool>()) refuse_run("does not tell of a mesh that was written");
   return bounds;
 }
 
@@ -71,14 +71,14 @@ std::vector<PageRow> rows_of(const Json& json) {
 RunFile understand(const Json& json) {
   RunFile run;
   if (text(json.at("command")) != "mesh" || json.at("dry_run").get<bool>())
-    refuse("does not tell of a mesh that was written");
+    refuse_run("does not tell of a mesh that was written");
   const Json& mesh = json.at("mesh");
   run.points = mesh.at("points").get<std::uint64_t>();
   run.tets = mesh.at("tets").get<std::uint64_t>();
   run.bounds = bounds_of(json.at("lattice"), json.at("guarantee"));
   run.rows = rows_of(json);
   if (!mesh.contains("file_checksum"))
-    refuse("does not tell what its output holds (mesh.file_checksum)");
+    refuse_run("does not tell what its output holds (mesh.file_checksum)");
   run.file_checksum = hexadecimal(text(mesh.at("file_checksum")));
   return run;
 }

@@ -20,10 +20,10 @@ Point3 lattice_position(const Frame& frame, const Point3& world) {
   return position;
 }
 
-class Box {
+class BorderBox {
  public:
   /// `rounding` is what a coordinate may be off by.
-  Box(const Point3& corner, const Point3& opposite, double rounding) : rounding_(rounding) {
+  BorderBox(const Point3& corner, const Point3& opposite, double rounding) : rounding_(rounding) {
     for (std::size_t a = 0; a < 3; ++a)
       std::tie(low_[a], high_[a]) = std::minmax(corner[a], opposite[a]);
   }
@@ -73,7 +73,7 @@ std::array<Coord3, 2> ends_of_middle(Coord3 cut) {
 /// `place` maps steps to the coordinates of the box, `unit` of which are one
 /// lattice unit.
 template <class Place>
-BorderTest border_of(const Box& box, Place place, double unit, Cuts cuts) {
+BorderTest border_of(const BorderBox& box, Place place, double unit, Cuts cuts) {
   if (cuts == Cuts::midpoint)
     return [box, place](Coord3 position) {
       const auto [one, other] = ends_of_middle(position);
@@ -98,14 +98,14 @@ BorderTest box_border(const Frame& frame, const Point3& corner, const Point3& op
     return {unit * position.x, unit * position.y, unit * position.z};
   };
   return border_of(
-      Box(lattice_position(frame, corner), lattice_position(frame, opposite), rounding), place, 1,
+      BorderBox(lattice_position(frame, corner), lattice_position(frame, opposite), rounding), place, 1,
       cuts);
 }
 
 BorderTest world_box_border(const Frame& frame, const Point3& corner, const Point3& opposite,
                             Cuts cuts) {
   // No rounding: a point is in the box here exactly where it is in a cropped domain.
-  return border_of(Box(corner, opposite, 0),
+  return border_of(BorderBox(corner, opposite, 0),
                    [frame](Coord3 position) { return frame.world(position); }, frame.size / 2,
                    cuts);
 }

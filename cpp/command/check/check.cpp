@@ -14,7 +14,7 @@
 namespace certet::command {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* check_notes = R"(
 Keys of the JSON: certet, command, file, ok, failures, mesh {points, tets, volume, checksum,
 unused_points, nonfinite_points, duplicate_points, bad_indices, nonpositive_tets,
 overfull_faces, misoriented_faces, boundary_faces, open_edges}, dihedral {min, max,
@@ -109,7 +109,7 @@ Run declare_check(CLI::App& app) {
       ->option_text("N");
   app.add_option("--json", options->json, "Report for programs; - is stdout")
       ->option_text("FILE|-");
-  app.footer(footer);
+  app.footer(check_notes);
   return [options] { return check(*options); };
 }
 

@@ -16,7 +16,7 @@
 namespace certet::command {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* convert_notes = R"(
 Labels are kept, and their names and the patches of the boundary where the formats
 have them (.vtu has neither); the boundary is found anew.
 
@@ -177,7 +177,7 @@ Run declare_convert(CLI::App& app) {
       ->option_text("FILE");
   app.add_option("--json", options->json, "Report for programs; - is stdout")
       ->option_text("FILE|-");
-  app.footer(footer);
+  app.footer(convert_notes);
   return [options] { return convert(*options); };
 }
 

@@ -5,16 +5,16 @@
 #include <map>
 #include <memory>
 
-#include "certet/error.hpp"
 #include "certet/surface.hpp"
 #include "certet/volume.hpp"
 #include "format_choice.hpp"
 #include "option_values.hpp"
+#include "refusal.hpp"
 
 namespace certet::command {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* mesh_notes = R"(
 Formulas: + - * / ^ (-x^2 is -(x^2)), < <= > >= == != && || and c ? a : b, where
 true is 1; min max sum avg hypot length of any number of operands; abs sign sqrt
 exp log log2 log10 sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh
@@ -81,10 +81,6 @@ world the output has its 0; file_checksum is what `certet check` tells of a file
 this mesh, checksum is of the lattice and the same wherever the mesh is; the
 seconds of emit, measure and write overlap and are those of all threads together;
 a dry run leaves out what it does not know.)";
-
-[[noreturn]] void refuse(const std::string& sentence) {
-  throw Error(ErrorCode::bad_option, sentence);
-}
 
 /// Options whose values need more than CLI11's own reading.
 struct RawMesh {
@@ -279,7 +275,7 @@ std::function<MeshOptions()> declare_mesh_options(CLI::App& mesh) {
   declare_source(mesh, *options, *raw);
   declare_lattice(mesh, *options, *raw);
   declare_run(mesh, *options, *raw);
-  mesh.footer(footer);
+  mesh.footer(mesh_notes);
   return [options, raw] { return finish(*options, *raw); };
 }
 
