@@ -56,7 +56,10 @@ class ViolatedRow {
 };
 
 /// Finds the violated vertices of one layer.  Goes through the cuts once, in
-/// their order, and leaves each with the end that it violates, if any.
+/// their order, and leaves each with the end that it violates, if any: memory is
+/// read as it lies, where to ask each vertex for its 14 edges would look every cut
+/// up twice by its rank.  The ends of a row's cuts are in two rows, so that two rows
+/// of vertices, taken in turns, are in hand.  Picture: cpp/docs/pictures/warping.svg.
 class LayerViolations {
  public:
   LayerViolations(const SignPlanes& planes, const Layers<CutLayer>& cuts,

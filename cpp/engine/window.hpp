@@ -6,7 +6,7 @@
 /// of one of several machines, or all of it; the rim, where the mesh is closed,
 /// belongs to the lattice and not to the window.  What a stage decides of a layer
 /// depends on a few layers around it, so that each stage works on a wider window
-/// than the stage that it works for:
+/// than the stage that it works for (picture: cpp/docs/pictures/windows.svg):
 ///
 ///     layer           -2  -1 | 0 … n-1 | n  n+1  n+2
 ///     signs            x   x |    x    | x   x    x    sampled_window
