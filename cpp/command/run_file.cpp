@@ -46,8 +46,8 @@ AngleBounds bounds_of(const Json& json) {
   const Method method = method_of(json);
   const AngleBounds& bounds = facts(method).bounds;
   const Json& guarantee = json.at("guarantee");
-  if (json.value("method", name(method)) != name(method) ||
-      json.value("theorem", bounds.theorem) != bounds.theorem)
+  if (json.value("theorem", std::string(bounds.theorem)) != bounds.theorem) refuse_run(other_theorem);
+  if (json.contains("method") && text(json.at("method").at("name")) != name(method))
     refuse_run(other_theorem);
   if (text(guarantee.at("theorem")) != bounds.theorem ||
       guarantee.at("min_dihedral").get<double>() != bounds.min_dihedral ||

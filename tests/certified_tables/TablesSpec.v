@@ -267,21 +267,25 @@ Definition AreOutwardFaces (t : Table) : bool :=
 (** ** The methods, and the bounds that every mesh is held to
 
     A method cuts edges on the surface or in the middle, and warps at its
-    thresholds; the theorem that it names promises its bounds, here in
-    hundredths of degrees. *)
+    thresholds, where all violated vertices move, or some settle; the theorem
+    that it names promises its bounds, here in hundredths of degrees. *)
 
 Inductive Cuts := OnTheSurface | InTheMiddle.
 Definition CutsNumber (c : Cuts) : Z := match c with OnTheSurface => 0 | InTheMiddle => 1 end.
 
 Record Bounds := { least : Z; greatest : Z; theorem : string }.
-Record Method := { called : string; cuts : Cuts; thresholds : Thresholds; bounds : Bounds }.
+Record Method := { called : string; cuts : Cuts; thresholds : Thresholds;
+                   settles : bool; bounds : Bounds }.
 
 Definition Methods : list Method :=
-  [{| called := "angles"; cuts := OnTheSurface; thresholds := AngleThresholds;
+  [{| called := "embedded"; cuts := OnTheSurface; thresholds := AngleThresholds; settles := true;
+      bounds := {| least := 1077; greatest := 16476; theorem := "RuledBoundsInDegrees" |} |};
+   {| called := "angles"; cuts := OnTheSurface; thresholds := AngleThresholds; settles := false;
       bounds := {| least := 1077; greatest := 16476; theorem := "DihedralBounds" |} |};
    {| called := "embedding"; cuts := OnTheSurface; thresholds := EmbeddingThresholds;
+      settles := false;
       bounds := {| least := 927; greatest := 16146; theorem := "DihedralBoundsEmbedding" |} |};
-   {| called := "midpoint"; cuts := InTheMiddle; thresholds := NoWarpThresholds;
+   {| called := "midpoint"; cuts := InTheMiddle; thresholds := NoWarpThresholds; settles := false;
       bounds := {| least := 3000; greatest := 13500; theorem := "MidpointBounds" |} |}]%string.
 
 (** The number of 53 bits, written in full, that is nearest to so many hundredths. *)
@@ -303,10 +307,11 @@ Definition AreBounds (b : Bounds) (t : Table) : bool :=
 Definition IsMethod (numbered : Z * Method) (t : Table) : bool :=
   let (number, m) := numbered in
   match t with
-  | Row [row; name; where_; alpha; promise] =>
+  | Row [row; name; where_; alpha; rule; promise] =>
       Equal (Number number) row && Equal (Text (called m)) name &&
       Equal (Number (CutsNumber (cuts m))) where_ &&
-      Equal (ThresholdsEntry (thresholds m)) alpha && AreBounds (bounds m) promise
+      Equal (ThresholdsEntry (thresholds m)) alpha && 
+      Equal (Truth (settles m)) rule && AreBounds (bounds m) promise
   | _ => false
   end.
 Definition AreMethods : Table -> bool :=

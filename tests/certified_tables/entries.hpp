@@ -65,8 +65,8 @@ void for_each_part(T& value, const Visit& visit) {
 /// All that a method does and promises, but for the sentence that tells people of it.
 template <OneOf<MethodFacts> T, class Visit>
 void for_each_part(T& value, const Visit& visit) {
-  auto& [method, name, cuts, thresholds, bounds, sentence] = value;
-  visit(method), visit(name), visit(cuts), visit(thresholds), visit(bounds);
+  auto& [method, name, cuts, thresholds, settles, bounds, sentence] = value;
+  visit(method), visit(name), visit(cuts), visit(thresholds), visit(settles), visit(bounds);
 }
 
 /// Calls visit(entry) for every entry, in order.

@@ -161,7 +161,7 @@ class Images(unittest.TestCase):
         self.assertGreaterEqual(quality.min_dihedral, 30 - 1e-6)
 
     def test_methods(self):
-        theorems = {"angles": "DihedralBounds", "embedding": "DihedralBoundsEmbedding",
+        theorems = {"embedded": "RuledBoundsInDegrees", "angles": "DihedralBounds", "embedding": "DihedralBoundsEmbedding",
                     "midpoint": "MidpointBounds"}
         for method, theorem in theorems.items():
             mesh = certet.mesh_function(lambda p: (p**2).sum(1) - 1, ((-1.5,) * 3, (1.5,) * 3),
@@ -199,8 +199,8 @@ class Images(unittest.TestCase):
             (dict(array=ball(), labels=[1], iso=1), "exclude"),
             (dict(array=ball(), labels=[]), "empty"),
             (dict(array=ball(), cuts="middle"), "'midpoint'"),
-            (dict(array=ball(), method="paper"), "angles, embedding, midpoint"),
-            (dict(array=ball(), method="angles", cuts="midpoint"), "one or the others"),
+            (dict(array=ball(), method="paper"), "embedded, angles, embedding, midpoint"),
+            (dict(array=ball(), method="embedded", cuts="midpoint"), "one or the others"),
             (dict(array=np.full((4, 4, 4), 2**40)), "32 bits"),
         ]:
             with self.subTest(sentence), self.assertRaisesRegex(ValueError, sentence):

@@ -28,7 +28,7 @@ __version__: str = _certet.version
 
 Cuts = Literal["bisect", "midpoint"]
 Guarantee = Literal["angles", "embedding"]
-Method = Literal["angles", "embedding", "midpoint"]
+Method = Literal["embedded", "angles", "embedding", "midpoint"]
 
 
 class Quality(NamedTuple):
@@ -246,7 +246,7 @@ def mesh_image(
     margin: int = 2,
     method: Method | None = None,
     cuts: Cuts = "bisect",
-    guarantee: Guarantee = "angles",
+    guarantee: Guarantee | None = None,
     threads: int = 0,
 ) -> Mesh:
     """Meshes voxels: chosen labels, or where a grayscale image is above `iso`.
@@ -263,11 +263,13 @@ def mesh_image(
     iso : the level; then `labels` must be None
     size : the long edge of the lattice, in world units (default: the smallest spacing)
     margin : cells of the lattice around the solid, at least 1
-    method : "angles" (default; dihedral angles from 10.77 to 164.76 degrees), "embedding" (from
-        9.27 to 161.46, and the mesh embeds) or "midpoint" (from 30 to 135: edges are cut in
+    method : "embedded" (default: dihedral angles from 10.77 to 164.76 degrees, no tetrahedra
+        overlap, the surface is a manifold, and no piece of the samples is lost, cut or joined to
+        another), "angles" and "embedding" (the paper's rule with either of its thresholds; from
+        9.27 to 161.46 degrees with the second) or "midpoint" (from 30 to 135: edges are cut in
         the middle, whatever the surface does between its ends)
     cuts, guarantee : the same in two older words, where there is no `method`: cuts="midpoint",
-        or guarantee="embedding"
+        or guarantee="angles" or "embedding"
     threads : 0 takes all cores; the mesh does not depend on it
 
     Raises
@@ -294,7 +296,7 @@ def mesh_function(
     margin: int = 2,
     method: Method | None = None,
     cuts: Cuts = "bisect",
-    guarantee: Guarantee = "angles",
+    guarantee: Guarantee | None = None,
     threads: int = 0,
 ) -> Mesh:
     """Meshes where a function is negative.
@@ -326,7 +328,7 @@ def mesh_surface(
     margin: int = 2,
     method: Method | None = None,
     cuts: Cuts = "bisect",
-    guarantee: Guarantee = "angles",
+    guarantee: Guarantee | None = None,
     threads: int = 0,
 ) -> Mesh:
     """Meshes the inside of a closed surface.
@@ -371,13 +373,13 @@ def _size(size: float | None) -> float:
     return float(size)
 
 
-def _options(method: str | None, cuts: str, guarantee: str, threads: int) -> _certet.Options:
+def _options(method: str | None, cuts: str, guarantee: str | None, threads: int) -> _certet.Options:
     if cuts not in ("bisect", "midpoint"):
         raise ValueError(f"cuts is 'bisect' or 'midpoint', not {cuts!r}")
-    if guarantee not in ("angles", "embedding"):
+    if guarantee not in (None, "angles", "embedding"):
         raise ValueError(f"guarantee is 'angles' or 'embedding', not {guarantee!r}")
     if method is None:
-        method = "midpoint" if cuts == "midpoint" else guarantee
-    elif (cuts, guarantee) != ("bisect", "angles"):
+        method = "midpoint" if cuts == "midpoint" else guarantee or "embedded"
+    elif (cuts, guarantee) != ("bisect", None):
         raise ValueError("method says all that cuts and guarantee do: give one or the others")
     return _certet.Options(method, threads)
