@@ -204,6 +204,7 @@ WarpedLattice Violations::apply(Context& context) const {
   });
   for_each_layer(context, Stage::warp, warped_window(window_, lattice_), [&](std::int32_t k) {
     for_each_word([&](Grid grid, int j, int w) {
+      // Pruning, 64 vertices at once: cpp/docs/pictures/pruning.svg.
       std::uint64_t& zero = after.zero(grid, j, k)[w];
       if (zero == 0) return;
       std::uint64_t any_plus = 0;
