@@ -173,8 +173,8 @@ def complaints(repository, text, committed):
 PLANTED = [
     ("FacesCorrect Neighbor", "FacesRight Neighbor", "no theorem FacesRight"),
     ("runs: Bisect BisectedCuts", "runs: Halve BisectedCuts", "no function Halve"),
-    ("code: engine/cuts.cpp Bisection", "code: engine/bisection.cpp Bisection", "no file cpp/engine/bisection.cpp"),
-    ("code: engine/cuts.cpp Bisection", "code: engine/cuts.cpp Halving", "no Halving in cpp/engine/cuts.cpp"),
+    ("code: engine/domain.cpp Bisection", "code: engine/bisection.cpp Bisection", "no file cpp/engine/bisection.cpp"),
+    ("code: engine/domain.cpp Bisection", "code: engine/domain.cpp Halving", "no Halving in cpp/engine/domain.cpp"),
     # Called there, and not defined.
     ("code: engine/count.cpp count_tets", "code: engine/count.cpp popcount", "no popcount in cpp/engine/count.cpp"),
     ("test: Bisect.IsTheSame", "test: Bisect.IsNotTheSame", "no test Bisect.IsNotTheSame"),

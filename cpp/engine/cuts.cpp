@@ -1,25 +1,22 @@
 #include "cuts.hpp"
 
-#include <algorithm>
 #include <array>
+#include <span>
+#include <utility>
 
 #include "layer_loop.hpp"
 
 namespace certet::core {
 namespace {
 
-static_assert(step_bits == 16, "cuts are kept in 16 bits: 0 <= cut < steps, as BisectOnEdge says");
-
-/// Bisects many edges in lockstep, so that the domain sees long batches and the
-/// loops vectorise.
-class Bisection {
+/// Asks the domain where many edges leave it, a batch at a time.
+class Parting {
  public:
-  explicit Bisection(const Domain& domain) : domain_(domain) {}
+  explicit Parting(const Domain& domain) : domain_(domain) {}
 
   void add(Coord3 plus, Coord3 minus) {
-    start_[size_] = steps * plus;
-    towards_[size_] = minus - plus;
-    if (++size_ == batch) flush();
+    edges_[size_] = {plus, minus, 0};
+    if (++size_ == edges_.size()) flush();
   }
 
   /// Finishes what was added; the cuts stand in `result` in order.
@@ -29,36 +26,16 @@ class Bisection {
   }
 
  private:
-  static constexpr std::size_t batch = 256;
-
   void flush() {
-    const std::size_t n = size_;
-    std::fill_n(low_.begin(), n, 0);
-    std::fill_n(open_.begin(), n, 1);
-    for (int round = step_bits - 1; round >= 0; --round) halve(std::int32_t{1} << round);
-    for (std::size_t e = 0; e < n; ++e) result_.push_back(static_cast<std::uint16_t>(low_[e]));
+    const std::size_t before = result_.size();
+    result_.resize(before + size_);
+    domain_.part(std::span(edges_).first(size_), std::span(result_).subspan(before));
     size_ = 0;
-  }
-
-  /// One round: `low` is known to be inside, `low` + 2 `half` to be outside.  An
-  /// edge is open until a position is found to lie on the surface.
-  void halve(std::int32_t half) {
-    const std::size_t n = size_;
-    for (std::size_t e = 0; e < n; ++e)
-      middle_[e] = start_[e] + (low_[e] + half) * towards_[e];
-    domain_.at({middle_.data(), n}, {signs_.data(), n});
-    for (std::size_t e = 0; e < n; ++e) {
-      const auto sign = static_cast<std::int32_t>(signs_[e]);
-      low_[e] += half & -(open_[e] & std::int32_t{sign != static_cast<int>(Sign::minus)});
-      open_[e] &= std::int32_t{sign != static_cast<int>(Sign::on_surface)};
-    }
   }
 
   const Domain& domain_;
   std::size_t size_ = 0;
-  std::array<Coord3, batch> start_, towards_, middle_;
-  std::array<std::int32_t, batch> low_, open_;
-  std::array<Sign, batch> signs_;
+  std::array<PartedEdge, 256> edges_;
   std::vector<std::uint16_t> result_;
 };
 
@@ -86,7 +63,7 @@ CutLayer find_layer(const SignPlanes& planes, const Domain& domain, const Lattic
   CutLayer layer;
   const int rows = planes.cells()[1];
   layer.row_begin.reserve(static_cast<std::size_t>(rows));
-  Bisection bisection(domain);
+  Parting parting(domain);
   RowRanks row;
   std::uint64_t count = 0;
   for (int j = 0; j < rows; ++j) {
@@ -95,9 +72,9 @@ CutLayer find_layer(const SignPlanes& planes, const Domain& domain, const Lattic
     count += row.count() - row.corners();
     if (cuts == Cuts::bisect)
       for_each_cut_edge(planes, row, lattice, j, k,
-                        [&](Coord3 plus, Coord3 minus) { bisection.add(plus, minus); });
+                        [&](Coord3 plus, Coord3 minus) { parting.add(plus, minus); });
   }
-  if (cuts == Cuts::bisect) layer.steps = bisection.finish();
+  if (cuts == Cuts::bisect) layer.steps = parting.finish();
   else layer.steps.assign(count, midpoint_cut);
   return layer;
 }

@@ -7,7 +7,8 @@
 
 #include "certet/context.hpp"
 #include "certet/domain.hpp"
-#include "certet/stuffing.hpp"
+#include "certet/lattice.hpp"
+#include "certet/method.hpp"
 #include "row_ranks.hpp"
 #include "window.hpp"
 

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "certet/context.hpp"
+#include "certet/domain.hpp"
 #include "certet/mesh.hpp"
 #include "certet/stuffing.hpp"
 #include "count.hpp"
@@ -30,5 +31,17 @@ void mark_surface(const WarpedLattice& warped, const RowNumbers& numbers, const 
 template <class Index>
 void emit_tets(const WarpedLattice& warped, const RowNumbers& numbers, const Lattice& lattice,
                Window window, std::span<Tet<Index>> out, Context& context);
+
+/// Materials of the same tetrahedra: 1 where there is but one, else asked of the domain.  `points` are those of the
+/// layers of `window` and of the layer behind it, where the lattice has one, as
+/// `emit_points` writes them, `tets` those of `window`, as `emit_tets` does.
+template <class Index>
+void emit_materials(const Domain& domain, const RowNumbers& numbers, const Lattice& lattice,
+                    Window window, std::span<const Coord3> points,
+                    std::span<const Tet<Index>> tets, std::span<Material> out, Context& context);
+
+/// Puts labels, that of material m being labels[m - 1], in the place of materials; 0
+/// for what is outside.
+void labels_in_place(std::span<Material> materials, std::span<const std::int32_t> labels);
 
 }  // namespace certet::core

@@ -4,7 +4,8 @@
 
 #include "certet/context.hpp"
 #include "certet/domain.hpp"
-#include "certet/stuffing.hpp"
+#include "certet/lattice.hpp"
+#include "certet/method.hpp"
 #include "sign_planes.hpp"
 #include "window.hpp"
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "border.hpp"
 #include "count.hpp"
 #include "cuts.hpp"
 #include "emit.hpp"
@@ -49,79 +50,74 @@ auto within_memory(const Work& work) {
 }  // namespace
 
 struct Stuffing::State {
+  const Domain& domain;
   Lattice lattice;
   WarpedLattice warped;
   RowNumbers numbers;
-  Guarantee guarantee;
+  Method method;
   std::uint64_t inverted_tets = 0;
 };
 
 namespace {
 
-static_assert(no_warp_thresholds.long_edge == 0 && no_warp_thresholds.short_edge == 0,
+static_assert(facts(Method::midpoint).thresholds.long_edge == 0 &&
+                  facts(Method::midpoint).thresholds.short_edge == 0,
               "with cuts in the middle no cut violates a vertex");
 
 /// The whole lattice, its violated vertices settled.
 WarpedLattice settled_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
-                              const Lattice& lattice, Context& context) {
+                              const Lattice& lattice, Method method, Context& context) {
   const Window all = whole(lattice);
-  Violations violations = find_violations(planes, cuts, all, angle_thresholds, context);
+  const Thresholds& thresholds = facts(method).thresholds;
+  Violations violations = find_violations(planes, cuts, all, thresholds, context);
   Settling settling = settle(planes, violations, lattice, all, context);
   WarpedLattice warped = warp_lattice({planes, std::move(settling.planes)}, violations, cuts,
-                                      angle_thresholds, lattice, all, context);
+                                      thresholds, lattice, all, context);
   warped.figures.add(settling.figures);
   return warped;
 }
 
-/// By the paper's rule: warps with the thresholds asked for; falls back to those of
-/// `embedding` if a tetrahedron that is dropped came out inverted, for it would cover others.
+/// By the paper's rule, all violated vertices moved; `angles` falls back to `embedding` if a
+/// tetrahedron that is dropped came out inverted, for it would cover others.
 WarpedLattice moved_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
-                            const Lattice& lattice, Guarantee& guarantee,
+                            const Lattice& lattice, Method& method,
                             std::uint64_t& inverted, Context& context) {
   const Window all = whole(lattice);
   const auto warp = [&](const Violations& violations, SignPlanes moved) {
     return warp_lattice({planes, std::move(moved)}, violations, cuts, no_warp_thresholds, lattice,
                         all, context);
   };
-  if (guarantee == Guarantee::angles) {
-    const Violations violations = find_violations(planes, cuts, all, angle_thresholds, context);
+  if (method == Method::angles) {
+    const Violations violations =
+        find_violations(planes, cuts, all, facts(method).thresholds, context);
     SignPlanes moved = move_all(planes, violations, context);
     inverted = inverted_tets(moved, violations, lattice, all, context);
     if (inverted == 0) return warp(violations, std::move(moved));
+    method = Method::embedding;
   }
-  guarantee = Guarantee::embedding;
-  const Violations violations = find_violations(planes, cuts, all, embedding_thresholds, context);
+  const Violations violations =
+      find_violations(planes, cuts, all, facts(method).thresholds, context);
   return warp(violations, move_all(planes, violations, context));
 }
 
 }  // namespace
 
-std::string_view name(Guarantee guarantee) {
-  switch (guarantee) {
-    case Guarantee::pieces: return "pieces";
-    case Guarantee::angles: return "angles";
-    case Guarantee::embedding: break;
-  }
-  return "embedding";
-}
-
-Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, const StuffingOptions& options,
+Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, Method method,
                    Context& context) {
   check_range(lattice);
   state_ = within_memory([&] {
-    Guarantee guarantee = options.guarantee;
     std::uint64_t inverted = 0;
+    const Cuts where = facts(method).cuts;
     const Window all = whole(lattice);
-    SignPlanes planes = sample(domain, lattice, all, options.cuts, context);
-    Layers<CutLayer> cuts = find_cuts(planes, domain, lattice, all, options.cuts, context);
+    SignPlanes planes = sample(domain, lattice, all, where, context);
+    Layers<CutLayer> cuts = find_cuts(planes, domain, lattice, all, where, context);
     WarpedLattice warped =
-        options.cuts == Cuts::midpoint   ? unwarped(std::move(planes), std::move(cuts), all)
-        : guarantee == Guarantee::pieces ? settled_lattice(planes, cuts, lattice, context)
-                                         : moved_lattice(planes, cuts, lattice, guarantee,
-                                                         inverted, context);
+        where == Cuts::midpoint  ? unwarped(std::move(planes), std::move(cuts), all)
+        : facts(method).settles ? settled_lattice(planes, cuts, lattice, method, context)
+                                : moved_lattice(planes, cuts, lattice, method, inverted, context);
     RowNumbers numbers(warped.planes, lattice, all, context);
     return std::make_unique<State>(
-        State{lattice, std::move(warped), std::move(numbers), guarantee, inverted});
+        State{domain, lattice, std::move(warped), std::move(numbers), method, inverted});
   });
 }
 
@@ -132,7 +128,7 @@ Stuffing& Stuffing::operator=(Stuffing&&) noexcept = default;
 std::uint64_t Stuffing::point_count() const { return state_->numbers.point_count(); }
 std::uint64_t Stuffing::tet_count() const { return state_->numbers.tet_count(); }
 const Lattice& Stuffing::lattice() const { return state_->lattice; }
-Guarantee Stuffing::guarantee() const { return state_->guarantee; }
+Method Stuffing::method() const { return state_->method; }
 std::uint64_t Stuffing::inverted_tets() const { return state_->inverted_tets; }
 const WarpFigures& Stuffing::warp_figures() const { return state_->warped.figures; }
 std::int32_t Stuffing::layers() const { return state_->lattice.cells[2]; }
@@ -164,6 +160,30 @@ void Stuffing::emit_tets(std::int32_t begin, std::int32_t end,
   core::emit_tets(state_->warped, state_->numbers, state_->lattice, {begin, end}, out, context);
 }
 
+std::span<const std::int32_t> Stuffing::labels() const { return state_->domain.labels(); }
+
+void Stuffing::emit_materials(std::int32_t begin, std::int32_t end,
+                              std::span<const Coord3> points,
+                              std::span<const Tet<std::uint32_t>> tets, std::span<Material> out,
+                              Context& context) const {
+  core::emit_materials(state_->domain, state_->numbers, state_->lattice, {begin, end}, points,
+                       tets, out, context);
+}
+
+void Stuffing::emit_materials(std::int32_t begin, std::int32_t end,
+                              std::span<const Coord3> points,
+                              std::span<const Tet<std::uint64_t>> tets, std::span<Material> out,
+                              Context& context) const {
+  core::emit_materials(state_->domain, state_->numbers, state_->lattice, {begin, end}, points,
+                       tets, out, context);
+}
+
+bool Stuffing::has_border() const { return !state_->domain.border().empty(); }
+
+bool Stuffing::is_on_border(Coord3 point) const {
+  return core::is_on_border(point, state_->domain.border(), facts(state_->method).cuts);
+}
+
 std::uint64_t Stuffing::bytes() const {
   const State& s = *state_;
   std::uint64_t bytes = s.warped.planes.bytes() + s.numbers.bytes();
@@ -179,11 +199,18 @@ Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context) {
   return within_memory([&] {
     Mesh mesh;
     mesh.frame = frame;
+    mesh.method = stuffing.method();
     mesh.points = Buffer<Coord3>(stuffing.point_count());
     stuffing.emit_points(0, stuffing.layers(), mesh.points, context);
     const auto emit_tets = [&]<class Index>(Index) {
       Buffer<Tet<Index>> tets(stuffing.tet_count());
       stuffing.emit_tets(0, stuffing.layers(), std::span<Tet<Index>>(tets), context);
+      if (!stuffing.labels().empty()) {
+        mesh.labels = Buffer<std::int32_t>(tets.size());
+        stuffing.emit_materials(0, stuffing.layers(), mesh.points,
+                                std::span<const Tet<Index>>(tets), mesh.labels, context);
+        labels_in_place(mesh.labels, stuffing.labels());
+      }
       mesh.tets = std::move(tets);
     };
     if (stuffing.point_count() <= std::numeric_limits<std::uint32_t>::max())
@@ -194,12 +221,33 @@ Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context) {
   });
 }
 
-Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame,
-           const StuffingOptions& options, Context& context) {
-  const Stuffing stuffing(domain, lattice, options, context);
+Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame, Method method,
+           Context& context) {
+  const Stuffing stuffing(domain, lattice, method, context);
   if (stuffing.tet_count() == 0)
-    throw Error(ErrorCode::empty_domain, "no lattice point lies inside the domain");
+    throw Error(ErrorCode::empty_domain, "nothing is inside at this size, so there is no mesh");
   return emit(stuffing, frame, context);
+}
+
+Mesh mesh(const PlacedDomain& domain, Method method, Context& context) {
+  Mesh mesh = stuff(domain, domain.lattice(), domain.frame(), method, context);
+  mesh.names = domain.names();
+  mesh.border.assign(domain.border().begin(), domain.border().end());
+  return mesh;
+}
+
+Mesh mesh(const PlacedDomain& domain, Method method) {
+  Context context;
+  return mesh(domain, method, context);
+}
+
+Buffer<Point3> world_points(const Mesh& mesh) {
+  return within_memory([&] {
+    Buffer<Point3> world(mesh.points.size());
+    std::ranges::transform(mesh.points, world.begin(),
+                           [&](Coord3 position) { return mesh.frame.world(position); });
+    return world;
+  });
 }
 
 }  // namespace certet

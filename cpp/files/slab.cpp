@@ -1,8 +1,7 @@
 #include "slab.hpp"
 
 #include "certet/context.hpp"
-#include "mesh/corners.hpp"
-#include "mesh/quality/lattice_measurement.hpp"
+#include "engine/emit.hpp"
 
 namespace certet::pipeline {
 namespace {
@@ -38,32 +37,42 @@ std::span<const Point3> PointSlab::world(const Stuffing& stuffing, std::int32_t 
 }
 
 template <class Index>
+void TetSlab<Index>::label_layer(Source& source, std::span<const Coord3> points,
+                                 std::int32_t layer) {
+  const Stuffing& stuffing = source.stuffing;
+  const std::uint64_t begin = stuffing.first_tet(layer) - first_;
+  const std::uint64_t end = stuffing.first_tet(layer + 1) - first_;
+  const std::span<std::int32_t> labels{labels_.begin() + begin, labels_.begin() + end};
+  OneThread context;
+  if (source.known.empty())
+    stuffing.emit_materials(layer, layer + 1, points,
+                            std::span<const Tet<Index>>(tets_.begin() + begin, end - begin),
+                            labels, context);
+  else
+    source.known.get(layer, labels);
+  core::labels_in_place(labels, stuffing.labels());
+}
+
+template <class Index>
 Findings TetSlab<Index>::make_layer(Source& source, const PointSlab& points, std::int32_t layer) {
   const Stuffing& stuffing = source.stuffing;
   const std::uint64_t first_tet = stuffing.first_tet(layer);
   const std::uint64_t begin = first_tet - first_;
   const std::uint64_t end = stuffing.first_tet(layer + 1) - first_;
+  const std::int32_t behind = source.points_end(layer + 1);
+  const std::span<const Coord3> steps = points.steps(stuffing, layer, behind);
   const std::span<Tet<Index>> tets{tets_.begin() + begin, tets_.begin() + end};
   {
     const Timer timer(source.emitting);
     OneThread context;
     stuffing.emit_tets(layer, layer + 1, tets, context);
+    if (!labels_.empty()) label_layer(source, steps, layer);
   }
   const Timer timer(source.measuring);
-  const std::int32_t behind = source.points_end(layer + 1);
   const std::uint64_t first_point = stuffing.first_point(layer);
   const std::span<const Tet<Index>> made = tets;
-  const std::span<const Coord3> steps = points.steps(stuffing, layer, behind);
-  quality::LatticeMeasurement lattice(steps);
-  quality::for_each_batch(steps, first_point, made,
-                          [&](std::size_t from, quality::Corners corners) {
-                            lattice.add(corners);
-                            if (source.labeller)
-                              source.labeller(corners, {labels_.begin() + begin + from,
-                                                        corners.size()});
-                          });
   Findings found;
-  found.lattice = lattice.result();
+  found.lattice = measure_lattice(steps, first_point, made);
   if (points.has_world()) {
     const std::span<const Point3> world = points.world(stuffing, layer, behind);
     found.world = measure_world(world, first_point, made, Histogram::empty);
@@ -71,6 +80,10 @@ Findings TetSlab<Index>::make_layer(Source& source, const PointSlab& points, std
   }
   found.tets.tets(first_tet, made);
   found.points.points(first_point, points.steps(stuffing, layer, layer + 1));
+  if (!labels_.empty())
+    found.regions.add({labels_.begin() + begin, labels_.begin() + end});
+  else if (!made.empty())
+    found.regions.add(only_label, made.size());
   return found;
 }
 

@@ -9,6 +9,7 @@
 #include "certet/buffer.hpp"
 #include "certet/checksum.hpp"
 #include "certet/write_mesh.hpp"
+#include "mesh/boundary.hpp"
 #include "seconds.hpp"
 
 namespace certet::pipeline {
@@ -18,7 +19,7 @@ namespace certet::pipeline {
 struct Source {
   const Stuffing& stuffing;
   const Frame& frame;
-  const Labeller& labeller;
+  const MaterialRuns& known;  ///< of a survey, or empty
   Nanoseconds emitting{0}, measuring{0}, writing{0};
 
   /// The tetrahedra of layers up to `end` use points up to those of layer
@@ -60,6 +61,7 @@ struct Findings {
   Quality lattice, world;
   std::uint64_t coincident_points = 0;  ///< of those of the layer and the one behind it
   Checksum points, tets;
+  core::RegionCounts regions;
 };
 
 /// Tetrahedra of some layers, and their labels.
@@ -78,6 +80,9 @@ class TetSlab {
   void write(Source& source, std::int32_t begin, std::int32_t end, MeshWriter& writer) const;
 
  private:
+  /// Labels are kept from a survey, or asked for now.
+  void label_layer(Source& source, std::span<const Coord3> points, std::int32_t layer);
+
   std::uint64_t first_ = 0;
   Buffer<Tet<Index>> tets_;
   Buffer<std::int32_t> labels_;

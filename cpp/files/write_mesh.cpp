@@ -84,10 +84,11 @@ Checksum write_points(Source& source, const Slabs& slabs, std::array<PointSlab, 
 template <class Index>
 void write_tets(Source& source, const Slabs& slabs, PointSlab& points, Checksum placed,
                 MeshWriter& writer, Context& context, WrittenMesh& written) {
-  const bool labels = static_cast<bool>(source.labeller);
+  const bool labels = !source.stuffing.labels().empty();
   std::array<TetSlab<Index>, 2> store{TetSlab<Index>(slabs.tets, labels),
                                       TetSlab<Index>(slabs.tets, labels)};
   Checksum checksum, tets;
+  core::RegionCounts regions;
   const auto write = [&](std::size_t s) {
     const auto [begin, end] = layers_of(slabs, s);
     store[s % 2].write(source, begin, end, writer);
@@ -115,9 +116,11 @@ void write_tets(Source& source, const Slabs& slabs, PointSlab& points, Checksum 
       written.coincident_points += layer.coincident_points;
       checksum += layer.points;
       tets += layer.tets;
+      regions += layer.regions;
     }
   }
   write(count - 1);
+  written.regions = regions.regions();
   written.checksum = (checksum += tets).value();
   written.file_checksum = (placed += tets).value();
 }
@@ -179,10 +182,10 @@ Slabs cut_slabs(const Stuffing& stuffing, std::uint64_t max_bytes) {
 }
 
 WrittenMesh write_mesh(const Stuffing& stuffing, const Frame& frame, const Slabs& slabs,
-                       const Labeller& labeller, MeshWriter& writer, Context& context) {
+                       MeshWriter& writer, Context& context, const MaterialRuns& known) {
   checked_size(frame.size);
   try {
-    Source source{stuffing, frame, labeller};
+    Source source{stuffing, frame, known};
     return write_all(source, slabs, writer, context);
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::too_large, "out of memory while writing the mesh");

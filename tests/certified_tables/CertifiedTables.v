@@ -63,36 +63,39 @@ Proof. vm_compute. reflexivity. Qed.
 
 (** ** The bounds that every mesh is held to
 
-    What the C++ side calls proven is proven. *)
+    What the C++ side calls proven is proven, of each method and its thresholds. *)
 
-Definition Proven (bounds : list (list Bounds)) : Prop :=
-  match bounds with
-  | [[widest; embedding]; [middle; middle']] =>
-      (forall sign cut tid t, CutsOnEdges sign cut ->
-         In t (map (MapTet (MeshPosition AngleThresholds sign cut))
-                 (StuffTet AngleThresholds sign cut tid)) ->
-         WithinDegrees (IZR (least widest) / 100) (IZR (greatest widest) / 100) t) /\
-      (forall sign cut tid t, CutsOnEdges sign cut ->
-         In t (map (MapTet (MeshPosition EmbeddingThresholds sign cut))
-                 (StuffTet EmbeddingThresholds sign cut tid)) ->
-         WithinDegrees (IZR (least embedding) / 100) (IZR (greatest embedding) / 100) t) /\
-      (forall sign tid t,
-         let decided v := InOrOut (sign v) in
-         let cut (_ _ : Coord3) := MidpointCut in
-         In t (map (MapTet (MeshPosition NoWarpThresholds decided cut))
-                 (StuffTet NoWarpThresholds decided cut tid)) ->
-         WithinDegrees (IZR (least middle) / 100) (IZR (greatest middle) / 100) t) /\
-      middle' = middle
-  | _ => False
+Definition Promised (m : Method) (t : UnstructuredTet Coord3) : Prop :=
+  WithinDegrees (IZR (least (bounds m)) / 100) (IZR (greatest (bounds m)) / 100) t.
+
+Definition Proven (m : Method) : Prop :=
+  match cuts m, settles m with
+  | OnTheSurface, true =>
+      forall sign cut stays limit tid t, CutsOnEdges sign cut ->
+        In t (WarpOrClamp (thresholds m) sign cut stays limit tid) ->
+        Promised m t
+  | OnTheSurface, false =>
+      forall sign cut tid t, CutsOnEdges sign cut ->
+        In t (map (MapTet (MeshPosition (thresholds m) sign cut))
+                (StuffTet (thresholds m) sign cut tid)) ->
+        Promised m t
+  | InTheMiddle, _ =>
+      forall sign tid t,
+        let decided v := InOrOut (sign v) in
+        let cut (_ _ : Coord3) := MidpointCut in
+        In t (map (MapTet (MeshPosition (thresholds m) decided cut))
+                (StuffTet (thresholds m) decided cut tid)) ->
+        Promised m t
   end.
 
-Theorem CppBoundsProven : AreProvenBounds CppProvenBounds = true /\ Proven ProvenBounds.
+Theorem CppMethodsProven : AreMethods CppMethods = true /\ Forall Proven Methods.
 Proof.
   split; [vm_compute; reflexivity|].
-  split; [exact DihedralBoundsInDegrees|].
-  split; [exact DihedralBoundsEmbeddingInDegrees|].
-  split; [|reflexivity].
-  intros sign tid t decided cut I. cbn [least greatest MiddleBounds].
+  constructor; [exact RuledBoundsInDegrees|].
+  constructor; [exact DihedralBoundsInDegrees|].
+  constructor; [exact DihedralBoundsEmbeddingInDegrees|].
+  constructor; [|constructor].
+  intros sign tid t decided cut I. unfold Promised. cbn [bounds least greatest].
   replace (IZR 3000 / 100)%R with 30%R by lra.
   replace (IZR 13500 / 100)%R with 135%R by lra.
   exact (MidpointBoundsInDegrees sign tid t I).

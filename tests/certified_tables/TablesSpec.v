@@ -264,22 +264,29 @@ Definition IsOutward (across : Z) (face : Table) : bool :=
 Definition AreOutwardFaces (t : Table) : bool :=
   Each IsOutward (Upto 4) t.
 
-(** ** The bounds that every mesh is held to
+(** ** The methods, and the bounds that every mesh is held to
 
-    In hundredths of degrees, with the theorem that promises them; for cuts on
-    the surface where vertices settle, and at either thresholds where all move;
-    and for cuts in the middle. *)
+    A method cuts edges on the surface or in the middle, and warps at its
+    thresholds, where all violated vertices move, or some settle; the theorem
+    that it names promises its bounds, here in hundredths of degrees. *)
+
+Inductive Cuts := OnTheSurface | InTheMiddle.
+Definition CutsNumber (c : Cuts) : Z := match c with OnTheSurface => 0 | InTheMiddle => 1 end.
 
 Record Bounds := { least : Z; greatest : Z; theorem : string }.
-Definition SettledBounds :=
-  {| least := 1077; greatest := 16476; theorem := "RuledBoundsInDegrees" |}.
-Definition WidestBounds := {| least := 1077; greatest := 16476; theorem := "DihedralBounds" |}.
-Definition EmbeddingBounds :=
-  {| least := 927; greatest := 16146; theorem := "DihedralBoundsEmbedding" |}.
-Definition MiddleBounds := {| least := 3000; greatest := 13500; theorem := "MidpointBounds" |}.
-Definition ProvenBounds : list (list Bounds) :=
-  [[SettledBounds; WidestBounds; EmbeddingBounds];
-   [MiddleBounds; MiddleBounds; MiddleBounds]].
+Record Method := { called : string; cuts : Cuts; thresholds : Thresholds;
+                   settles : bool; bounds : Bounds }.
+
+Definition Methods : list Method :=
+  [{| called := "embedded"; cuts := OnTheSurface; thresholds := AngleThresholds; settles := true;
+      bounds := {| least := 1077; greatest := 16476; theorem := "RuledBoundsInDegrees" |} |};
+   {| called := "angles"; cuts := OnTheSurface; thresholds := AngleThresholds; settles := false;
+      bounds := {| least := 1077; greatest := 16476; theorem := "DihedralBounds" |} |};
+   {| called := "embedding"; cuts := OnTheSurface; thresholds := EmbeddingThresholds;
+      settles := false;
+      bounds := {| least := 927; greatest := 16146; theorem := "DihedralBoundsEmbedding" |} |};
+   {| called := "midpoint"; cuts := InTheMiddle; thresholds := NoWarpThresholds; settles := false;
+      bounds := {| least := 3000; greatest := 13500; theorem := "MidpointBounds" |} |}]%string.
 
 (** The number of 53 bits, written in full, that is nearest to so many hundredths. *)
 Definition IsNearest (hundredths : Z) (t : Table) : bool :=
@@ -296,7 +303,19 @@ Definition AreBounds (b : Bounds) (t : Table) : bool :=
   | _ => false
   end.
 
-Definition AreProvenBounds : Table -> bool := Each (Each AreBounds) ProvenBounds.
+(** A row has its number first. *)
+Definition IsMethod (numbered : Z * Method) (t : Table) : bool :=
+  let (number, m) := numbered in
+  match t with
+  | Row [row; name; where_; alpha; rule; promise] =>
+      Equal (Number number) row && Equal (Text (called m)) name &&
+      Equal (Number (CutsNumber (cuts m))) where_ &&
+      Equal (ThresholdsEntry (thresholds m)) alpha && 
+      Equal (Truth (settles m)) rule && AreBounds (bounds m) promise
+  | _ => false
+  end.
+Definition AreMethods : Table -> bool :=
+  Each IsMethod (combine (Upto (length Methods)) Methods).
 
 (** ** All of them *)
 
@@ -320,6 +339,7 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("angle_thresholds", Is (ThresholdsEntry AngleThresholds));
    ("embedding_thresholds", Is (ThresholdsEntry EmbeddingThresholds));
    ("no_warp_thresholds", Is (ThresholdsEntry NoWarpThresholds));
+   ("methods", AreMethods);
    ("core::grid_count", Is (Count Grids));
    ("core::grids", Is (Numbers (Upto (length Grids))));
    ("core::corner_kinds", Is (Number CornerKinds));
@@ -339,8 +359,8 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("coordinate_limit", Is (Number LatticeLimit));
    ("anchor_limit", Is (Number AnchorLimit));
    ("cells_limit", IsCellsLimit);
-   ("quality::edge_limit", Is (Number WidthLimit));
-   ("quality::outward_faces", AreOutwardFaces);
+   ("core::edge_limit", Is (Number WidthLimit));
+   ("core::outward_faces", AreOutwardFaces);
    ("signs", Is (Numbers (map SignNumber AllSigns)));
    ("sign_of_bits", Is (Numbers (map SignNumber AllSigns)));
    ("opposite", Is (Row (map (fun a => Row (map (fun b => Truth (Opposite a b)) AllSigns))
@@ -353,5 +373,4 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("length_squared", Is (OfDirections (fun d => Number (LengthSquared (DirectionKind d)))));
    ("thresholds_in_steps",
       Is (Row (map StepsEntry [AngleThresholds; EmbeddingThresholds; NoWarpThresholds])));
-   ("core::neighbor", Is Neighbors);
-   ("proven_bounds", AreProvenBounds)]%string.
+   ("core::neighbor", Is Neighbors)]%string.

@@ -7,7 +7,7 @@
 
 #include "lattice/cell_tables.hpp"
 #include "certet/lattice/lattice_limits.hpp"
-#include "certet/quality.hpp"
+#include "certet/method.hpp"
 #include "certet/lattice/sign.hpp"
 #include "certet/lattice/stencil.hpp"
 #include "certet/lattice/structured_tet.hpp"
@@ -52,6 +52,7 @@ void for_each_constant(const Visit& visit) {
   CERTET_CONSTANT(angle_thresholds);
   CERTET_CONSTANT(embedding_thresholds);
   CERTET_CONSTANT(no_warp_thresholds);
+  CERTET_CONSTANT(methods);
 
   CERTET_CONSTANT(core::grid_count);
   CERTET_CONSTANT(core::grids);
@@ -73,8 +74,8 @@ void for_each_constant(const Visit& visit) {
   CERTET_CONSTANT(coordinate_limit);
   CERTET_CONSTANT(anchor_limit);
   CERTET_CONSTANT(cells_limit);
-  CERTET_CONSTANT(quality::edge_limit);
-  CERTET_CONSTANT(quality::outward_faces);
+  CERTET_CONSTANT(core::edge_limit);
+  CERTET_CONSTANT(core::outward_faces);
 }
 
 #undef CERTET_CONSTANT
@@ -114,14 +115,6 @@ void for_each_function(const Visit& visit) {
       return core::neighbor(static_cast<core::Grid>(grid), static_cast<std::size_t>(d));
     });
   }));
-
-  visit("proven_bounds", std::array{
-      std::array{proven_bounds(Cuts::bisect, Guarantee::pieces),
-                 proven_bounds(Cuts::bisect, Guarantee::angles),
-                 proven_bounds(Cuts::bisect, Guarantee::embedding)},
-      std::array{proven_bounds(Cuts::midpoint, Guarantee::pieces),
-                 proven_bounds(Cuts::midpoint, Guarantee::angles),
-                 proven_bounds(Cuts::midpoint, Guarantee::embedding)}});
 }
 
 template <class Visit>

@@ -10,7 +10,7 @@
 #include <tuple>
 #include <type_traits>
 
-#include "certet/quality.hpp"
+#include "certet/method.hpp"
 #include "certet/lattice/stencil.hpp"
 #include "certet/lattice/tiling.hpp"
 #include "lattice/cell_tables.hpp"
@@ -61,6 +61,12 @@ template <OfFour T, class Visit>
 void for_each_part(T& value, const Visit& visit) {
   auto& [a, b, c, d] = value;
   visit(a), visit(b), visit(c), visit(d);
+}
+/// All that a method does and promises, but for the sentence that tells people of it.
+template <OneOf<MethodFacts> T, class Visit>
+void for_each_part(T& value, const Visit& visit) {
+  auto& [method, name, cuts, thresholds, settles, bounds, sentence] = value;
+  visit(method), visit(name), visit(cuts), visit(thresholds), visit(settles), visit(bounds);
 }
 
 /// Calls visit(entry) for every entry, in order.

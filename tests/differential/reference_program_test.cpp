@@ -37,7 +37,7 @@ class ReferenceProgram : public testing::Test {
 
   PlacedTets reference(const std::string& arguments) {
     EXPECT_EQ(run(arguments + " " + output.string()), 0);
-    const certet::FileMesh mesh = certet::read_mesh(output);
+    const certet::FileMesh mesh = certet::read(output);
     PlacedTets placed;
     for (const auto& [a, b, c, d] : mesh.tets)
       placed.push_back({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]});
@@ -51,11 +51,11 @@ class ReferenceProgram : public testing::Test {
 
 /// In lattice units, in which the program writes.
 PlacedTets engine(const certet::Domain& domain, const Lattice& lattice,
-                  const certet::StuffingOptions& options = {}) {
+                  certet::Method method = certet::Method::angles) {
   certet::Frame units;
   units.size = 2;
   certet::Context context;
-  const certet::Mesh mesh = certet::stuff(domain, lattice, units, options, context);
+  const certet::Mesh mesh = certet::stuff(domain, lattice, units, method, context);
   PlacedTets placed;
   const auto world = [&](auto i) { return units.world(mesh.points[i]); };
   std::visit(
@@ -79,14 +79,14 @@ TEST_F(ReferenceProgram, MeshesASphere) {
 TEST_F(ReferenceProgram, MeshesATorusForAnEmbedding) {
   EXPECT_TRUE(engine(domains::of_level(domains::torus(0.5, 0.25, 0.125, 5.5, 2.25)),
                      {{-10, -10, -6}, {11, 11, 7}},
-                     {certet::Cuts::bisect, certet::Guarantee::embedding}) ==
+                     certet::Method::embedding) ==
               reference("--guarantee embedding --solid 'torus 0.5 0.25 0.125 5.5 2.25' "
                         "--lattice '-10 -10 -6 11 11 7'"));
 }
 
 TEST_F(ReferenceProgram, MeshesABoxWithMidpoints) {
   EXPECT_TRUE(engine(domains::of_level(domains::box(-4.5, 4.5)), {{-8, -8, -8}, {9, 9, 9}},
-                     {certet::Cuts::midpoint, certet::Guarantee::angles}) ==
+                     certet::Method::midpoint) ==
               reference("--midpoint --solid 'box -4.5 -4.5 -4.5 4.5 4.5 4.5' "
                         "--lattice '-8 -8 -8 9 9 9'"));
 }

@@ -69,7 +69,7 @@ Status check(const CheckOptions& options) {
   checked.file = options.mesh.string();
   checked.asked = options.asked;
   if (!options.run.empty()) checked.run = read_run(options.run);
-  const FileMesh mesh = read_mesh(options.mesh, context);
+  const FileMesh mesh = certet::read(options.mesh, context);
   checked.read_seconds = clock.seconds();
   checked.report = certet::check(mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets),
                                 context);

@@ -122,7 +122,7 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
   const Stopwatch clock;
   const Format format = choose_format(options.output, options.format, options.compress);
   judge_files(options, format);
-  FileMesh mesh = read_mesh(options.input, context);
+  FileMesh mesh = certet::read(options.input, context);
   judge_indices(options, mesh);
   const Point3 moved_to = options.origin == "0" ? move_to_zero(mesh) : Point3{};
   if (!options.label_names.empty()) mesh.names = read_label_names(options.label_names);

@@ -75,7 +75,7 @@ samples, which are + where the lattice's points are inside.
 Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file,
 format, bytes, origin}, lattice {cells, size, cuts, and with --target-tets:
 target_tets, tries}, method {name, and of embedded: violated, stayed, shortened, clamped {cuts,
-greatest, rms, greatest_edges, rms_edges}}, mesh {points, tets, volume, checksum, file_checksum}, dihedral
+greatest, rms, greatest_edges, rms_edges}}, theorem, mesh {points, tets, volume, checksum, file_checksum}, dihedral
 {min, max, lattice_min, lattice_max, rounding, histogram}, guarantee {asked, used,
 theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
 cut, warp, count, emit, measure, write, total}, memory {limit, needed, least,
@@ -248,14 +248,11 @@ double parse_nan(const MeshOptions& options, const std::string& text) {
 MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   judge_source(options, raw);
   read_size(options, raw);
-  options.stuffing = stuffing_options(raw.method);
+  options.method = chosen(raw.method);
   if (!raw.iso.empty()) options.iso = parse_number("--iso", raw.iso);
   if (!raw.labels.empty()) options.labels = parse_labels(raw.labels);
   if (!raw.smooth.empty()) options.smooth = positive("--smooth", raw.smooth);
-  if (!raw.crop.empty()) {
-    const Bounds box = parse_bounds(raw.crop, "--crop");
-    options.crop = WorldBox{box.low, box.high};
-  }
+  if (!raw.crop.empty()) options.crop = parse_bounds(raw.crop, "--crop");
   if (!raw.volume.empty()) options.image.volume = parse_whole("--volume", raw.volume);
   if (!raw.nan.empty()) options.nan = parse_nan(options, raw.nan);
   if (!raw.spacing.empty()) options.image.spacing = parse_spacing(raw.spacing);

@@ -48,7 +48,7 @@ Status picture(PictureRequest options) {
     refuse("a picture is a .png file, which '" + options.output.string() + "' is not");
   if (!can_write_png()) refuse("writing PNG was not built in");
   judge_output(options.output);
-  write_png(draw(read_mesh(options.mesh), options.picture), options.output);
+  write_png(draw(certet::read(options.mesh), options.picture), options.output);
   return Status::ok;
 }
 

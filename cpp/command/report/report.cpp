@@ -26,7 +26,7 @@ within its bounds; a file that is another, or angles outside of the bounds that 
 /// What the user asks of `certet report`.
 struct ReportOptions {
   std::filesystem::path mesh, output, run;
-  std::optional<Guarantee> guarantee;
+  std::optional<Method> guarantee;
   std::optional<Cuts> cuts;
 };
 
@@ -40,13 +40,18 @@ void judge(const ReportOptions& options) {
   judge_output(options.output);
 }
 
+/// Whether the options leave open that a mesh was made by this method.
+bool may_be(const MethodFacts& method, const ReportOptions& options) {
+  if (options.cuts && method.cuts != *options.cuts) return false;
+  return !options.guarantee || method.method == *options.guarantee ||
+         options.cuts == Cuts::midpoint;  // where no vertex is warped, whatever the guarantee
+}
+
 /// All bounds that may hold, as far as the options tell.
 std::vector<AngleBounds> possible_bounds(const ReportOptions& options) {
-  if (options.cuts == Cuts::midpoint) return {proven_bounds(Cuts::midpoint, Guarantee::angles)};
-  if (options.guarantee) return {proven_bounds(Cuts::bisect, *options.guarantee)};
-  std::vector<AngleBounds> bounds{proven_bounds(Cuts::bisect, Guarantee::angles),
-                                  proven_bounds(Cuts::bisect, Guarantee::embedding)};
-  if (!options.cuts) bounds.push_back(proven_bounds(Cuts::midpoint, Guarantee::angles));
+  std::vector<AngleBounds> bounds;
+  for (const MethodFacts& method : methods)
+    if (may_be(method, options)) bounds.push_back(method.bounds);
   return bounds;
 }
 
@@ -76,7 +81,7 @@ Status report(const ReportOptions& options) {
   facts.rows.push_back(size_row(options.mesh));
   std::optional<RunFile> run;
   if (!options.run.empty()) run = read_run(options.run);
-  const FileMesh mesh = read_mesh(options.mesh);
+  const FileMesh mesh = certet::read(options.mesh);
   if (run)
     add_run(*run, options.mesh, mesh, facts);
   else
@@ -96,9 +101,10 @@ Run declare_report(CLI::App& app) {
   app.add_option("--run", options->run, "What `certet mesh --json` told of this mesh")
       ->option_text("FILE");
   app.add_option("--guarantee", options->guarantee,
-                 "Of the run, where there is no --run: pieces, angles or embedding")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Guarantee>{
-          {"pieces", Guarantee::pieces}, {"angles", Guarantee::angles}, {"embedding", Guarantee::embedding}}))
+                 "Of the run, where there is no --run: embedded, angles or embedding")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Method>{
+          {"embedded", Method::embedded}, {"angles", Method::angles},
+          {"embedding", Method::embedding}}))
       ->option_text("WHICH");
   app.add_option("--cuts", options->cuts, "Of the run, where there is no --run: bisect or midpoint")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Cuts>{

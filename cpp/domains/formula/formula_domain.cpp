@@ -46,12 +46,14 @@ struct FormulaDomain::State {
         of_points(formula.tape, formula.level, Batch::points),
         frame(around.frame),
         lattice(around.lattice),
+        border{BorderBox::along_frame(frame, bounds.low, bounds.high)},
         side(certet::longest_side(bounds)) {}
 
   CutFormula formula;
   BatchFormula of_rows, of_points;
   Frame frame;
   Lattice lattice;
+  std::array<BorderBox, 1> border;
   double side;  ///< the longest of the bounds
 };
 
@@ -75,6 +77,7 @@ bool can_read_formulas() { return true; }
 
 const Frame& FormulaDomain::frame() const { return state_->frame; }
 const Lattice& FormulaDomain::lattice() const { return state_->lattice; }
+std::span<const BorderBox> FormulaDomain::border() const { return state_->border; }
 double FormulaDomain::longest_side() const { return state_->side; }
 
 void FormulaDomain::row(Coord3 first, std::span<Sign> out) const {

@@ -17,6 +17,7 @@ FormulaDomain::FormulaDomain(const std::string&, const Bounds&, double, std::int
 FormulaDomain::~FormulaDomain() = default;
 const Frame& FormulaDomain::frame() const { return state_->frame; }
 const Lattice& FormulaDomain::lattice() const { return state_->lattice; }
+std::span<const BorderBox> FormulaDomain::border() const { return {}; }
 double FormulaDomain::longest_side() const { return 0; }
 void FormulaDomain::row(Coord3, std::span<Sign>) const {}
 void FormulaDomain::at(std::span<const Coord3>, std::span<Sign>) const {}

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "certet/error.hpp"
 #include "certet/image.hpp"
@@ -10,10 +11,12 @@ namespace certet {
 namespace {
 
 /// The part of a solid in a box of the world.
-class CroppedDomain final : public ImageDomain {
+class CroppedDomain final : public PlacedDomain {
  public:
-  CroppedDomain(std::unique_ptr<ImageDomain> whole, const WorldBox& box)
-      : whole_(std::move(whole)), box_(box), lattice_(whole_->lattice()) {
+  CroppedDomain(std::unique_ptr<PlacedDomain> whole, const Bounds& box)
+      : whole_(std::move(whole)), box_(box), lattice_(whole_->lattice()),
+        border_(whole_->border().begin(), whole_->border().end()) {
+    border_.push_back(BorderBox::along_world(frame(), box.low, box.high));
     crop_lattice();
   }
 
@@ -30,19 +33,38 @@ class CroppedDomain final : public ImageDomain {
       if (out[i] != Sign::minus && !inside(positions[i])) out[i] = Sign::minus;
   }
   [[nodiscard]] Extent extent(const LatticeBox& box) const override {
-    const WorldBox world = in_world(box);
-    bool within = true;
-    for (std::size_t a = 0; a < 3; ++a) {
-      if (world.high[a] < box_.low[a] || world.low[a] > box_.high[a]) return Extent::outside;
-      within = within && world.low[a] > box_.low[a] && world.high[a] < box_.high[a];
-    }
+    const Extent place = place_of(in_world(box));
+    if (place == Extent::outside) return place;
     const Extent found = whole_->extent(box);
-    return within || found == Extent::outside ? found : Extent::mixed;
+    return place == Extent::inside || found == Extent::outside ? found : Extent::mixed;
   }
-  void label(std::span<const std::array<Coord3, 4>> tets,
-             std::span<std::int32_t> out) const override {
-    whole_->label(tets, out);
+  [[nodiscard]] std::span<const std::int32_t> labels() const override { return whole_->labels(); }
+  void row_materials(Coord3 first, std::span<Material> out) const override {
+    whole_->row_materials(first, out);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      if (out[i] != 0 && !inside(steps * (first + Coord3{2 * static_cast<std::int32_t>(i), 0, 0})))
+        out[i] = 0;
   }
+  void materials_at(std::span<const Coord3> positions, std::span<Material> out) const override {
+    whole_->materials_at(positions, out);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      if (out[i] != 0 && !inside(positions[i])) out[i] = 0;
+  }
+  [[nodiscard]] std::optional<Material> material_of(const LatticeBox& box) const override {
+    switch (place_of(in_world(box))) {
+      case Extent::outside: return 0;
+      case Extent::inside: return whole_->material_of(box);
+      case Extent::mixed: break;
+    }
+    const std::optional<Material> found = whole_->material_of(box);
+    return found == 0 ? found : std::nullopt;
+  }
+  /// That the box cuts a voxel off changes no label.
+  void materials_of(std::span<const TetCorners> tets, std::span<Material> out) const override {
+    whole_->materials_of(tets, out);
+  }
+  [[nodiscard]] std::span<const BorderBox> border() const override { return border_; }
+  [[nodiscard]] LabelNames names() const override { return whole_->names(); }
   [[nodiscard]] const Frame& frame() const override { return whole_->frame(); }
   [[nodiscard]] const Lattice& lattice() const override { return lattice_; }
   [[nodiscard]] double longest_side() const override {
@@ -61,9 +83,19 @@ class CroppedDomain final : public ImageDomain {
     return true;
   }
 
+  /// How a box of the world lies to the one that is cropped to.
+  [[nodiscard]] Extent place_of(const Bounds& world) const {
+    bool within = true;
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (world.high[a] < box_.low[a] || world.low[a] > box_.high[a]) return Extent::outside;
+      within = within && world.low[a] > box_.low[a] && world.high[a] < box_.high[a];
+    }
+    return within ? Extent::inside : Extent::mixed;
+  }
+
   /// A box around a lattice box, a little wider than rounding may move a corner.
-  [[nodiscard]] WorldBox in_world(const LatticeBox& box) const {
-    WorldBox world;
+  [[nodiscard]] Bounds in_world(const LatticeBox& box) const {
+    Bounds world;
     world.low.fill(std::numeric_limits<double>::infinity());
     world.high.fill(-std::numeric_limits<double>::infinity());
     for (int corner = 0; corner < 8; ++corner) {
@@ -117,15 +149,16 @@ class CroppedDomain final : public ImageDomain {
     }
   }
 
-  std::unique_ptr<ImageDomain> whole_;
-  WorldBox box_;
+  std::unique_ptr<PlacedDomain> whole_;
+  Bounds box_;
   Lattice lattice_;
+  std::vector<BorderBox> border_;
 };
 
 }  // namespace
 
-std::unique_ptr<ImageDomain> cropped_domain(std::unique_ptr<ImageDomain> whole,
-                                            const WorldBox& box) {
+std::unique_ptr<PlacedDomain> cropped_domain(std::unique_ptr<PlacedDomain> whole,
+                                            const Bounds& box) {
   for (std::size_t a = 0; a < 3; ++a)
     if (!(box.low[a] < box.high[a]) || !std::isfinite(box.low[a]) || !std::isfinite(box.high[a]))
       throw Error(ErrorCode::bad_option, "the box to crop to is empty or not finite");

@@ -7,6 +7,7 @@
 #include "certet/image.hpp"
 #include "geometry.hpp"
 #include "label_set.hpp"
+#include "material_table.hpp"
 #include "voxel_mask.hpp"
 
 namespace certet {
@@ -15,37 +16,39 @@ namespace {
 /// Labels come in runs, so the last answer is usually the next one.
 template <class T>
 void mark_row(const T* voxels, std::int64_t count, const LabelSet& set,
-              std::uint64_t* bits) {
-  T last = 0;
-  std::uint64_t hit = set.contains(0);
+              std::uint64_t* bits, LabelCollector& labels) {
+  std::uint64_t hit = 0;
   for (std::int64_t x = 0; x < count; ++x) {
-    if (voxels[x] != last) {
-      last = voxels[x];
-      hit = set.contains(static_cast<std::int64_t>(last));
+    if (x == 0 || voxels[x] != voxels[x - 1]) {
+      hit = set.contains(static_cast<std::int64_t>(voxels[x]));
+      if (hit != 0) labels.add(static_cast<std::int64_t>(voxels[x]));
     }
     bits[x >> 6] |= hit << (x & 63);
   }
 }
 
 template <class T>
-VoxelMask mark(const Image& image, const Buffer<T>& voxels, const LabelSet& set) {
+VoxelMask mark(const Image& image, const Buffer<T>& voxels, const LabelSet& set,
+               LabelCollector& labels) {
   VoxelMask mask(image.size);
   const T* row = voxels.data();
   for (std::int64_t z = 0; z < image.size[2]; ++z)
     for (std::int64_t y = 0; y < image.size[1]; ++y, row += image.size[0])
-      mark_row(row, image.size[0], set, mask.row(y, z));
+      mark_row(row, image.size[0], set, mask.row(y, z), labels);
   mask.summarise();
   return mask;
 }
 
 template <class T>
-class LabelDomain final : public ImageDomain {
+class LabelDomain final : public PlacedDomain {
  public:
-  LabelDomain(std::shared_ptr<const Image> image, VoxelMask mask, const Placement& placement)
+  LabelDomain(std::shared_ptr<const Image> image, VoxelMask mask, MaterialTable table,
+              const Placement& placement)
       : image_(std::move(image)),
         size_(image_->size),
         voxels_(std::get<Buffer<T>>(image_->voxels)),
         mask_(std::move(mask)),
+        table_(std::move(table)),
         placement_(placement),
         along_x_(placement.lattice.origin.x, placement.lattice.cells[0],
                  [this](double x) { return column(x); }),
@@ -59,7 +62,7 @@ class LabelDomain final : public ImageDomain {
 
   [[nodiscard]] double longest_side() const override { return placement_.longest_side; }
   [[nodiscard]] std::uint64_t bytes() const override {
-    return voxels_.size() * sizeof(T) + mask_.bytes();
+    return voxels_.size() * sizeof(T) + mask_.bytes() + table_.bytes();
   }
 
   void row(Coord3 first, std::span<Sign> out) const override {
@@ -88,16 +91,81 @@ class LabelDomain final : public ImageDomain {
     return found == Extent::inside && !reach->whole ? Extent::mixed : found;
   }
 
-  void label(std::span<const std::array<Coord3, 4>> tets,
-             std::span<std::int32_t> out) const override {
+  [[nodiscard]] std::span<const BorderBox> border() const override { return placement_.border; }
+  [[nodiscard]] LabelNames names() const override { return image_->names; }
+
+  [[nodiscard]] std::span<const std::int32_t> labels() const override { return table_.labels(); }
+
+  void row_materials(Coord3 first, std::span<Material> out) const override {
+    const std::int64_t y = placement_.axis[1].nearest(first.y);
+    const std::int64_t z = placement_.axis[2].nearest(first.z);
+    LastMaterial material(*this);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] = material(index_if_chosen(
+          placement_.axis[0].nearest(first.x + 2.0 * static_cast<double>(i)), y, z));
+  }
+
+  void materials_at(std::span<const Coord3> positions, std::span<Material> out) const override {
+    LastMaterial material(*this);
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = material(voxel(positions[i]));
+  }
+
+  [[nodiscard]] std::optional<Material> material_of(const LatticeBox& box) const override {
+    const auto reach = voxels_within(placement_, box, false);
+    if (!reach) return 0;
+    switch (mask_.extent(reach->voxels)) {
+      case Extent::outside: return 0;
+      case Extent::inside: return reach->whole ? material_of_voxels(reach->voxels) : std::nullopt;
+      case Extent::mixed: break;
+    }
+    return std::nullopt;
+  }
+
+  void materials_of(std::span<const TetCorners> tets, std::span<Material> out) const override {
     constexpr std::size_t batch = 64;
     for (std::size_t begin = 0; begin < out.size(); begin += batch) {
       const std::size_t count = std::min(batch, out.size() - begin);
-      label_batch(tets.subspan(begin, count), out.subspan(begin, count));
+      find_materials(tets.subspan(begin, count), out.subspan(begin, count));
     }
   }
 
  private:
+  /// Materials of voxels; labels come in runs.
+  class LastMaterial {
+   public:
+    explicit LastMaterial(const LabelDomain& domain) : domain_(domain) {}
+    /// Of the voxel with this index; 0 if it is negative.
+    Material operator()(std::int64_t voxel) {
+      if (voxel < 0) return 0;
+      const T label = domain_.voxels_[static_cast<std::size_t>(voxel)];
+      if (found_ == 0 || label != last_) {
+        last_ = label;
+        found_ = domain_.table_.of(static_cast<std::int64_t>(label));
+      }
+      return found_;
+    }
+
+   private:
+    const LabelDomain& domain_;
+    T last_{};
+    Material found_ = 0;
+  };
+
+  /// That of all voxels of a box, which are chosen.
+  [[nodiscard]] std::optional<Material> material_of_voxels(const VoxelBox& box) const {
+    const auto& [low, high] = box;
+    const auto index = [&](std::int64_t y, std::int64_t z) {
+      return static_cast<std::size_t>((z * size_[1] + y) * size_[0] + low[0]);
+    };
+    const T label = voxels_[index(low[1], low[2])];
+    const auto length = static_cast<std::size_t>(high[0] - low[0] + 1);
+    for (std::int64_t z = low[2]; z <= high[2]; ++z)
+      for (std::int64_t y = low[1]; y <= high[1]; ++y)
+        for (const T other : std::span(voxels_.data() + index(y, z), length))
+          if (other != label) return std::nullopt;
+    return table_.of(static_cast<std::int64_t>(label));
+  }
+
   static Sign sign(const std::uint64_t* bits, std::int64_t x) {
     static_assert(static_cast<int>(Sign::plus) == 2 && static_cast<int>(Sign::minus) == 0);
     return static_cast<Sign>(VoxelMask::test(bits, x) << 1);
@@ -107,7 +175,7 @@ class LabelDomain final : public ImageDomain {
   /// which is four times its centroid.
   using Sum = std::array<std::int64_t, 3>;
 
-  static Sum sum_of(const std::array<Coord3, 4>& corners) {
+  static Sum sum_of(const TetCorners& corners) {
     const auto& [a, b, c, d] = corners;
     return {std::int64_t{a.x} + b.x + c.x + d.x, std::int64_t{a.y} + b.y + c.y + d.y,
             std::int64_t{a.z} + b.z + c.z + d.z};
@@ -131,16 +199,15 @@ class LabelDomain final : public ImageDomain {
 
   /// Away from the surface, and everywhere with midpoint cuts, centroids are at
   /// eighths of lattice units, which are tabled.
-  void label_batch(std::span<const std::array<Coord3, 4>> tets,
-                   std::span<std::int32_t> out) const {
+  void find_materials(std::span<const TetCorners> tets, std::span<Material> out) const {
     std::array<Sum, 64> sums{};
+    LastMaterial material(*this);
     for (std::size_t i = 0; i < tets.size(); ++i) sums[i] = sum_of(tets[i]);
     const bool tabled = all_tabled(std::span(sums).first(tets.size()));
     for (std::size_t i = 0; i < tets.size(); ++i) {
       const std::int64_t voxel =
           tabled && at_eighths(sums[i]) ? tabled_voxel(sums[i]) : chosen_voxel(sums[i]);
-      out[i] = voxel < 0 ? label_of_nearest_corner(tets[i], sums[i])
-                         : static_cast<std::int32_t>(voxels_[static_cast<std::size_t>(voxel)]);
+      out[i] = material(voxel < 0 ? voxel_of_nearest_corner(tets[i], sums[i]) : voxel);
     }
   }
 
@@ -206,7 +273,7 @@ class LabelDomain final : public ImageDomain {
 
   /// Every tetrahedron of the mesh has a corner inside, which is a lattice
   /// point that was not warped, so that there always is one.
-  [[nodiscard]] std::int32_t label_of_nearest_corner(const std::array<Coord3, 4>& corners,
+  [[nodiscard]] std::int64_t voxel_of_nearest_corner(const TetCorners& corners,
                                                      const Sum& sum) const {
     std::int64_t best = -1;
     double least = std::numeric_limits<double>::infinity();
@@ -223,13 +290,14 @@ class LabelDomain final : public ImageDomain {
       best = candidate;
       least = distance;
     }
-    return best < 0 ? 0 : static_cast<std::int32_t>(voxels_[static_cast<std::size_t>(best)]);
+    return best;
   }
 
   std::shared_ptr<const Image> image_;
   std::array<std::int64_t, 3> size_;
   const Buffer<T>& voxels_;  ///< the image's
   VoxelMask mask_;
+  MaterialTable table_;
   Placement placement_;
   AxisTable<std::int64_t> along_x_;
   std::array<PlaceTable, 3> eighths_;  ///< by eighths of lattice units
@@ -237,7 +305,7 @@ class LabelDomain final : public ImageDomain {
 
 }  // namespace
 
-std::unique_ptr<ImageDomain> label_domain(std::shared_ptr<const Image> image,
+std::unique_ptr<PlacedDomain> label_domain(std::shared_ptr<const Image> image,
                                           std::vector<LabelRange> labels,
                                           const ImageLattice& lattice) {
   const Image& scan = *image;
@@ -245,20 +313,22 @@ std::unique_ptr<ImageDomain> label_domain(std::shared_ptr<const Image> image,
   const bool all = labels.empty();
   const LabelSet set(std::move(labels));
   return std::visit(
-      [&]<class T>(const Buffer<T>& voxels) -> std::unique_ptr<ImageDomain> {
+      [&]<class T>(const Buffer<T>& voxels) -> std::unique_ptr<PlacedDomain> {
         if constexpr (std::is_floating_point_v<T>) {
           throw Error(ErrorCode::bad_input,
                       "the voxels of '" + scan.name +
                           "' are not whole numbers, so they are no labels; choose a level");
         } else {
           refuse_wide_labels(scan, voxels, set);
-          VoxelMask mask = mark(scan, voxels, set);
+          LabelCollector found;
+          VoxelMask mask = mark(scan, voxels, set, found);
           if (mask.bounds().high[0] < 0)
             throw Error(ErrorCode::empty_domain,
                         "no voxel of '" + scan.name + "' has " +
                             (all ? "a label other than 0" : "one of the chosen labels"));
           const Placement placement = place(scan, mask.bounds(), lattice);
-          return std::make_unique<LabelDomain<T>>(image, std::move(mask), placement);
+          return std::make_unique<LabelDomain<T>>(image, std::move(mask),
+                                                  MaterialTable(found.finish()), placement);
         }
       },
       scan.voxels);

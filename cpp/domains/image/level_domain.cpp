@@ -136,7 +136,7 @@ void refuse_wild_voxels(const Image& image, const Buffer<T>& voxels) {
 }
 
 template <class T>
-class LevelDomain final : public ImageDomain {
+class LevelDomain final : public PlacedDomain {
  public:
   LevelDomain(std::shared_ptr<const Image> image, double level, const Placement& placement)
       : image_(std::move(image)),
@@ -150,11 +150,7 @@ class LevelDomain final : public ImageDomain {
 
   [[nodiscard]] const Frame& frame() const override { return placement_.frame; }
   [[nodiscard]] const Lattice& lattice() const override { return placement_.lattice; }
-  void label(std::span<const std::array<Coord3, 4>>,
-             std::span<std::int32_t> out) const override {
-    std::fill(out.begin(), out.end(), 0);
-  }
-
+  [[nodiscard]] std::span<const BorderBox> border() const override { return placement_.border; }
   [[nodiscard]] double longest_side() const override { return placement_.longest_side; }
   [[nodiscard]] std::uint64_t bytes() const override {
     return voxels_.size() * sizeof(T) + ranges_.bytes();
@@ -248,14 +244,14 @@ class LevelDomain final : public ImageDomain {
 
 }  // namespace
 
-std::unique_ptr<ImageDomain> level_domain(std::shared_ptr<const Image> image, double level,
+std::unique_ptr<PlacedDomain> level_domain(std::shared_ptr<const Image> image, double level,
                                           const ImageLattice& lattice) {
   const Image& scan = *image;
   judge_geometry(scan);
   if (!std::isfinite(level))
     throw Error(ErrorCode::bad_option, "the level must be a finite number");
   return std::visit(
-      [&]<class T>(const Buffer<T>& voxels) -> std::unique_ptr<ImageDomain> {
+      [&]<class T>(const Buffer<T>& voxels) -> std::unique_ptr<PlacedDomain> {
         refuse_wild_voxels(scan, voxels);
         const Placement placement = place(scan, reach_above(scan, voxels, level), lattice);
         return std::make_unique<LevelDomain<T>>(image, level, placement);

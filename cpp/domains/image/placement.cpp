@@ -48,6 +48,23 @@ std::int32_t place_axis(VoxelAxis& axis, double spacing, double size, std::int32
   return cells;
 }
 
+/// The world position of a voxel's centre, or of what lies between centres.
+Point3 voxel_position(const Image& image, const Point3& voxel) {
+  Point3 world = image.origin;
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t a = 0; a < 3; ++a)
+      world[r] += image.axes[r][a] * image.spacing[a] * voxel[a];
+  return world;
+}
+
+/// From one of the outermost corners of an image's voxels to the other.
+BorderBox border_of(const Image& image, const Frame& frame) {
+  Point3 last;
+  for (std::size_t a = 0; a < 3; ++a) last[a] = static_cast<double>(image.size[a]) - 0.5;
+  return BorderBox::along_frame(frame, voxel_position(image, {-0.5, -0.5, -0.5}),
+                                voxel_position(image, last));
+}
+
 }  // namespace
 
 Placement place(const Image& image, const VoxelBox& box, const ImageLattice& choice) {
@@ -77,6 +94,7 @@ Placement place(const Image& image, const VoxelBox& box, const ImageLattice& cho
       if (axis.reversed) result.frame.axes[r][a] = -image.axes[r][a];
     }
   }
+  result.border.push_back(border_of(image, result.frame));
   return result;
 }
 

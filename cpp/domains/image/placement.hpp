@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "certet/domain.hpp"
 #include "certet/image.hpp"
@@ -47,6 +48,7 @@ struct Placement {
   Lattice lattice;
   Frame frame;
   std::array<VoxelAxis, 3> axis;
+  std::vector<BorderBox> border;  ///< the box of all voxels of the image
   double longest_side = 0;  ///< of the box of voxels, in world units
 };
 

@@ -106,26 +106,23 @@ constexpr std::array<Link, 3> of_odd{{{false, -2, 0, 0}, {true, 0, 0, 0}, {false
 /// pieces may besides touch in faces whose corners all lie on the surface.
 class LatticeRows {
  public:
-  LatticeRows(const ImageDomain& domain, std::vector<ImageRegion>& regions)
+  LatticeRows(const PlacedDomain& domain, std::vector<ImageRegion>& regions)
       : domain_(domain), regions_(regions), region_of_(regions),
-        signs_(static_cast<std::size_t>(domain.lattice().cells[0])) {}
+        signs_(static_cast<std::size_t>(domain.lattice().cells[0])), materials_(signs_.size(), 1) {}
 
   void operator()(std::int32_t r, std::int32_t k, Row& row) {
     const std::int32_t odd = r & 1;
     const Coord3 first =
         domain_.lattice().origin + Coord3{odd, (r & ~1) + odd, 2 * k + odd};
     domain_.row(first, signs_);
-    points_.clear();
-    at_.clear();
+    const std::span<const std::int32_t> labels = domain_.labels();
+    if (labels.size() > 1) domain_.row_materials(first, materials_);
     for (std::size_t i = 0; i < signs_.size(); ++i) {
       if (signs_[i] != Sign::plus) continue;
-      at_.push_back(static_cast<std::int64_t>(i));
-      const Coord3 point = steps * (first + Coord3{2 * static_cast<std::int32_t>(i), 0, 0});
-      points_.push_back({point, point, point, point});
+      const std::int64_t label =
+          labels.empty() ? 0 : labels[static_cast<std::size_t>(materials_[i]) - 1];
+      add(static_cast<std::int64_t>(i), region_of_(label), row);
     }
-    labels_.resize(points_.size());
-    domain_.label(points_, labels_);
-    for (std::size_t n = 0; n < at_.size(); ++n) add(at_[n], region_of_(labels_[n]), row);
   }
 
  private:
@@ -138,13 +135,11 @@ class LatticeRows {
       row.push_back({i, i, region});
   }
 
-  const ImageDomain& domain_;
+  const PlacedDomain& domain_;
   std::vector<ImageRegion>& regions_;
   RegionOf region_of_;
   std::vector<Sign> signs_;
-  std::vector<std::int64_t> at_;
-  std::vector<std::array<Coord3, 4>> points_;
-  std::vector<std::int32_t> labels_;
+  std::vector<Material> materials_;  ///< 1 everywhere, where there is but one
 };
 
 /// The edge, in voxels, of the largest cube in a region: of the cubes that end at a
@@ -235,7 +230,7 @@ std::vector<ImageRegion> regions_of_level(const Image& image, double level) {
   return {region};
 }
 
-void count_pieces(const Image& image, std::optional<double> level, const ImageDomain& domain,
+void count_pieces(const Image& image, std::optional<double> level, const PlacedDomain& domain,
                   std::vector<ImageRegion>& regions, const Context& context) {
   const auto faces = image_pieces(image, regions.size(), by_faces, {regions, level},
                                   context);

@@ -3,10 +3,12 @@
 #include <cstdlib>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "certet/error.hpp"
 #include "certet/image.hpp"
 #include "label_set.hpp"
+#include "material_table.hpp"
 
 namespace certet {
 namespace {
@@ -41,6 +43,8 @@ class NearestLabel {
     }
     return best.label;
   }
+
+  [[nodiscard]] const LabelNames& names() const { return image_->names; }
 
  private:
   struct Best {
@@ -101,10 +105,12 @@ class NearestLabel {
 };
 
 /// The level domain of the smoothed image, with the labels of the other one.
-class SmoothedDomain final : public ImageDomain {
+class SmoothedDomain final : public PlacedDomain {
  public:
-  SmoothedDomain(std::unique_ptr<ImageDomain> level, NearestLabel nearest, std::uint64_t bytes)
-      : level_(std::move(level)), nearest_(std::move(nearest)), bytes_(bytes) {}
+  SmoothedDomain(std::unique_ptr<PlacedDomain> level, NearestLabel nearest, MaterialTable table,
+                 std::uint64_t bytes)
+      : level_(std::move(level)), nearest_(std::move(nearest)), table_(std::move(table)),
+        bytes_(bytes) {}
 
   void row(Coord3 first, std::span<Sign> out) const override { level_->row(first, out); }
   void at(std::span<const Coord3> positions, std::span<Sign> out) const override {
@@ -118,35 +124,65 @@ class SmoothedDomain final : public ImageDomain {
   [[nodiscard]] double longest_side() const override { return level_->longest_side(); }
   [[nodiscard]] std::uint64_t bytes() const override { return level_->bytes() + bytes_; }
 
-  void label(std::span<const std::array<Coord3, 4>> tets,
-             std::span<std::int32_t> out) const override {
+  [[nodiscard]] std::span<const BorderBox> border() const override { return level_->border(); }
+  [[nodiscard]] LabelNames names() const override { return nearest_.names(); }
+
+  [[nodiscard]] std::span<const std::int32_t> labels() const override { return table_.labels(); }
+
+  void row_materials(Coord3 first, std::span<Material> out) const override {
+    level_->row_materials(first, out);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      if (out[i] != 0)
+        out[i] = material_at(steps * (first + Coord3{2 * static_cast<std::int32_t>(i), 0, 0}));
+  }
+
+  void materials_at(std::span<const Coord3> positions, std::span<Material> out) const override {
+    level_->materials_at(positions, out);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      if (out[i] != 0) out[i] = material_at(positions[i]);
+  }
+
+  void materials_of(std::span<const TetCorners> tets, std::span<Material> out) const override {
     for (std::size_t i = 0; i < tets.size(); ++i) {
       Point3 centroid{};
       for (const Coord3 corner : tets[i]) {
         const Point3 world = frame().world(corner);
         for (std::size_t a = 0; a < 3; ++a) centroid[a] += 0.25 * world[a];
       }
-      out[i] = nearest_(centroid);
+      out[i] = table_.of(nearest_(centroid));
     }
   }
 
  private:
-  std::unique_ptr<ImageDomain> level_;
+  /// `position` is in steps, and in the solid.
+  [[nodiscard]] Material material_at(Coord3 position) const {
+    return table_.of(nearest_(frame().world(position)));
+  }
+
+  std::unique_ptr<PlacedDomain> level_;
   NearestLabel nearest_;
+  MaterialTable table_;
   std::uint64_t bytes_;
 };
 
+std::vector<std::int32_t> chosen_labels(const Image& image, const std::vector<LabelRange>& labels) {
+  std::vector<std::int32_t> chosen;
+  for (const ImageRegion& region : regions_of_labels(image, labels)) chosen.push_back(region.label);
+  return chosen;
+}
+
 }  // namespace
 
-std::unique_ptr<ImageDomain> smoothed_domain(std::shared_ptr<const Image> labelled,
+std::unique_ptr<PlacedDomain> smoothed_domain(std::shared_ptr<const Image> labelled,
                                              std::vector<LabelRange> labels,
                                              std::shared_ptr<const Image> smoothed,
                                              const ImageLattice& lattice) {
   const std::uint64_t bytes = std::visit(
       [](const auto& voxels) { return voxels.size() * sizeof(voxels[0]); }, labelled->voxels);
+  MaterialTable table(chosen_labels(*labelled, labels));
   return std::make_unique<SmoothedDomain>(level_domain(std::move(smoothed), 0.5, lattice),
                                           NearestLabel(std::move(labelled), std::move(labels)),
-                                          bytes);
+                                          std::move(table), bytes);
 }
 
 }  // namespace certet

@@ -144,6 +144,8 @@ ShapeDomain::ShapeDomain(const std::string& shape, const std::optional<Bounds>& 
   if (!bounds)
     volume_ = std::visit([](const auto& one) { return volume_of(one); }, solid);
   around_ = lattice_around(bounds_, size, margin);
+  if (bounds)
+    border_.push_back(BorderBox::along_frame(around_.frame, bounds->low, bounds->high));
   solid_ = domain(solid, bounds, around_.frame);
 }
 

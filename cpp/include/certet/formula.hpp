@@ -7,6 +7,7 @@
 #include <string>
 
 #include "certet/bounds.hpp"
+#include "certet/lattice.hpp"
 #include "certet/placed_domain.hpp"
 
 namespace certet {
@@ -44,6 +45,7 @@ class FormulaDomain final : public PlacedDomain {
   void row(Coord3 first, std::span<Sign> out) const override;
   void at(std::span<const Coord3> positions, std::span<Sign> out) const override;
   [[nodiscard]] Extent extent(const LatticeBox& box) const override;
+  [[nodiscard]] std::span<const BorderBox> border() const override;  ///< the bounds
 
  private:
   struct State;

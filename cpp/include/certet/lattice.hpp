@@ -8,6 +8,7 @@
 #include "certet/bounds.hpp"
 #include "certet/frame.hpp"
 #include "certet/lattice/coord3.hpp"
+#include "certet/lattice/lattice_limits.hpp"
 
 namespace certet {
 

@@ -7,12 +7,6 @@
 namespace certet {
 namespace {
 
-// The bounds as the theorems of coq/Certificate.v state them.
-constexpr AngleBounds midpoint_bounds{30, 135, "MidpointBounds"};
-constexpr AngleBounds settled_bounds{10.77, 164.76, "RuledBoundsInDegrees"};
-constexpr AngleBounds dihedral_bounds{10.77, 164.76, "DihedralBounds"};
-constexpr AngleBounds embedding_bounds{9.27, 161.46, "DihedralBoundsEmbedding"};
-
 std::string degrees(double angle) {
   std::array<char, 40> text;
   // As many digits as are judged, but none that are zeros at the end.
@@ -21,17 +15,6 @@ std::string degrees(double angle) {
 }
 
 }  // namespace
-
-AngleBounds proven_bounds(Cuts cuts, Guarantee guarantee) {
-  // Midpoint cuts never warp a vertex, whatever the thresholds.
-  if (cuts == Cuts::midpoint) return midpoint_bounds;
-  switch (guarantee) {
-    case Guarantee::pieces: return settled_bounds;
-    case Guarantee::angles: return dihedral_bounds;
-    case Guarantee::embedding: break;
-  }
-  return embedding_bounds;
-}
 
 bool within(const Quality& quality, const AngleBounds& bounds, double rounding) {
   return quality.nonpositive == 0 && quality.min_dihedral >= bounds.min_dihedral - rounding &&

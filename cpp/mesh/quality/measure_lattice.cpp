@@ -1,5 +1,5 @@
 #include "certet/quality.hpp"
-#include "mesh/corners.hpp"
+#include "engine/corners.hpp"
 #include "lattice_measurement.hpp"
 
 namespace certet {
@@ -8,11 +8,11 @@ namespace {
 template <class Index>
 Quality lattice(std::span<const Coord3> points, std::uint64_t first_point,
                 std::span<const Tet<Index>> tets) {
-  quality::LatticeMeasurement measurement(points);
-  quality::for_each_batch<Index>(points, first_point, tets,
-                                 [&](std::size_t, quality::Corners corners) {
-                                   measurement.add(corners);
-                                 });
+  core::LatticeMeasurement measurement(points);
+  core::for_each_batch<Index>(points, first_point, tets,
+                              [&](std::size_t, std::span<const TetCorners> corners) {
+                                measurement.add(corners);
+                              });
   return measurement.result();
 }
 
