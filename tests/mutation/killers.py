@@ -36,7 +36,7 @@ PROGRAMS = {
 
 # The quickest killers of a file come first; afterwards all others.
 FIRST = {
-    "structured_tet.hpp": ["lattice", "numbers"], "stencil.hpp": ["stencil"], "warp.hpp": ["warp"],
+    "structured_tet.hpp": ["lattice", "numbers"], "tiling.hpp": ["mesh"], "stencil.hpp": ["stencil"], "warp.hpp": ["warp"],
     "direction.hpp": ["constants"], "coord3.hpp": ["numbers", "constants"], "sign.hpp": ["stencil", "numbers"],
     "orientation.hpp": ["numbers"], "checksum.hpp": ["numbers"], "frame.hpp": ["numbers"],
     "cuts.cpp": ["mesh", "bisect"], "parallel.hpp": ["engine"], "stuffing.cpp": ["engine", "mesh"],
