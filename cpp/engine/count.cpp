@@ -3,14 +3,14 @@
 #include <numeric>
 
 #include "lattice/cell_tables.hpp"
-#include "certet/lattice/stencil.hpp"
 #include "layer_loop.hpp"
 #include "row_ranks.hpp"
 
 namespace certet::core {
 namespace {
 
-/// The lengths of 64 stencils at once.  A stencil has one tetrahedron if any
+/// The lengths of 64 stencils at once, by their corners' bits, so that counting looks up
+/// no table.  A stencil has one tetrahedron if any
 /// corner is plus, one more if there is also a minus and a second plus, and a
 /// third if, besides, no corner is zero.
 struct StencilCounts {
@@ -32,7 +32,7 @@ constexpr StencilCounts stencil_counts(const std::array<SignWord, 4>& corner) {
   return {plus, split, split & ~zero};
 }
 
-/// The rule above is the stencil table's.
+/// The rule above is that of the stencils.
 static_assert([] {
   for (int index = 0; index < pattern_count; ++index) {
     std::array<SignWord, 4> corner{};
@@ -41,7 +41,7 @@ static_assert([] {
       corner[i] = {s == Sign::plus ? 1u : 0u, s == Sign::on_surface ? 1u : 0u};
     }
     const StencilCounts counts = stencil_counts(corner);
-    if ((counts.one & 1) + (counts.two & 1) + (counts.three & 1) != unstructured_tets(pattern_signs(index)).count)
+    if ((counts.one & 1) + (counts.two & 1) + (counts.three & 1) != stencils[static_cast<std::size_t>(index)].count)
       return false;
   }
   return true;

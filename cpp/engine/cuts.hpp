@@ -39,9 +39,8 @@ Layers<CutLayer> find_cuts(const SignPlanes& planes, const Domain& domain, const
 
 /// The vertex of an index, in lattice units.
 constexpr Coord3 lattice_point(const Lattice& lattice, VertexRef ref, int i, int j, int k) {
-  const std::int32_t g = ref.grid == odd ? 1 : 0;
-  return lattice.origin +
-         2 * Coord3{i + ref.shift.x, j + ref.shift.y, k + ref.shift.z} + Coord3{g, g, g};
+  return lattice.origin + 2 * Coord3{i + ref.shift.x, j + ref.shift.y, k + ref.shift.z} +
+         tiling.grids[ref.grid];
 }
 
 }  // namespace certet::core

@@ -17,7 +17,7 @@ Coord3* emit_corners(const WarpedLattice& warped, const Lattice& lattice, Grid g
       Coord3 position = steps * lattice_point(lattice, {grid, {}}, 64 * w + b, j, k);
       if (zero >> b & 1) {
         position = position +
-                   std::int32_t{displacement->distance} * direction_offset[displacement->direction];
+                   std::int32_t{displacement->distance} * tiling.directions[displacement->direction];
         ++displacement;
       }
       *out++ = position;
@@ -46,12 +46,12 @@ Coord3* emit_cuts(const WarpedLattice& warped, const Lattice& lattice, const Row
 /// The points of row (j,k), in the order of RowRanks, from `out` on.
 void emit_row_points(const WarpedLattice& warped, const Lattice& lattice, const RowRanks& row,
                      int j, int k, Coord3* out) {
-  const ZeroLayer& zeros = warped.zeros[k];
+  const DisplacedLayer& zeros = warped.zeros[k];
   const CutLayer& cuts = warped.cuts[k];
   const Displacement* displacement =
       zeros.displacements.data() + zeros.row_begin[static_cast<std::size_t>(j)];
   const std::uint16_t* cut = cuts.steps.data() + cuts.row_begin[static_cast<std::size_t>(j)];
-  for (const Grid grid : {even, odd})
+  for (const Grid grid : grids)
     out = emit_corners(warped, lattice, grid, j, k, displacement, out);
   for (std::size_t f = 0; f < family_count; ++f)
     out = emit_cuts(warped, lattice, row, f, j, k, cut, out);
@@ -61,7 +61,7 @@ void emit_row_points(const WarpedLattice& warped, const Lattice& lattice, const 
 void mark_row_points(const SignPlanes& planes, const RowRanks& row, int j, int k,
                      std::uint8_t* out) {
   std::uint8_t* const cuts = out + row.corners();
-  for (const Grid grid : {even, odd})
+  for (const Grid grid : grids)
     for (int w = 0; w < planes.words(); ++w) {
       const std::uint64_t zero = planes.zero(grid, j, k)[w];
       for_each_bit(planes.plus(grid, j, k)[w] | zero,

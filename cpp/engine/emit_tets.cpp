@@ -1,7 +1,6 @@
 #include <limits>
 
 #include "lattice/cell_tables.hpp"
-#include "certet/lattice/stencil.hpp"
 #include "emit.hpp"
 #include "emit_loop.hpp"
 #include "row_window.hpp"
@@ -32,6 +31,9 @@ class TetEmitter {
     return static_cast<Index>(numbers_.first_point(j, k));
   }
 
+  /// 64 cells: most have nothing inside, or all.  The former are passed over by the
+  /// bits of `any_plus`, runs of the latter need neither signs nor stencils; what is
+  /// left are the cells around the surface.
   void emit_word(const SignRows& signs, int w) {
     std::uint64_t any_plus = 0;
     std::uint64_t all_plus = ~std::uint64_t{0};
@@ -53,7 +55,8 @@ class TetEmitter {
     }
   }
 
-  /// The number of a point `kind` whose owner is `owner` away from bit b.
+  /// The number of a point `kind` whose owner is `owner` away from bit b, by its rank
+  /// in the owner's row: cpp/docs/pictures/ranks.svg.
   [[nodiscard]] Index point(std::size_t kind, Shift owner, int w, int b) const {
     const auto y = static_cast<std::size_t>(int{owner.y});
     const auto z = static_cast<std::size_t>(int{owner.z});
@@ -72,20 +75,21 @@ class TetEmitter {
     Index* to = out_->data();
     for (int i = 0; i < length; ++i, to += interior_size)
       for (std::size_t n = 0; n < interior_size; ++n) to[n] = current[n]++;
-    out_ += length * case_count;
+    out_ += length * int{cell_tet_count};
   }
 
-  /// A cell with the surface in or near it: case by case, by the stencils.
+  /// A cell with the surface in or near it: case by case, by the stencils
+  /// (cpp/docs/pictures/stencils.svg).
   void emit_cell(int w, int b) {
     std::array<Sign, cell_vertex_count> sign;
     for (std::size_t v = 0; v < cell_vertex_count; ++v)
       sign[v] = sign_of_bits(static_cast<int>(vertex_[v].plus >> b & 1),
                              static_cast<int>(vertex_[v].zero >> b & 1));
-    for (std::size_t c = 0; c < case_count; ++c) {
+    for (std::size_t c = 0; c < cell_tet_count; ++c) {
       const auto& corner = cell.corner[c];
       const auto pattern = static_cast<std::size_t>(pattern_index(
           sign[corner[0]], sign[corner[1]], sign[corner[2]], sign[corner[3]]));
-      for (const UnstructuredTet& tet : stencil_table[pattern]) {
+      for (const UnstructuredTet& tet : stencils[pattern]) {
         for (std::size_t n = 0; n < 4; ++n) (*out_)[n] = vertex_number(c, tet[output_orders[c][n]], w, b);
         ++out_;
       }

@@ -34,7 +34,7 @@ void RowRanks::compute(const SignPlanes& planes, int j, int k) {
   const SignRows rows(planes, j, k);
   for (int w = 0; w < words_; ++w) {
     Entry* const entry = &entries_[static_cast<std::size_t>(w) * kind_count];
-    for (const Grid grid : {even, odd}) {
+    for (const Grid grid : grids) {
       const SignWord own = rows.at({grid, {}}, w);
       entry[grid].mask = own.plus | own.zero;
     }

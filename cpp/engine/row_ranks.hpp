@@ -2,6 +2,7 @@
 /// \file
 /// Numbers for the points of a row, without any map: a point's number follows
 /// from its row, its kind and its rank among the points of that kind.
+/// Picture: cpp/docs/pictures/ranks.svg.
 
 #include <bit>
 #include <cstdint>

@@ -17,7 +17,9 @@ static_assert(64 % block == 0, "a block must not straddle two words");
 
 constexpr int blocks_in(int n) { return (n + block - 1) / block; }
 
-/// Bit 0 of each of eight bytes, as eight bits.
+/// Bit 0 of each of eight bytes, as eight bits.  Byte n has it at 8n; the factor has a
+/// bit at 7 m for m = 1 to 8, so that the product has a copy of it at 8n + 7m, and for
+/// m = 8 - n at 56 + n.  No two copies fall on one bit, and nothing is carried.
 constexpr std::uint64_t gather_low_bits(std::uint64_t bytes) {
   return (bytes & 0x0101010101010101) * 0x0102040810204080 >> 56;
 }
@@ -61,7 +63,7 @@ class BlockRowSampler {
     if (!find_extents(block_j, block_k)) return;
     for (int k = k_begin; k < k_end; ++k)
       for (int j = j_begin; j < j_end; ++j)
-        for (const Grid grid : {even, odd}) sample_row(grid, j, k);
+        for (const Grid grid : grids) sample_row(grid, j, k);
   }
 
  private:
@@ -101,7 +103,7 @@ class BlockRowSampler {
         case Extent::inside: std::ranges::fill(run, Sign::plus); break;
         case Extent::outside: std::ranges::fill(run, Sign::minus); break;
         case Extent::mixed:
-          domain_.row(lattice_.origin + 2 * Coord3{begin, j, k} + Coord3{grid, grid, grid}, run);
+          domain_.row(lattice_.origin + 2 * Coord3{begin, j, k} + tiling.grids[grid], run);
       }
       b = e;
     }

@@ -2,6 +2,7 @@
 /// \file
 /// The signs of lattice vertices, two bits each.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -53,6 +54,11 @@ class SignPlanes {
     }
   }
 
+  /// Turns every zero vertex to minus.
+  void clear_zeros() {
+    for (std::vector<std::uint64_t>& words : zero_) std::ranges::fill(words, 0);
+  }
+
   /// Of the lattice.
   [[nodiscard]] const std::array<std::int32_t, 3>& cells() const { return cells_; }
   [[nodiscard]] Window window() const { return window_; }
@@ -70,11 +76,11 @@ class SignPlanes {
   }
 
   [[nodiscard]] std::size_t bytes() const {
-    return sizeof(std::uint64_t) * 2 * (plus_[0].size() + plus_[1].size());
+    return sizeof(std::uint64_t) * 2 * grid_count * plus_[0].size();
   }
   /// The bytes that planes of this size will take.
   static std::uint64_t bytes_for(const std::array<std::int32_t, 3>& cells) {
-    return std::uint64_t{4} * sizeof(std::uint64_t) *
+    return std::uint64_t{2 * grid_count} * sizeof(std::uint64_t) *
            static_cast<std::uint64_t>((cells[0] + 63) / 64 + 2) *
            static_cast<std::uint64_t>(cells[1] + 2) * static_cast<std::uint64_t>(cells[2] + 2);
   }
@@ -114,10 +120,13 @@ struct SignWord {
 class SignRows {
  public:
   SignRows(const SignPlanes& planes, int j, int k)
-      : plus_{planes.plus(even, j, k), planes.plus(odd, j, k)},
-        zero_{planes.zero(even, j, k), planes.zero(odd, j, k)},
-        row_stride_(planes.plus(even, j + 1, k) - plus_[even]),
-        layer_stride_(planes.plus(even, j, k + 1) - plus_[even]) {}
+      : row_stride_(planes.plus(0, j + 1, k) - planes.plus(0, j, k)),
+        layer_stride_(planes.plus(0, j, k + 1) - planes.plus(0, j, k)) {
+    for (std::size_t g = 0; g < grid_count; ++g) {
+      plus_[g] = planes.plus(g, j, k);
+      zero_[g] = planes.zero(g, j, k);
+    }
+  }
 
   /// The vertices at `ref` from the indices of word w.
   [[nodiscard]] SignWord at(VertexRef ref, int w) const {

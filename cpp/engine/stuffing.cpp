@@ -11,6 +11,7 @@
 #include "cuts.hpp"
 #include "emit.hpp"
 #include "sample.hpp"
+#include "settle.hpp"
 #include "warped_lattice.hpp"
 
 namespace certet {
@@ -63,19 +64,40 @@ static_assert(facts(Method::midpoint).thresholds.long_edge == 0 &&
                   facts(Method::midpoint).thresholds.short_edge == 0,
               "with cuts in the middle no cut violates a vertex");
 
-/// Warps by the method asked for; `angles` falls back to `embedding` if a tetrahedron
-/// that is dropped came out inverted, for it would cover others.
-WarpedLattice warp_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
-                           const Lattice& lattice, Method& method, std::uint64_t& inverted,
-                           Context& context) {
+/// The whole lattice, its violated vertices settled.
+WarpedLattice settled_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
+                              const Lattice& lattice, Method method, Context& context) {
   const Window all = whole(lattice);
+  const Thresholds& thresholds = facts(method).thresholds;
+  Violations violations = find_violations(planes, cuts, all, thresholds, context);
+  Settling settling = settle(planes, violations, lattice, all, context);
+  WarpedLattice warped = warp_lattice({planes, std::move(settling.planes)}, violations, cuts,
+                                      thresholds, lattice, all, context);
+  warped.figures.add(settling.figures);
+  return warped;
+}
+
+/// By the paper's rule, all violated vertices moved; `angles` falls back to `embedding` if a
+/// tetrahedron that is dropped came out inverted, for it would cover others.
+WarpedLattice moved_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
+                            const Lattice& lattice, Method& method,
+                            std::uint64_t& inverted, Context& context) {
+  const Window all = whole(lattice);
+  const auto warp = [&](const Violations& violations, SignPlanes moved) {
+    return warp_lattice({planes, std::move(moved)}, violations, cuts, no_warp_thresholds, lattice,
+                        all, context);
+  };
   if (method == Method::angles) {
-    const Violations violations(planes, cuts, lattice, all, facts(method).thresholds, context);
-    inverted = violations.inverted_tets(context);
-    if (inverted == 0) return violations.apply(context);
+    const Violations violations =
+        find_violations(planes, cuts, all, facts(method).thresholds, context);
+    SignPlanes moved = move_all(planes, violations, context);
+    inverted = inverted_tets(moved, violations, lattice, all, context);
+    if (inverted == 0) return warp(violations, std::move(moved));
     method = Method::embedding;
   }
-  return Violations(planes, cuts, lattice, all, facts(method).thresholds, context).apply(context);
+  const Violations violations =
+      find_violations(planes, cuts, all, facts(method).thresholds, context);
+  return warp(violations, move_all(planes, violations, context));
 }
 
 }  // namespace
@@ -90,9 +112,9 @@ Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, Method method,
     SignPlanes planes = sample(domain, lattice, all, where, context);
     Layers<CutLayer> cuts = find_cuts(planes, domain, lattice, all, where, context);
     WarpedLattice warped =
-        where == Cuts::midpoint
-            ? unwarped(std::move(planes), std::move(cuts), all)
-            : warp_lattice(planes, cuts, lattice, method, inverted, context);
+        where == Cuts::midpoint  ? unwarped(std::move(planes), std::move(cuts), all)
+        : facts(method).settles ? settled_lattice(planes, cuts, lattice, method, context)
+                                : moved_lattice(planes, cuts, lattice, method, inverted, context);
     RowNumbers numbers(warped.planes, lattice, all, context);
     return std::make_unique<State>(
         State{domain, lattice, std::move(warped), std::move(numbers), method, inverted});
@@ -108,6 +130,7 @@ std::uint64_t Stuffing::tet_count() const { return state_->numbers.tet_count(); 
 const Lattice& Stuffing::lattice() const { return state_->lattice; }
 Method Stuffing::method() const { return state_->method; }
 std::uint64_t Stuffing::inverted_tets() const { return state_->inverted_tets; }
+const WarpFigures& Stuffing::warp_figures() const { return state_->warped.figures; }
 std::int32_t Stuffing::layers() const { return state_->lattice.cells[2]; }
 
 std::uint64_t Stuffing::first_point(std::int32_t layer) const {
@@ -173,7 +196,7 @@ std::uint64_t Stuffing::bytes() const {
   std::uint64_t bytes = s.warped.planes.bytes() + s.numbers.bytes();
   for (const CutLayer& layer : s.warped.cuts)
     bytes += 2 * layer.steps.size() + 8 * layer.row_begin.size();
-  for (const ZeroLayer& layer : s.warped.zeros)
+  for (const DisplacedLayer& layer : s.warped.zeros)
     bytes += sizeof(Displacement) * layer.displacements.size() + 4 * layer.row_begin.size();
   return bytes;
 }
@@ -183,6 +206,7 @@ Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context) {
   return within_memory([&] {
     Mesh mesh;
     mesh.frame = frame;
+    mesh.method = stuffing.method();
     mesh.points = Buffer<Coord3>(stuffing.point_count());
     stuffing.emit_points(0, stuffing.layers(), mesh.points, context);
     const auto emit_tets = [&]<class Index>(Index) {
@@ -209,8 +233,29 @@ Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame, Met
            Context& context) {
   const Stuffing stuffing(domain, lattice, method, context);
   if (stuffing.tet_count() == 0)
-    throw Error(ErrorCode::empty_domain, "no lattice point lies inside the domain");
+    throw Error(ErrorCode::empty_domain, "nothing is inside at this size, so there is no mesh");
   return emit(stuffing, frame, context);
+}
+
+Mesh mesh(const PlacedDomain& domain, Method method, Context& context) {
+  Mesh mesh = stuff(domain, domain.lattice(), domain.frame(), method, context);
+  mesh.names = domain.names();
+  mesh.border.assign(domain.border().begin(), domain.border().end());
+  return mesh;
+}
+
+Mesh mesh(const PlacedDomain& domain, Method method) {
+  Context context;
+  return mesh(domain, method, context);
+}
+
+Buffer<Point3> world_points(const Mesh& mesh) {
+  return within_memory([&] {
+    Buffer<Point3> world(mesh.points.size());
+    std::ranges::transform(mesh.points, world.begin(),
+                           [&](Coord3 position) { return mesh.frame.world(position); });
+    return world;
+  });
 }
 
 }  // namespace certet

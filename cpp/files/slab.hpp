@@ -61,7 +61,7 @@ struct Findings {
   Quality lattice, world;
   std::uint64_t coincident_points = 0;  ///< of those of the layer and the one behind it
   Checksum points, tets;
-  quality::RegionCounts regions;
+  core::RegionCounts regions;
 };
 
 /// Tetrahedra of some layers, and their labels.

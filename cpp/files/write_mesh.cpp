@@ -88,7 +88,7 @@ void write_tets(Source& source, const Slabs& slabs, PointSlab& points, Checksum 
   std::array<TetSlab<Index>, 2> store{TetSlab<Index>(slabs.tets, labels),
                                       TetSlab<Index>(slabs.tets, labels)};
   Checksum checksum, tets;
-  quality::RegionCounts regions;
+  core::RegionCounts regions;
   const auto write = [&](std::size_t s) {
     const auto [begin, end] = layers_of(slabs, s);
     store[s % 2].write(source, begin, end, writer);

@@ -3,6 +3,7 @@
 
 #include "certet/error.hpp"
 #include "certet/lattice.hpp"
+#include "certet/lattice/lattice_limits.hpp"
 
 namespace certet {
 namespace {

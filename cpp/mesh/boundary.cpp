@@ -5,7 +5,7 @@
 #include "faces.hpp"
 
 namespace certet {
-namespace quality {
+namespace core {
 namespace {
 
 auto key(const BoundaryFace& face) {
@@ -14,18 +14,19 @@ auto key(const BoundaryFace& face) {
 }
 
 /// The faces in one tetrahedron, by their points alone.
-template <class Valid>
-std::vector<Face> single_faces(std::uint64_t points, std::span<const Tet<std::uint64_t>> tets,
+template <class Index, class Valid>
+std::vector<Face> single_faces(std::uint64_t points, std::span<const Tet<Index>> tets,
                                Valid valid, Context& context) {
   return points <= NarrowFace::point_limit
              ? find_faces<NarrowFace>(points, tets, valid, context).boundary
              : find_faces<WideFace>(points, tets, valid, context).boundary;
 }
 
-std::vector<BoundaryFace> boundary(std::uint64_t points,
-                                   std::span<const Tet<std::uint64_t>> tets, Context& context) {
+template <class Index>
+std::vector<BoundaryFace> boundary(std::uint64_t points, std::span<const Tet<Index>> tets,
+                                   Context& context) {
   const auto valid = [&](std::size_t i) {
-    std::array<std::uint64_t, 4> p = tets[i];
+    std::array<Index, 4> p = tets[i];
     std::ranges::sort(p);
     return p[3] < points && std::ranges::adjacent_find(p) == p.end();
   };
@@ -48,6 +49,15 @@ std::vector<BoundaryFace> boundary(std::uint64_t points,
   }
   std::ranges::sort(faces, comes_before);
   return faces;
+}
+
+template <class Index>
+Survey survey_of(std::uint64_t points, std::span<const Tet<Index>> tets,
+                 std::span<const std::int32_t> labels, Context& context) {
+  RegionCounts counts;
+  counts.add(labels);
+  if (labels.empty() && !tets.empty()) counts.add(only_label, tets.size());
+  return {counts.regions(), boundary(points, tets, context)};
 }
 
 }  // namespace
@@ -88,14 +98,16 @@ std::vector<Region> RegionCounts::regions() const {
   return regions;
 }
 
-}  // namespace quality
+}  // namespace core
+
+Survey survey(std::uint64_t points, std::span<const Tet<std::uint32_t>> tets,
+              std::span<const std::int32_t> labels, Context& context) {
+  return core::survey_of(points, tets, labels, context);
+}
 
 Survey survey(std::uint64_t points, std::span<const Tet<std::uint64_t>> tets,
               std::span<const std::int32_t> labels, Context& context) {
-  quality::RegionCounts counts;
-  counts.add(labels);
-  if (labels.empty() && !tets.empty()) counts.add(only_label, tets.size());
-  return {counts.regions(), quality::boundary(points, tets, context)};
+  return core::survey_of(points, tets, labels, context);
 }
 
 void set_border(Survey& survey, std::vector<std::array<std::uint64_t, 3>> faces) {

@@ -10,7 +10,7 @@
 
 #include "certet/survey.hpp"
 
-namespace certet::quality {
+namespace certet::core {
 
 /// The corners of the face opposite to each corner of a tetrahedron of positive
 /// volume, counterclockwise as seen from outside.
@@ -44,4 +44,4 @@ class RegionCounts {
   std::map<std::int32_t, std::uint64_t> tets_;
 };
 
-}  // namespace certet::quality
+}  // namespace certet::core

@@ -9,9 +9,9 @@
 namespace certet {
 namespace {
 
-using quality::EdgeFindings;
-using quality::Face;
-using quality::FaceFindings;
+using core::EdgeFindings;
+using core::Face;
+using core::FaceFindings;
 
 /// "1 point is", "3 points are": a number with its noun and verb.
 std::string count_of(std::uint64_t number, const std::string& singular,
@@ -43,7 +43,7 @@ class Check {
     if (tets_.empty()) fail("there are no tetrahedra");
     for (const auto step : {&Check::check_indices, &Check::check_use, &Check::check_places,
                             &Check::check_volumes, &Check::check_faces}) {
-      quality::stop_now_and_then(0, context_);
+      core::stop_now_and_then(0, context_);
       (this->*step)();
     }
     return std::move(report_);
@@ -151,10 +151,10 @@ template <class Index>
 void Check<Index>::check_faces() {
   const auto is_valid = [this](std::size_t tet) { return valid(tet); };
   const FaceFindings faces =
-      points_.size() <= quality::NarrowFace::point_limit
-          ? quality::find_faces<quality::NarrowFace>(points_.size(), tets_, is_valid, context_)
-          : quality::find_faces<quality::WideFace>(points_.size(), tets_, is_valid, context_);
-  const EdgeFindings edges = quality::find_edges(points_.size(), faces.boundary, context_);
+      points_.size() <= core::NarrowFace::point_limit
+          ? core::find_faces<core::NarrowFace>(points_.size(), tets_, is_valid, context_)
+          : core::find_faces<core::WideFace>(points_.size(), tets_, is_valid, context_);
+  const EdgeFindings edges = core::find_edges(points_.size(), faces.boundary, context_);
   report_.overfull_faces = faces.overfull;
   report_.misoriented_faces = faces.misoriented;
   report_.boundary_faces = faces.boundary.size();
@@ -184,6 +184,15 @@ CheckReport check(std::span<const Point3> points, std::span<const Tet<std::uint3
 CheckReport check(std::span<const Point3> points, std::span<const Tet<std::uint64_t>> tets,
                   Context& context) {
   return Check<std::uint64_t>(points, tets, context).report();
+}
+
+CheckReport check(const Mesh& mesh, Context& context) {
+  const Buffer<Point3> world = world_points(mesh);
+  return std::visit(
+      [&]<class Index>(const Buffer<Tet<Index>>& tets) {
+        return check(world, std::span<const Tet<Index>>(tets), context);
+      },
+      mesh.tets);
 }
 
 }  // namespace certet

@@ -25,7 +25,7 @@ std::uint64_t hash(const Point3& point) {
 std::uint64_t count_coincident(std::span<const Point3> points) {
   if (points.empty()) return 0;
   const std::size_t groups = points.size();
-  quality::Groups<std::uint64_t> by_hash(groups);
+  core::Groups<std::uint64_t> by_hash(groups);
   const auto group_of = [groups](const Point3& p) { return hash(p) % groups; };
   for (const Point3& p : points)
     if (is_finite(p)) by_hash.count(group_of(p));
@@ -40,7 +40,7 @@ std::uint64_t count_coincident(std::span<const Point3> points) {
     if (group.size() < 2) continue;
     std::sort(group.begin(), group.end(),
               [points](std::uint64_t a, std::uint64_t b) { return points[a] < points[b]; });
-    quality::for_runs(group, same,
+    core::for_runs(group, same,
                       [&](std::span<std::uint64_t> run) { duplicates += run.size() - 1; });
   }
   return duplicates;

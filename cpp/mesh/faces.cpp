@@ -1,6 +1,6 @@
 #include "faces.hpp"
 
-namespace certet::quality {
+namespace certet::core {
 namespace {
 
 /// The other end of an edge, and whether the edge runs from there.
@@ -49,4 +49,4 @@ EdgeFindings find_edges(std::uint64_t points, std::span<const Face> surface, Con
   return found;
 }
 
-}  // namespace certet::quality
+}  // namespace certet::core

@@ -16,7 +16,7 @@
 #include "engine/parallel.hpp"
 #include "groups.hpp"
 
-namespace certet::quality {
+namespace certet::core {
 
 /// A face seen from one of its tetrahedra: its points in growing order, and
 /// whether that order runs against the orientation that the tetrahedron gives.
@@ -174,4 +174,4 @@ FaceFindings find_faces(std::uint64_t points, std::span<const Tet<Index>> tets, 
 /// \throws Error `cancelled`.
 EdgeFindings find_edges(std::uint64_t points, std::span<const Face> surface, Context& context);
 
-}  // namespace certet::quality
+}  // namespace certet::core

@@ -10,7 +10,7 @@
 
 #include "certet/buffer.hpp"
 
-namespace certet::quality {
+namespace certet::core {
 
 /// Keys in groups that are numbered from 0.  First every key's group is
 /// counted, then memory is laid out, then the keys are placed in any order.
@@ -73,4 +73,4 @@ void sort_group(std::span<Key> keys) {
   }
 }
 
-}  // namespace certet::quality
+}  // namespace certet::core

@@ -14,7 +14,7 @@
 namespace certet {
 namespace {
 
-using quality::RegionCounts;
+using core::RegionCounts;
 
 /// What is found in one layer of tetrahedra.  Faces that lie between two layers
 /// are in both.
@@ -88,9 +88,9 @@ void LayerSurvey<Index>::find_faces(std::vector<BoundaryFace>& faces) const {
     if (sum < 3) continue;
     for (std::uint8_t opposite = 0; opposite < 4; ++opposite)
       if (sum - marks[opposite] == 3)
-        faces.push_back(quality::face_of(tets_[i], first_tet_ + i, opposite));
+        faces.push_back(core::face_of(tets_[i], first_tet_ + i, opposite));
   }
-  quality::keep_single_faces(faces);
+  core::keep_single_faces(faces);
 }
 
 template <class Index>
@@ -128,7 +128,7 @@ Survey survey_layers(const Stuffing& stuffing, Context& context) {
     survey.boundary.insert(survey.boundary.end(), layer.faces.begin(), layer.faces.end());
     layer.faces = {};
   }
-  quality::keep_single_faces(survey.boundary);
+  core::keep_single_faces(survey.boundary);
   survey.regions = counts.regions();
   survey.materials = std::move(runs);
   return survey;

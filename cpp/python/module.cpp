@@ -12,64 +12,41 @@
 #include "certet/checksum.hpp"
 #include "certet/error.hpp"
 #include "certet/image.hpp"
-#include "certet/lattice.hpp"
 #include "certet/method.hpp"
 #include "certet/placed_quality.hpp"
+#include "certet/stuffing.hpp"
 #include "certet/surface.hpp"
 #include "domains.hpp"
+#include "files.hpp"
+#include "python_mesh.hpp"
 #include "run.hpp"
 
 namespace certet::python {
 namespace {
-
-/// A finished mesh; arrays handed out share its memory.
-struct PythonMesh {
-  Mesh mesh;
-  Buffer<Point3> world;
-  Method method{};
-  std::uint64_t inverted_tets = 0;
-  std::vector<std::string> notes;
-};
 
 struct Options {
   Method method{};
   int threads = 0;
 };
 
-Buffer<Point3> world_points(const Mesh& mesh) {
-  Buffer<Point3> world(mesh.points.size());
-  for (std::size_t i = 0; i < world.size(); ++i) world[i] = mesh.frame.world(mesh.points[i]);
-  return world;
-}
-
-/// `place` makes the domain; it runs, like all the rest, without Python's lock.
-struct Placed {
-  std::shared_ptr<const Domain> domain;
-  Lattice lattice;
-  Frame frame;
-  std::vector<std::string> notes = {};  ///< what is doubtful about the solid
+/// A shape, and what is doubtful about it.
+struct Shape {
+  std::shared_ptr<const PlacedDomain> domain;
+  std::vector<std::string> notes = {};
 };
 
-std::shared_ptr<PythonMesh> mesh_of(const std::function<Placed()>& place, const Options& options) {
+/// `make` makes the shape; it runs, like all the rest, without Python's lock.
+std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape()>& make, const Options& options) {
   auto result = std::make_shared<PythonMesh>();
   Context context;
   context.threads = options.threads;
   run(context, [&] {
-    const Placed placed = place();
-    const Stuffing stuffing(*placed.domain, placed.lattice, options.method, context);
-    if (stuffing.tet_count() == 0)
-      throw Error(ErrorCode::empty_domain, "nothing is inside at this size, so there is no mesh");
-    result->mesh = emit(stuffing, placed.frame, context);
-    result->method = stuffing.method();
-    result->inverted_tets = stuffing.inverted_tets();
-    result->notes = placed.notes;
+    const Shape shape = make();
+    result->mesh = mesh(*shape.domain, options.method, context);
+    result->notes = shape.notes;
     result->world = world_points(result->mesh);
   });
   return result;
-}
-
-Placed placed(const std::shared_ptr<PlacedDomain>& domain) {
-  return {domain, domain->lattice(), domain->frame()};
 }
 
 using Direction = std::array<std::array<double, 3>, 3>;
@@ -91,8 +68,8 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
   return mesh_of(
       [&] {
         const ImageLattice lattice{size, margin};
-        return iso ? placed(level_domain(std::move(image), *iso, lattice))
-                   : placed(label_domain(std::move(image), ranges, lattice));
+        return Shape{iso ? level_domain(std::move(image), *iso, lattice)
+                         : label_domain(std::move(image), ranges, lattice)};
       },
       options);
 }
@@ -100,14 +77,10 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
 std::shared_ptr<PythonMesh> mesh_function(py::object function, const Point3& low,
                                           const Point3& high, double size, int margin,
                                           const Options& options) {
-  const PlacedLattice box = lattice_around({low, high}, size, margin);
   // Kept here, under Python's lock, for it has to be let go of under it too.
-  const PythonDomain domain(std::move(function), box.frame, {low, high});
+  const PythonDomain domain(std::move(function), {low, high}, size, margin);
   return mesh_of(
-      [&] {
-        return Placed{std::shared_ptr<const Domain>(std::shared_ptr<void>(), &domain), box.lattice,
-                      box.frame};
-      },
+      [&] { return Shape{std::shared_ptr<const PlacedDomain>(std::shared_ptr<void>(), &domain)}; },
       options);
 }
 
@@ -139,14 +112,13 @@ std::shared_ptr<PythonMesh> mesh_surface(
         const SurfaceRepairs repairs = repair_surface(surface, {repair});
         if (!is_closed(surface))
           refuse_open(surface, inspect(surface), repair ? "" : "repair=True closes what is open");
-        std::shared_ptr<PlacedDomain> domain = surface_domain(surface, {size, margin});
-        return Placed{domain, domain->lattice(), domain->frame(), sentences_on(repairs)};
+        return Shape{surface_domain(surface, {size, margin}), sentences_on(repairs)};
       },
       options);
 }
 
 py::dict quality_of(const PythonMesh& mesh) {
-  const AngleBounds& bounds = facts(mesh.method).bounds;
+  const AngleBounds& bounds = facts(mesh.mesh.method).bounds;
   PlacedQuality placed;
   {
     const py::gil_scoped_release unlocked;
@@ -240,13 +212,12 @@ PYBIND11_MODULE(_certet, module) {
       .def_property_readonly("origin", [](const PythonMesh& mesh) { return mesh.mesh.frame.origin; })
       .def_property_readonly("axes", [](const PythonMesh& mesh) { return mesh.mesh.frame.axes; })
       .def_property_readonly("method", [](const PythonMesh& mesh) {
-        return std::string(name(mesh.method));
+        return std::string(name(mesh.mesh.method));
       })
-      .def_property_readonly("inverted_tets",
-                             [](const PythonMesh& mesh) { return mesh.inverted_tets; })
       .def_property_readonly("notes", [](const PythonMesh& mesh) { return mesh.notes; })
       .def("checksum", checksum_of)
       .def("quality", quality_of);
+  declare_files(module);
   module.def("mesh_image", mesh_image);
   module.def("mesh_function", mesh_function);
   module.def("mesh_surface", mesh_surface);

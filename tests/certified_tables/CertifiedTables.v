@@ -69,13 +69,17 @@ Definition Promised (m : Method) (t : UnstructuredTet Coord3) : Prop :=
   WithinDegrees (IZR (least (bounds m)) / 100) (IZR (greatest (bounds m)) / 100) t.
 
 Definition Proven (m : Method) : Prop :=
-  match cuts m with
-  | OnTheSurface =>
+  match cuts m, settles m with
+  | OnTheSurface, true =>
+      forall sign cut stays limit tid t, CutsOnEdges sign cut ->
+        In t (WarpOrClamp (thresholds m) sign cut stays limit tid) ->
+        Promised m t
+  | OnTheSurface, false =>
       forall sign cut tid t, CutsOnEdges sign cut ->
         In t (map (MapTet (MeshPosition (thresholds m) sign cut))
                 (StuffTet (thresholds m) sign cut tid)) ->
         Promised m t
-  | InTheMiddle =>
+  | InTheMiddle, _ =>
       forall sign tid t,
         let decided v := InOrOut (sign v) in
         let cut (_ _ : Coord3) := MidpointCut in
@@ -87,6 +91,7 @@ Definition Proven (m : Method) : Prop :=
 Theorem CppMethodsProven : AreMethods CppMethods = true /\ Forall Proven Methods.
 Proof.
   split; [vm_compute; reflexivity|].
+  constructor; [exact RuledBoundsInDegrees|].
   constructor; [exact DihedralBoundsInDegrees|].
   constructor; [exact DihedralBoundsEmbeddingInDegrees|].
   constructor; [|constructor].

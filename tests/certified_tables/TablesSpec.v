@@ -187,6 +187,14 @@ Definition EdgeEnds : Table :=
        Row (map (fun f => Numbers (map (fun v => PlaceOf Coord3Equal v EdgeEndsList) (Ends f)))
               Families)].
 
+(** The tiling as data: its vertices, tetrahedra, edges at a vertex, and edges of a
+    cell. *)
+Definition LatticeTilingTable : Table :=
+  Row [Row (map Point Grids);
+       StructuredTetTable;
+       OfDirections (fun d => Point (Offset d));
+       Row (map (fun f => Row (map Point (Ends f))) Families)].
+
 (** ** The cell: the twelve tetrahedra of an index *)
 
 Definition CellVertices : list Coord3 := FirstSeen (flat_map CornersOf AllCases).
@@ -259,21 +267,25 @@ Definition AreOutwardFaces (t : Table) : bool :=
 (** ** The methods, and the bounds that every mesh is held to
 
     A method cuts edges on the surface or in the middle, and warps at its
-    thresholds; the theorem that it names promises its bounds, here in
-    hundredths of degrees. *)
+    thresholds, where all violated vertices move, or some settle; the theorem
+    that it names promises its bounds, here in hundredths of degrees. *)
 
 Inductive Cuts := OnTheSurface | InTheMiddle.
 Definition CutsNumber (c : Cuts) : Z := match c with OnTheSurface => 0 | InTheMiddle => 1 end.
 
 Record Bounds := { least : Z; greatest : Z; theorem : string }.
-Record Method := { called : string; cuts : Cuts; thresholds : Thresholds; bounds : Bounds }.
+Record Method := { called : string; cuts : Cuts; thresholds : Thresholds;
+                   settles : bool; bounds : Bounds }.
 
 Definition Methods : list Method :=
-  [{| called := "angles"; cuts := OnTheSurface; thresholds := AngleThresholds;
+  [{| called := "embedded"; cuts := OnTheSurface; thresholds := AngleThresholds; settles := true;
+      bounds := {| least := 1077; greatest := 16476; theorem := "RuledBoundsInDegrees" |} |};
+   {| called := "angles"; cuts := OnTheSurface; thresholds := AngleThresholds; settles := false;
       bounds := {| least := 1077; greatest := 16476; theorem := "DihedralBounds" |} |};
    {| called := "embedding"; cuts := OnTheSurface; thresholds := EmbeddingThresholds;
+      settles := false;
       bounds := {| least := 927; greatest := 16146; theorem := "DihedralBoundsEmbedding" |} |};
-   {| called := "midpoint"; cuts := InTheMiddle; thresholds := NoWarpThresholds;
+   {| called := "midpoint"; cuts := InTheMiddle; thresholds := NoWarpThresholds; settles := false;
       bounds := {| least := 3000; greatest := 13500; theorem := "MidpointBounds" |} |}]%string.
 
 (** The number of 53 bits, written in full, that is nearest to so many hundredths. *)
@@ -295,10 +307,11 @@ Definition AreBounds (b : Bounds) (t : Table) : bool :=
 Definition IsMethod (numbered : Z * Method) (t : Table) : bool :=
   let (number, m) := numbered in
   match t with
-  | Row [row; name; where_; alpha; promise] =>
+  | Row [row; name; where_; alpha; rule; promise] =>
       Equal (Number number) row && Equal (Text (called m)) name &&
       Equal (Number (CutsNumber (cuts m))) where_ &&
-      Equal (ThresholdsEntry (thresholds m)) alpha && AreBounds (bounds m) promise
+      Equal (ThresholdsEntry (thresholds m)) alpha && 
+      Equal (Truth (settles m)) rule && AreBounds (bounds m) promise
   | _ => false
   end.
 Definition AreMethods : Table -> bool :=
@@ -316,6 +329,7 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("structured_tet_table", Is StructuredTetTable);
    ("direction_count", Is (Count AllDirections));
    ("direction_offset", Is (OfDirections (fun d => Point (Offset d))));
+   ("lattice_tiling", Is LatticeTilingTable);
    ("pattern_count", Is (Number (Z.of_nat PatternCount)));
    ("stencil_table", Is StencilTable);
    ("step_bits", Is (Number (Z.of_nat StepBits)));
@@ -327,6 +341,7 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("no_warp_thresholds", Is (ThresholdsEntry NoWarpThresholds));
    ("methods", AreMethods);
    ("core::grid_count", Is (Count Grids));
+   ("core::grids", Is (Numbers (Upto (length Grids))));
    ("core::corner_kinds", Is (Number CornerKinds));
    ("core::family_count", Is (Count Families));
    ("core::kind_count", Is (Number (CornerKinds + Z.of_nat (length Families))));
@@ -335,6 +350,7 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("core::family_directions", Is FamilyDirections);
    ("core::edge_end_count", Is (Count EdgeEndsList));
    ("core::edge_ends", Is EdgeEnds);
+   ("core::cell_tet_count", Is (Count AllCases));
    ("core::cell_vertex_count", Is (Count CellVertices));
    ("core::cell", Is CellTable);
    ("core::output_orders", Is (Row (map (fun c => Numbers (OutputOrder c)) AllCases)));
@@ -343,8 +359,8 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("coordinate_limit", Is (Number LatticeLimit));
    ("anchor_limit", Is (Number AnchorLimit));
    ("cells_limit", IsCellsLimit);
-   ("quality::edge_limit", Is (Number WidthLimit));
-   ("quality::outward_faces", AreOutwardFaces);
+   ("core::edge_limit", Is (Number WidthLimit));
+   ("core::outward_faces", AreOutwardFaces);
    ("signs", Is (Numbers (map SignNumber AllSigns)));
    ("sign_of_bits", Is (Numbers (map SignNumber AllSigns)));
    ("opposite", Is (Row (map (fun a => Row (map (fun b => Truth (Opposite a b)) AllSigns))
@@ -357,5 +373,4 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("length_squared", Is (OfDirections (fun d => Number (LengthSquared (DirectionKind d)))));
    ("thresholds_in_steps",
       Is (Row (map StepsEntry [AngleThresholds; EmbeddingThresholds; NoWarpThresholds])));
-   ("core::grids", Is (Numbers (Upto (length Grids))));
    ("core::neighbor", Is Neighbors)]%string.

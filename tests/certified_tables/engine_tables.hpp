@@ -11,6 +11,7 @@
 #include "certet/lattice/sign.hpp"
 #include "certet/lattice/stencil.hpp"
 #include "certet/lattice/structured_tet.hpp"
+#include "certet/lattice/tiling.hpp"
 #include "certet/lattice/warp.hpp"
 #include "engine/cuts.hpp"
 #include "mesh/boundary.hpp"
@@ -39,6 +40,7 @@ void for_each_constant(const Visit& visit) {
 
   CERTET_CONSTANT(direction_count);
   CERTET_CONSTANT(direction_offset);
+  CERTET_CONSTANT(lattice_tiling);
 
   CERTET_CONSTANT(pattern_count);
   CERTET_CONSTANT(stencil_table);
@@ -53,6 +55,7 @@ void for_each_constant(const Visit& visit) {
   CERTET_CONSTANT(methods);
 
   CERTET_CONSTANT(core::grid_count);
+  CERTET_CONSTANT(core::grids);
   CERTET_CONSTANT(core::corner_kinds);
   CERTET_CONSTANT(core::family_count);
   CERTET_CONSTANT(core::kind_count);
@@ -61,6 +64,7 @@ void for_each_constant(const Visit& visit) {
   CERTET_CONSTANT(core::family_directions);
   CERTET_CONSTANT(core::edge_end_count);
   CERTET_CONSTANT(core::edge_ends);
+  CERTET_CONSTANT(core::cell_tet_count);
   CERTET_CONSTANT(core::cell_vertex_count);
   CERTET_CONSTANT(core::cell);
   CERTET_CONSTANT(core::output_orders);
@@ -70,8 +74,8 @@ void for_each_constant(const Visit& visit) {
   CERTET_CONSTANT(coordinate_limit);
   CERTET_CONSTANT(anchor_limit);
   CERTET_CONSTANT(cells_limit);
-  CERTET_CONSTANT(quality::edge_limit);
-  CERTET_CONSTANT(quality::outward_faces);
+  CERTET_CONSTANT(core::edge_limit);
+  CERTET_CONSTANT(core::outward_faces);
 }
 
 #undef CERTET_CONSTANT
@@ -106,7 +110,6 @@ void for_each_function(const Visit& visit) {
       values<direction_count>([](int d) { return embedding_thresholds.in_steps(d); }),
       values<direction_count>([](int d) { return no_warp_thresholds.in_steps(d); })});
 
-  visit("core::grids", std::array{core::even, core::odd});
   visit("core::neighbor", values<core::grid_count>([](int grid) {
     return values<direction_count>([&](int d) {
       return core::neighbor(static_cast<core::Grid>(grid), static_cast<std::size_t>(d));

@@ -153,7 +153,7 @@ class Run(ProgramTest):
         refused(["theorem"], lambda r: r["guarantee"].update(theorem="MidpointBounds"))
         refused(["theorem"], lambda r: r["lattice"].update(cuts="midpoint"))
         refused(["theorem"], lambda r: r.update(theorem="MidpointBounds"))
-        refused(["theorem"], lambda r: r.update(method="embedding"))
+        refused(["theorem"], lambda r: r["method"].update(name="embedding"))
         refused(["written"], lambda r: r["guarantee"].update(holds=False))
         refused(["file_checksum"], lambda r: r["mesh"].pop("file_checksum"))
         refused([], lambda r: r["mesh"].update(file_checksum="0x12"))

@@ -13,9 +13,10 @@ KEYS = {
     "input": {"kind", "name", "notes"},
     "output": {"file", "format", "bytes", "origin"},
     "lattice": {"cells", "size", "cuts"},
+    "method": {"name", "violated", "stayed", "shortened", "clamped"},
     "mesh": {"points", "tets", "volume", "checksum", "file_checksum"},
     "dihedral": {"min", "max", "lattice_min", "lattice_max", "rounding", "histogram"},
-    "method": None, "theorem": None,
+    "theorem": None,
     "guarantee": {"asked", "used", "theorem", "min_dihedral", "max_dihedral",
                   "inverted_tets", "holds"},
     "seconds": {"read", "sample", "cut", "warp", "count", "emit", "measure", "write",
@@ -90,34 +91,52 @@ class Formula(ProgramTest):
         self.check("root.vtu")
 
     def test_every_method_says_so(self):
-        for choice, method, theorem, low in (
-                ((), "angles", "DihedralBounds", 10.77),
-                (("--guarantee", "embedding"), "embedding", "DihedralBoundsEmbedding", 9.27),
-                (("--cuts", "midpoint"), "midpoint", "MidpointBounds", 30),
-                (("--cuts", "midpoint", "--guarantee", "embedding"), "midpoint",
-                 "MidpointBounds", 30)):
-            report = self.mesh(*TORUS, *choice, "-o", "t.vtu")
-            self.assertGreaterEqual(report["dihedral"]["min"], low - 1e-6)
-            self.assertEqual((report["method"], report["theorem"]), (method, theorem))
-            self.assertEqual({key: report["guarantee"][key]
-                              for key in ("asked", "used", "theorem", "min_dihedral")},
-                             {"asked": method, "used": method, "theorem": theorem,
-                              "min_dihedral": low})
-            table = self.run_certet("mesh", *TORUS, *choice, "-o", "t.vtu").stdout
-            self.assertRegex(table, rf"\nmethod +{method}: ")
-            self.assertEqual('"angles"' in json.dumps(report), method == "angles")
+        theorems = {"embedded": ("RuledBoundsInDegrees", 10.77), "angles": ("DihedralBounds", 10.77),
+                    "embedding": ("DihedralBoundsEmbedding", 9.27),
+                    "midpoint": ("MidpointBounds", 30)}
+        for choice, method in (
+                ((), "embedded"), (("--method", "embedded"), "embedded"),
+                (("--method", "paper"), "angles"), (("--guarantee", "angles"), "angles"),
+                (("--method", "paper", "--guarantee", "embedding"), "embedding"),
+                (("--guarantee", "embedding"), "embedding"),
+                (("--method", "midpoint"), "midpoint"), (("--cuts", "midpoint"), "midpoint"),
+                (("--cuts", "midpoint", "--guarantee", "embedding"), "midpoint")):
+            theorem, low = theorems[method]
+            with self.subTest(choice):
+                report = self.mesh(*TORUS, *choice, "--size", "0.1", "-o", "t.vtu")
+                self.assertGreaterEqual(report["dihedral"]["min"], low - 1e-6)
+                self.assertEqual((report["method"]["name"], report["theorem"]), (method, theorem))
+                self.assertEqual({key: report["guarantee"][key]
+                                  for key in ("asked", "used", "theorem", "min_dihedral")},
+                                 {"asked": method, "used": method, "theorem": theorem,
+                                  "min_dihedral": low})
+                table = self.run_certet("mesh", *TORUS, *choice, "--size", "0.1", "-o",
+                                        "t.vtu").stdout
+                self.assertRegex(table, rf"\nmethod +{method}: ")
+                self.assertEqual('"angles"' in json.dumps(report), method == "angles")
 
     def test_the_method_used_in_the_end_is_the_one_told(self):
         """The faces of voxels make `angles` turn over tetrahedra that are dropped."""
         size = (12, 12, 12)
         write_nrrd(self.folder / "a.nrrd", size,
                    voxels(size, lambda i, j, k: int((i * 7 + j * 3 + k * 5) % 11 < 6)))
-        report = self.mesh("a.nrrd", "-o", "t.vtu")
+        paper = ("a.nrrd", "--method", "paper", "-o", "t.vtu")
+        report = self.mesh(*paper)
         self.assertGreater(report["guarantee"]["inverted_tets"], 0)
-        self.assertEqual((report["guarantee"]["asked"], report["method"], report["theorem"]),
-                         ("angles", "embedding", "DihedralBoundsEmbedding"))
-        table = self.run_certet("mesh", "a.nrrd", "-o", "t.vtu").stdout
+        self.assertEqual(
+            (report["guarantee"]["asked"], report["method"]["name"], report["theorem"]),
+            ("angles", "embedding", "DihedralBoundsEmbedding"))
+        table = self.run_certet("mesh", *paper).stdout
         self.assertRegex(table, r"\nmethod +embedding: .*\(angles inverted \d+ dropped")
+
+    def test_methods_that_contradict(self):
+        for choice in (("--method", "embedded", "--cuts", "midpoint"),
+                       ("--method", "embedded", "--guarantee", "angles"),
+                       ("--method", "midpoint", "--cuts", "bisect"),
+                       ("--method", "paper", "--cuts", "midpoint")):
+            run = self.run_certet("mesh", *TORUS, *choice, "-o", "t.vtu")
+            self.assertEqual((run.returncode, self.files()), (2, []), run.stderr)
+            self.assertIn("exclude each other", run.stderr)
 
     def test_medit(self):
         report = self.mesh(*TORUS, "--size", "0.2", "-o", "t.mesh")

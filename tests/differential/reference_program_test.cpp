@@ -37,7 +37,7 @@ class ReferenceProgram : public testing::Test {
 
   PlacedTets reference(const std::string& arguments) {
     EXPECT_EQ(run(arguments + " " + output.string()), 0);
-    const certet::FileMesh mesh = certet::read_mesh(output);
+    const certet::FileMesh mesh = certet::read(output);
     PlacedTets placed;
     for (const auto& [a, b, c, d] : mesh.tets)
       placed.push_back({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]});

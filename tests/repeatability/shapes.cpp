@@ -117,7 +117,8 @@ std::vector<Shape> shapes() {
 
 std::vector<Manner> manners() {
   using certet::Method;
-  return {{"bisect-angles", Method::angles},
+  return {{"bisect-pieces", Method::embedded},
+          {"bisect-angles", Method::angles},
           {"bisect-embedding", Method::embedding},
           {"midpoint", Method::midpoint}};
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "certet/bounds.hpp"
+#include "certet/lattice.hpp"
 #include "certet/function_domain.hpp"
 #include "distances.hpp"
 #include "extents.hpp"

@@ -248,10 +248,12 @@ Trial make_trial(std::uint64_t seed, std::uint64_t number) {
   trial.frame.origin = place(random, 100 * trial.frame.size);
   trial.frame.axes = axes(random, false);
   const bool midpoint = chance(random, 3);
-  const bool angles = chance(random, 2);
-  trial.method = midpoint ? certet::Method::midpoint
-                 : angles ? certet::Method::angles
-                          : certet::Method::embedding;
+  const bool settles = chance(random, 2);
+  const bool angles = settles || chance(random, 2);
+  trial.method = midpoint  ? certet::Method::midpoint
+                 : settles ? certet::Method::embedded
+                 : angles  ? certet::Method::angles
+                           : certet::Method::embedding;
   trial.threads = between(random, 1, 2);
   make_domain(trial, random);
   if (trial.image != nullptr) {

@@ -375,7 +375,7 @@ TEST(Engine, TheRangeEndsWhereItSays) {
 TEST(Engine, NothingIsAssumedThatWasNotSaid) {
   EXPECT_EQ(Lattice{}.origin, (Coord3{0, 0, 0}));
   EXPECT_EQ(Lattice{}.cells, (std::array<std::int32_t, 3>{0, 0, 0}));
-  EXPECT_EQ(Method{}, Method::angles);
+  EXPECT_EQ(Method{}, Method::embedded);
 }
 
 TEST(Engine, WithMidpointCutsTheSurfaceCountsAsInside) {

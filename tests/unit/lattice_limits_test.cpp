@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "certet/bounds.hpp"
+#include "certet/lattice.hpp"
 #include "certet/error.hpp"
 #include "certet/stuffing.hpp"
 #include "domains.hpp"

@@ -240,6 +240,7 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
   if (options.origin == OutputOrigin::lattice) report.output_origin = source.frame.origin;
   report.used = stuffing.method();
   report.inverted_tets = stuffing.inverted_tets();
+  report.warp = stuffing.warp_figures();
   report.points = stuffing.point_count();
   report.tets = stuffing.tet_count();
   report.sample_seconds = progress.seconds(Stage::sample);

@@ -2,19 +2,19 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <map>
 #include <memory>
 
-#include "certet/error.hpp"
 #include "certet/surface.hpp"
 #include "certet/volume.hpp"
 #include "format_choice.hpp"
+#include "method.hpp"
 #include "option_values.hpp"
+#include "refusal.hpp"
 
 namespace certet::command {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* mesh_notes = R"(
 Formulas: + - * / ^ (-x^2 is -(x^2)), < <= > >= == != && || and c ? a : b, where
 true is 1; min max sum avg hypot length of any number of operands; abs sign sqrt
 exp log log2 log10 sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh
@@ -66,13 +66,20 @@ single precision, where points would fall together or triangles lose their area 
 turn by more than 4.5 degrees; elsewhere, where points would fall together, or
 tetrahedra turn over, or angles leave their bounds by what tables show of them.
 
+With --method embedded a vertex that a cut is too close to (violated) moves onto the
+surface only where that keeps the shape, and not past a neighbour (shortened);
+otherwise it stays, and the cuts around it are moved away from it (clamped), by at
+most 0.4 of an edge.  Pieces, tunnels and cavities of the mesh are those of the
+samples, which are + where the lattice's points are inside.
+
 Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file,
 format, bytes, origin}, lattice {cells, size, cuts, and with --target-tets:
-target_tets, tries}, mesh {points, tets, volume, checksum, file_checksum}, dihedral
-{min, max, lattice_min, lattice_max, rounding, histogram}, method and theorem, those
-of the mesh, guarantee {asked, used, theorem, min_dihedral, max_dihedral,
-inverted_tets, holds}, seconds {read, sample, cut, warp, count, emit, measure, write,
-total}, memory {limit, needed, least, peak}, warnings, and for images regions [{label, voxels, tets, name where the file or
+target_tets, tries}, method {name, and of embedded: violated, stayed, shortened, clamped {cuts,
+greatest, rms, greatest_edges, rms_edges}}, theorem, mesh {points, tets, volume, checksum, file_checksum}, dihedral
+{min, max, lattice_min, lattice_max, rounding, histogram}, guarantee {asked, used,
+theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
+cut, warp, count, emit, measure, write, total}, memory {limit, needed, least,
+peak}, warnings, and for images regions [{label, voxels, tets, name where the file or
 --label-names has one, and where pieces were counted: pieces, image_pieces {by_corners, by_faces}}], with --smooth: smoothing
 {sigma, voxel_volume, mesh_volume, change}.  Lengths are in world units, angles in degrees, memory in bytes; the
 histogram has 36 bins of 5 degrees, counted before coordinates are rounded; rounding
@@ -82,16 +89,11 @@ this mesh, checksum is of the lattice and the same wherever the mesh is; the
 seconds of emit, measure and write overlap and are those of all threads together;
 a dry run leaves out what it does not know.)";
 
-[[noreturn]] void refuse(const std::string& sentence) {
-  throw Error(ErrorCode::bad_option, sentence);
-}
-
 /// Options whose values need more than CLI11's own reading.
 struct RawMesh {
   std::string volume, nan, size, relative_size, target_tets, iso, labels, spacing, smooth, crop,
       bounds, format, origin;
-  Cuts cuts = Cuts::bisect;
-  Method guarantee = Method::angles;
+  MethodChoice method;
   bool compress = false;
 };
 
@@ -155,17 +157,7 @@ void declare_lattice(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("--margin", options.margin, "Lattice cells around the solid (default: 2)")
       ->check(CLI::Range(1, 1000))
       ->option_text("N");
-  mesh.add_option("--cuts", raw.cuts,
-                  "bisect: on the surface (default); midpoint: in the middle of edges")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Cuts>{
-          {"bisect", Cuts::bisect}, {"midpoint", Cuts::midpoint}}))
-      ->option_text("WHERE");
-  mesh.add_option("--guarantee", raw.guarantee,
-                  "angles: the widest dihedral angles (default); embedding: the warped "
-                  "lattice never folds")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Method>{
-          {"angles", Method::angles}, {"embedding", Method::embedding}}))
-      ->option_text("WHICH");
+  declare_method(mesh, raw.method);
 }
 
 void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
@@ -256,8 +248,7 @@ double parse_nan(const MeshOptions& options, const std::string& text) {
 MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   judge_source(options, raw);
   read_size(options, raw);
-  // No vertex is warped at cuts in the middle, whatever the guarantee.
-  options.method = raw.cuts == Cuts::midpoint ? Method::midpoint : raw.guarantee;
+  options.method = chosen(raw.method);
   if (!raw.iso.empty()) options.iso = parse_number("--iso", raw.iso);
   if (!raw.labels.empty()) options.labels = parse_labels(raw.labels);
   if (!raw.smooth.empty()) options.smooth = positive("--smooth", raw.smooth);
@@ -280,7 +271,7 @@ std::function<MeshOptions()> declare_mesh_options(CLI::App& mesh) {
   declare_source(mesh, *options, *raw);
   declare_lattice(mesh, *options, *raw);
   declare_run(mesh, *options, *raw);
-  mesh.footer(footer);
+  mesh.footer(mesh_notes);
   return [options, raw] { return finish(*options, *raw); };
 }
 

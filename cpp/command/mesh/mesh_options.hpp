@@ -41,7 +41,7 @@ struct MeshOptions {
   double relative_size = 0;  ///< 0, or a fraction of the solid's longest side
   std::uint64_t target_tets = 0;
   std::int32_t margin = 2;
-  Method method = Method::angles;
+  Method method{};
   int threads = 0;
   std::uint64_t max_memory = 0;  ///< 0: by what is available
   bool dry_run = false;

@@ -10,6 +10,7 @@
 
 #include "certet/method.hpp"
 #include "certet/quality.hpp"
+#include "certet/warp_figures.hpp"
 #include "certet/write_mesh.hpp"
 #include "regions.hpp"
 #include "report.hpp"
@@ -36,6 +37,7 @@ struct MeshReport {
   int tries = 1;
   Method asked{}, used{};
   std::uint64_t inverted_tets = 0;
+  WarpFigures warp;
 
   std::uint64_t points = 0, tets = 0;
   WrittenMesh written;  ///< empty after a dry run

@@ -19,6 +19,19 @@ void add_method(Lines& lines, const MeshReport& report) {
                               grouped(report.inverted_tets)));
 }
 
+/// What settling did to the surface.
+void add_settling(Lines& lines, const MeshReport& report) {
+  if (report.used != Method::embedded) return;
+  const WarpFigures& warp = report.warp;
+  const ShiftLengths edges = shift_in_edges(warp);
+  const ShiftLengths world = shift_in_world(warp, report.size);
+  lines.add("", "{} of {} vertices too close to the surface stayed, {} moves shortened",
+            grouped(warp.stayed), grouped(warp.violated), grouped(warp.shortened));
+  if (world.cuts != 0)
+    lines.add("", "{} cuts moved by at most {:.3f} edges ({:.4g}), rms {:.3f} ({:.4g})",
+              grouped(world.cuts), edges.greatest, world.greatest, edges.rms, world.rms);
+}
+
 void add_regions(Lines& lines, const MeshReport& report) {
   const auto present = std::count_if(report.regions.begin(), report.regions.end(),
                                      [](const MeshedRegion& region) { return region.tets > 0; });
@@ -59,6 +72,7 @@ std::string table(const MeshReport& report) {
     add_histogram(lines, report.written.lattice);
   }
   add_method(lines, report);
+  add_settling(lines, report);
   lines.add("seconds", "read {:.2f}, sample {:.2f}, cut {:.2f}, warp {:.2f}, count {:.2f}",
             report.read_seconds, report.sample_seconds, report.cut_seconds,
             report.warp_seconds, report.count_seconds);

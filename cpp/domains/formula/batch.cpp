@@ -19,23 +19,6 @@ std::vector<NodeId> last_uses(const Tape& tape, NodeId root) {
   return last;
 }
 
-/// Arrays that can be used again once nobody reads them any more.
-class Slots {
- public:
-  std::uint32_t take() {
-    if (free_.empty()) return count_++;
-    const std::uint32_t slot = free_.back();
-    free_.pop_back();
-    return slot;
-  }
-  void give_back(std::uint32_t slot) { free_.push_back(slot); }
-  [[nodiscard]] std::uint32_t count() const { return count_; }
-
- private:
-  std::uint32_t count_ = 0;
-  std::vector<std::uint32_t> free_;
-};
-
 template <class Function>
 void map(const Function& function, const double* a, double* out, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) out[i] = function(a[i]);
@@ -73,6 +56,23 @@ void map(const Function& function, const double* c, bool c_uniform, const double
 
 /// Places the nodes of a tape one after the other.
 struct BatchFormula::Planner {
+  /// Arrays that can be used again once nobody reads them any more.
+  class Slots {
+   public:
+    std::uint32_t take() {
+      if (free_.empty()) return count_++;
+      const std::uint32_t slot = free_.back();
+      free_.pop_back();
+      return slot;
+    }
+    void give_back(std::uint32_t slot) { free_.push_back(slot); }
+    [[nodiscard]] std::uint32_t count() const { return count_; }
+
+   private:
+    std::uint32_t count_ = 0;
+    std::vector<std::uint32_t> free_;
+  };
+
   const Tape& tape;
   Batch kind;
   std::vector<NodeId> last;

@@ -25,21 +25,21 @@ NodeId record_beyond(const Bounds& bounds, Tape& tape) {
   return most;
 }
 
-/// The formula cut by the bounds is a formula again.
-struct CutFormula {
-  CutFormula(const std::string& text, const Bounds& bounds)
-      : within(parse(text, tape)),
-        beyond(record_beyond(bounds, tape)),
-        level(tape.add(Operation::maximum, within, beyond)) {}
-
-  Tape tape;
-  NodeId within, beyond;
-  NodeId level;  ///< NaN where the formula is NaN, which is outside too
-};
-
 }  // namespace
 
 struct FormulaDomain::State {
+  /// The formula cut by the bounds is a formula again.
+  struct CutFormula {
+    CutFormula(const std::string& text, const Bounds& bounds)
+        : within(parse(text, tape)),
+          beyond(record_beyond(bounds, tape)),
+          level(tape.add(Operation::maximum, within, beyond)) {}
+
+    Tape tape;
+    NodeId within, beyond;
+    NodeId level;  ///< NaN where the formula is NaN, which is outside too
+  };
+
   State(const std::string& text, const Bounds& bounds, const PlacedLattice& around)
       : formula(text, bounds),
         of_rows(formula.tape, formula.level, Batch::row),
@@ -116,7 +116,7 @@ void FormulaDomain::at(std::span<const Coord3> positions, std::span<Sign> out) c
 /// The axes are the world's and rounding is monotone: the corners of the box
 /// bound the coordinates of all its points as computed.
 Extent FormulaDomain::extent(const LatticeBox& box) const {
-  const CutFormula& formula = state_->formula;
+  const State::CutFormula& formula = state_->formula;
   const Point3 low = state_->frame.world(steps * box.low);
   const Point3 high = state_->frame.world(steps * box.high);
   std::array<Range, 3> sides;

@@ -1,5 +1,7 @@
 #include "functions.hpp"
 
+#include <array>
+
 namespace certet {
 namespace {
 
@@ -57,48 +59,49 @@ NodeId choose(Tape& tape, Operands of) {
   return tape.add(Operation::select, of[0], of[1], of[2]);
 }
 
-using enum Operation;
-
-constexpr FormulaFunction functions[] = {
-    {"abs", 1, one<absolute>},
-    {"sign", 1, one<sign>},
-    {"floor", 1, one<floor>},
-    {"ceil", 1, one<ceil>},
-    {"round", 1, one<round>},
-    {"trunc", 1, one<truncate>},
-    {"rint", 1, nearest},
-    {"sqrt", 1, one<square_root>},
-    {"exp", 1, one<exp>},
-    {"log", 1, one<log>},
-    {"ln", 1, one<log>},
-    {"log2", 1, one<log2>},
-    {"log10", 1, one<log10>},
-    {"sin", 1, one<sin>},
-    {"cos", 1, one<cos>},
-    {"tan", 1, one<tan>},
-    {"asin", 1, one<asin>},
-    {"acos", 1, one<acos>},
-    {"atan", 1, one<atan>},
-    {"sinh", 1, one<sinh>},
-    {"cosh", 1, one<cosh>},
-    {"tanh", 1, one<tanh>},
-    {"asinh", 1, one<asinh>},
-    {"acosh", 1, one<acosh>},
-    {"atanh", 1, one<atanh>},
-    {"not", 1, one<logical_not>},
-    {"atan2", 2, two<atan2>},
-    {"pow", 2, raise},
-    {"fmod", 2, two<remainder>},
-    {"clamp", 3, clamp},
-    {"mix", 3, mix},
-    {"if", 3, choose},
-    {"min", any_number, fold<minimum>},
-    {"max", any_number, fold<maximum>},
-    {"sum", any_number, fold<add>},
-    {"avg", any_number, average},
-    {"hypot", any_number, length},
-    {"length", any_number, length},
-};
+constexpr auto functions = [] {
+  using enum Operation;
+  return std::to_array<FormulaFunction>({
+      {"abs", 1, one<absolute>},
+      {"sign", 1, one<sign>},
+      {"floor", 1, one<floor>},
+      {"ceil", 1, one<ceil>},
+      {"round", 1, one<round>},
+      {"trunc", 1, one<truncate>},
+      {"rint", 1, nearest},
+      {"sqrt", 1, one<square_root>},
+      {"exp", 1, one<exp>},
+      {"log", 1, one<log>},
+      {"ln", 1, one<log>},
+      {"log2", 1, one<log2>},
+      {"log10", 1, one<log10>},
+      {"sin", 1, one<sin>},
+      {"cos", 1, one<cos>},
+      {"tan", 1, one<tan>},
+      {"asin", 1, one<asin>},
+      {"acos", 1, one<acos>},
+      {"atan", 1, one<atan>},
+      {"sinh", 1, one<sinh>},
+      {"cosh", 1, one<cosh>},
+      {"tanh", 1, one<tanh>},
+      {"asinh", 1, one<asinh>},
+      {"acosh", 1, one<acosh>},
+      {"atanh", 1, one<atanh>},
+      {"not", 1, one<logical_not>},
+      {"atan2", 2, two<atan2>},
+      {"pow", 2, raise},
+      {"fmod", 2, two<remainder>},
+      {"clamp", 3, clamp},
+      {"mix", 3, mix},
+      {"if", 3, choose},
+      {"min", any_number, fold<minimum>},
+      {"max", any_number, fold<maximum>},
+      {"sum", any_number, fold<add>},
+      {"avg", any_number, average},
+      {"hypot", any_number, length},
+      {"length", any_number, length},
+  });
+}();
 
 }  // namespace
 

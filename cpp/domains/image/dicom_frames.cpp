@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "dicom_elements.hpp"
+#include "geometry.hpp"
 #include "image_file.hpp"
 
 namespace certet {

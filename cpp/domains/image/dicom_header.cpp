@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::uint32_t undefined = 0xffffffff;
 constexpr std::uint32_t item = 0xfffee000, item_end = 0xfffee00d, sequence_end = 0xfffee0dd;
 constexpr std::uint32_t recognition_code = 0x00080010;  // of what was before DICOM
-constexpr std::uint32_t meta_length = 0x00020000, pixels = 0x7fe00010;
+constexpr std::uint32_t meta_length = 0x00020000;
 
 /// Types of values by whether 16 or 32 bits hold their length.
 constexpr std::string_view short_types =
@@ -179,8 +179,8 @@ class Walker {
       if (element.tag == item_end) return depth > 0 && element.length == 0;
       if (element.tag <= before) return false;
       before = element.tag;
-      const bool own_voxels = element.tag == pixels && depth == 0;
-      const bool icon = element.tag == pixels && depth > 0 && element.length == undefined;
+      const bool own_voxels = element.tag == pixel_data && depth == 0;
+      const bool icon = element.tag == pixel_data && depth > 0 && element.length == undefined;
       if (!(own_voxels ? voxels(element)
             : icon     ? fragments(end, false)
                        : value(element, end, depth)))

@@ -6,8 +6,6 @@
 namespace certet {
 namespace {
 
-constexpr std::uint32_t pixels = 0x7fe00010;
-
 /// The types of what places and shows an image.
 struct Type {
   std::uint32_t tag;
@@ -31,7 +29,7 @@ constexpr auto types = std::to_array<Type>({
     {0x00289145, "SQ"}, {0x00480006, "UL"}, {0x00540022, "SQ"}, {0x00620001, "CS"},
     {0x00620002, "SQ"}, {0x00620004, "US"}, {0x00620005, "LO"}, {0x0062000a, "SQ"},
     {0x0062000b, "US"}, {0x0062000e, "US"}, {0x00880200, "SQ"}, {0x3004000c, "DS"},
-    {0x3004000e, "DS"}, {0x52009229, "SQ"}, {0x52009230, "SQ"}, {pixels, "OB OW"},
+    {0x3004000e, "DS"}, {0x52009229, "SQ"}, {0x52009230, "SQ"}, {pixel_data, "OB OW"},
 });
 
 static_assert(std::ranges::is_sorted(types, {}, &Type::tag));

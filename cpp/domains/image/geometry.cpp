@@ -9,19 +9,15 @@
 namespace certet {
 namespace {
 
-[[noreturn]] void refuse(const Image& image, const std::string& reason) {
+[[noreturn]] void refuse_geometry(const Image& image, const std::string& reason) {
   throw Error(ErrorCode::bad_input, "'" + image.name + "' " + reason);
 }
 
 /// Deviations from an orthonormal matrix up to this are taken for rounding.
 constexpr double direction_tolerance = 1e-3;
 
-double dot(const Point3& a, const Point3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// The directions of the voxel axes.
-std::array<Point3, 3> columns(const Image& image) {
+std::array<Point3, 3> voxel_axes(const Image& image) {
   std::array<Point3, 3> column;
   for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t r = 0; r < 3; ++r) column[a][r] = image.axes[r][a];
@@ -34,24 +30,24 @@ const std::string not_orthonormal = "has a direction matrix that is not orthonor
                                std::size_t a, std::size_t b) {
   const double lengths = std::sqrt(dot(column[a], column[a]) * dot(column[b], column[b]));
   const double angle = std::acos(dot(column[a], column[b]) / lengths) * 180 / std::acos(-1.0);
-  if (!(angle > 0.1 && angle < 179.9)) refuse(image, not_orthonormal + "it is singular");
+  if (!(angle > 0.1 && angle < 179.9)) refuse_geometry(image, not_orthonormal + "it is singular");
   constexpr const char* names[3] = {"first", "second", "third"};
   std::array<char, 32> degrees{};
   std::snprintf(degrees.data(), degrees.size(), "%.1f", angle);
-  refuse(image, not_orthonormal + "it has shear, for its " + names[b] + " and " + names[a] +
-                    " axis meet at " + degrees.data() +
-                    " degrees; resample the image on a grid with right angles");
+  refuse_geometry(image, not_orthonormal + "it has shear, for its " + names[b] + " and " +
+                             names[a] + " axis meet at " + degrees.data() +
+                             " degrees; resample the image on a grid with right angles");
 }
 
 }  // namespace
 
 void judge_geometry(const Image& image) {
-  const auto column = columns(image);
+  const auto column = voxel_axes(image);
   for (std::size_t a = 0; a < 3; ++a) {
-    if (image.size[a] < 1) refuse(image, "has no voxels");
+    if (image.size[a] < 1) refuse_geometry(image, "has no voxels");
     if (!std::isfinite(image.spacing[a]) || image.spacing[a] <= 0)
-      refuse(image, "has a voxel spacing that is not a positive number");
-    if (!std::isfinite(image.origin[a])) refuse(image, "has an origin that is not finite");
+      refuse_geometry(image, "has a voxel spacing that is not a positive number");
+    if (!std::isfinite(image.origin[a])) refuse_geometry(image, "has an origin that is not finite");
   }
   for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t b = 0; b < a; ++b)
@@ -59,12 +55,12 @@ void judge_geometry(const Image& image) {
         refuse_angle(image, column, a, b);
   for (const Point3& axis : column)
     if (!(std::abs(dot(axis, axis) - 1) <= direction_tolerance))
-      refuse(image, not_orthonormal + "an axis is not of length 1");
+      refuse_geometry(image, not_orthonormal + "an axis is not of length 1");
 }
 
 /// Gram and Schmidt.
 void orthonormalise(Image& image) {
-  auto column = columns(image);
+  auto column = voxel_axes(image);
   for (std::size_t a = 0; a < 3; ++a) {
     for (std::size_t b = 0; b < a; ++b) {
       const double along = dot(column[a], column[b]);

@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_files = 100000;
-
 [[noreturn]] void refuse_missing(const fs::path& file, const fs::path& missing) {
   refuse(file, "is a header whose voxels are missing: there is no file '" + missing.string() + "'");
 }

@@ -8,8 +8,6 @@
 namespace certet {
 namespace {
 
-constexpr long most_files = 100000;
-
 /// What a pattern says: what is before and behind the number, and how wide it is.
 struct Pattern {
   std::string before, behind;

@@ -8,6 +8,9 @@
 
 namespace certet {
 
+/// More than this many files of one image are not looked for.
+inline constexpr long most_files = 100000;
+
 /// The files that `name%03d.raw first last step` names, beside the header, as NRRD
 /// and MetaImage have it; a step, and for NRRD a number of dimensions, may follow.
 /// Where the text is no such pattern, the one file that it is the name of.

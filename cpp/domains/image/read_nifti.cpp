@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text(double number) {
+std::string four_digits(double number) {
   char digits[32];
   std::snprintf(digits, sizeof digits, "%.4g", number);
   return digits;
@@ -66,7 +66,7 @@ NiftiPlace choose(const NiftiHeader& header, Image& image) {
   const double apart = distance(header, *header.sform, *header.qform);
   const double least = *std::min_element(header.spacing.begin(), header.spacing.end());
   if (apart > 0.1 * least)
-    image.notes.push_back("the file's qform and sform disagree, by up to " + text(apart) +
+    image.notes.push_back("the file's qform and sform disagree, by up to " + four_digits(apart) +
                           " mm; the sform was taken");
   return *header.sform;
 }

@@ -31,8 +31,6 @@ double rounded(double length) {
 
 bool is_near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
 
-double dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 void sort_slices(const fs::path& input, std::vector<Slice>& slices, const SliceForm& form) {
   for (Slice& slice : slices) {
     slice.along = dot(slice.origin, form.axes[2]);

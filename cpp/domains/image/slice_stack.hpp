@@ -45,6 +45,5 @@ Image slice_grid(const std::filesystem::path& input, const SliceForm& form, cons
                  std::size_t count, double distance);
 
 bool is_near(double a, double b, double tolerance);
-double dot(const Point3& a, const Point3& b);
 
 }  // namespace certet

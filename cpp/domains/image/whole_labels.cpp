@@ -22,14 +22,15 @@ struct Misfits {
   }
 };
 
-std::string text(double value) {
+std::string nine_digits(double value) {
   char digits[40];
   std::snprintf(digits, sizeof digits, "%.9g", value);
   return digits;
 }
 
-[[noreturn]] void refuse(const Image& image, const Misfits& misfits, const std::string& what,
-                         const std::string& advice, ErrorCode code = ErrorCode::bad_input) {
+[[noreturn]] void refuse_misfits(const Image& image, const Misfits& misfits,
+                                 const std::string& what, const std::string& advice,
+                                 ErrorCode code = ErrorCode::bad_input) {
   const bool one = misfits.count == 1;
   throw Error(code,
               "'" + image.name + "' has " + std::to_string(misfits.count) +
@@ -55,13 +56,14 @@ Buffer<std::int32_t> whole(const Image& image, const Buffer<T>& voxels,
     else if (!nan) nans.add(i);
   }
   if (fractions.count != 0)
-    refuse(image, fractions, "no labels, for they are not whole numbers",
-           " (" + text(voxels[fractions.first]) + "): choose a level with --iso",
+    refuse_misfits(image, fractions, "no labels, for they are not whole numbers",
+                   " (" + nine_digits(voxels[fractions.first]) + "): choose a level with --iso",
            ErrorCode::bad_option);
   if (nans.count != 0)
-    refuse(image, nans, "NaN", ": --nan N reads them as label N, --nan 0 as outside");
-  if (infinite.count != 0) refuse(image, infinite, "infinite, which no label is", "");
-  if (wide.count != 0) refuse(image, wide, "labels that do not fit 32 bits with a sign", "");
+    refuse_misfits(image, nans, "NaN", ": --nan N reads them as label N, --nan 0 as outside");
+  if (infinite.count != 0) refuse_misfits(image, infinite, "infinite, which no label is", "");
+  if (wide.count != 0)
+    refuse_misfits(image, wide, "labels that do not fit 32 bits with a sign", "");
   return labels;
 }
 

@@ -24,9 +24,9 @@ struct Crossing {
 };
 
 /// Lines along one axis, which is x here.
-class Lines {
+class ParallelLines {
  public:
-  Lines(std::vector<Coord3> points, const TriangleSurface& surface, bool parity)
+  ParallelLines(std::vector<Coord3> points, const TriangleSurface& surface, bool parity)
       : parity_(parity), low_(points[surface.triangles[0][0]]), high_(low_),
         columns_(std::move(points), surface.triangles) {
     for (std::uint32_t t = 0; t < columns_.size(); ++t)
@@ -124,7 +124,7 @@ Chords find_chords(const TriangleSurface& surface, bool parity, const Context& c
         const Coord3 c = round(surface.points[p]);
         points[p] = axis == 0 ? c : axis == 1 ? Coord3{c.y, c.z, c.x} : Coord3{c.z, c.x, c.y};
       }
-    Lines(std::move(points), surface, parity).find(round.step(), chords, context);
+    ParallelLines(std::move(points), surface, parity).find(round.step(), chords, context);
   }
   return chords;
 }

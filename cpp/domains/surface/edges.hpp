@@ -10,6 +10,9 @@
 
 namespace certet {
 
+/// The number of no point, edge, triangle or patch.
+inline constexpr std::uint32_t none = 0xffffffff;
+
 /// An edge between two points, low < high, and how many triangles run along it
 /// from low to high and back.
 struct SurfaceEdge {

@@ -12,8 +12,6 @@
 namespace certet {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffff;
-
 /// An end of an open edge at a point.
 struct End {
   std::uint32_t point, edge, other;

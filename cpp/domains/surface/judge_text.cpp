@@ -15,9 +15,9 @@ using formats::Cursor;
 using formats::InputFile;
 
 /// Lines, cut into words.
-class Lines {
+class TextLines {
  public:
-  explicit Lines(const InputFile& file) : file_(file), text_(file) {}
+  explicit TextLines(const InputFile& file) : file_(file), text_(file) {}
 
   /// Whether there was one more; empty ones too.
   bool next() {
@@ -67,7 +67,7 @@ class Lines {
 }  // namespace
 
 void judge_obj(const InputFile& file) {
-  Lines lines(file);
+  TextLines lines(file);
   std::int64_t points = 0, greatest = 0;
   std::uint64_t line_of_greatest = 0;
   while (lines.next()) {
@@ -100,7 +100,7 @@ void judge_obj(const InputFile& file) {
 }
 
 void judge_text_stl(const InputFile& file) {
-  Lines lines(file);
+  TextLines lines(file);
   std::uint64_t corners = 0, begun = 0;
   while (lines.next()) {
     const std::string_view first = lines.word();

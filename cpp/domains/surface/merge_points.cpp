@@ -31,7 +31,6 @@ std::vector<std::uint32_t> sorted_points(const TriangleSurface& surface) {
 void merge_equal_points(TriangleSurface& surface) {
   refuse_malformed(surface);
   std::vector<Point3>& points = surface.points;
-  constexpr std::uint32_t none = 0xffffffff;
   // The first of equal points stands for all; those that stay keep their order.
   std::vector<std::uint32_t> first(points.size(), none), number(points.size(), none);
   std::uint32_t before = none;

@@ -9,8 +9,6 @@
 namespace certet {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffff;
-
 /// Across an edge of two triangles.
 struct Neighbour {
   std::uint32_t triangle = none;

@@ -12,9 +12,9 @@ using formats::Cursor;
 using formats::InputFile;
 
 /// Words of lines that have some; `#` begins a remark.
-class Reader {
+class OffReader {
  public:
-  Reader(const InputFile& file, TriangleSurface& surface)
+  OffReader(const InputFile& file, TriangleSurface& surface)
       : file_(file), text_(file), surface_(surface) {}
 
   void read() {
@@ -107,6 +107,6 @@ class Reader {
 
 }  // namespace
 
-void read_off(const InputFile& file, TriangleSurface& surface) { Reader(file, surface).read(); }
+void read_off(const InputFile& file, TriangleSurface& surface) { OffReader(file, surface).read(); }
 
 }  // namespace certet

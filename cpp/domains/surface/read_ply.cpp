@@ -35,11 +35,11 @@ struct Element {
   std::vector<Property> properties;
 };
 
-class Reader {
+class PlyReader {
   static constexpr const char* blanks = " \t\r\v\f";
 
  public:
-  Reader(const InputFile& file, TriangleSurface& surface)
+  PlyReader(const InputFile& file, TriangleSurface& surface)
       : file_(file), text_(file), surface_(surface) {}
 
   void read() {
@@ -232,6 +232,6 @@ class Reader {
 
 }  // namespace
 
-void read_ply(const InputFile& file, TriangleSurface& surface) { Reader(file, surface).read(); }
+void read_ply(const InputFile& file, TriangleSurface& surface) { PlyReader(file, surface).read(); }
 
 }  // namespace certet

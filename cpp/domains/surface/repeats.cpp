@@ -11,8 +11,6 @@
 namespace certet {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffff;
-
 /// A triangle by its corners alone, and whether it runs around them upwards.
 struct Known {
   std::array<std::uint32_t, 3> corners;

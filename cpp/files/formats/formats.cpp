@@ -99,7 +99,7 @@ std::uint64_t file_bytes(Format format, const MeshSize& size) {
   return entry_of(format).bytes(size);
 }
 
-FileMesh read_mesh(const fs::path& file, const Context& context) {
+FileMesh read(const fs::path& file, const Context& context) {
   const Entry* entry = entry_of(file);
   if (entry != nullptr && entry->read != nullptr) return entry->read(file, context);
   std::string known;

@@ -1,5 +1,6 @@
 // Gmsh 2.2, ASCII: the version that most other programs read.
 
+#include "gmsh_elements.hpp"
 #include "gmsh_groups.hpp"
 #include "line.hpp"
 #include "registry.hpp"
@@ -19,8 +20,6 @@ class Gmsh22Writer final : public StreamedWriter {
   }
 
  private:
-  static constexpr int triangle = 2, tetrahedron = 4;
-
   void append(const Line& line) { text_.append_all(line.text()); }
 
   void put_points(std::uint64_t first, std::span<const Point3> points) override {
@@ -37,7 +36,7 @@ class Gmsh22Writer final : public StreamedWriter {
     for (std::size_t i = 0; i < tets.size(); ++i) {
       if (labels[i] != label_ || tag_ == 0) tag_ = groups_.tag_of(label_ = labels[i]);
       if (tag_ == 0) file_.fail("a tetrahedron has a label that was not announced");
-      put_element(first + i, tetrahedron, tag_, tets[i]);
+      put_element(first + i, gmsh_tetrahedron, tag_, tets[i]);
     }
   }
 
@@ -55,7 +54,7 @@ class Gmsh22Writer final : public StreamedWriter {
   void close() override {
     std::uint64_t number = size_.tets;
     for (const BoundaryFace& face : survey().boundary)
-      put_element(number++, triangle, GmshGroups::tag_of(face.patch), face.points);
+      put_element(number++, gmsh_triangle, GmshGroups::tag_of(face.patch), face.points);
     text_.append_text("$EndElements\n");
     text_.flush();
   }

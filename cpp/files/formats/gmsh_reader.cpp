@@ -8,6 +8,7 @@
 
 #include "certet/survey.hpp"
 #include "cursor.hpp"
+#include "gmsh_elements.hpp"
 #include "registry.hpp"
 
 namespace certet::formats {
@@ -17,7 +18,6 @@ namespace {
 constexpr std::array<std::uint8_t, 32> corners_of{0, 2, 3, 4, 4, 8, 6, 5, 3, 6, 9, 10, 27, 18, 14, 1,
                                                   8, 20, 15, 13, 9, 10, 12, 15, 15, 21, 4, 5, 6, 20,
                                                   35, 56};
-constexpr std::int32_t triangle = 2, tetrahedron = 4;
 
 /// Types that fill space.
 constexpr bool is_solid(std::int32_t type) {
@@ -44,7 +44,7 @@ class GmshReader {
   void take_tet(std::uint64_t tag, std::int32_t label);
   void judge_type(std::int32_t type) const;
   [[nodiscard]] bool is_border(std::int32_t type, std::int32_t group) const {
-    return type == triangle && border_group_ == group;
+    return type == gmsh_triangle && border_group_ == group;
   }
   std::int32_t read_entity(std::uint64_t coordinates);
 
@@ -209,7 +209,7 @@ void GmshReader::judge_type(std::int32_t type) const {
   if (type < 1 || type >= static_cast<std::int32_t>(corners_of.size()) ||
       corners_of[static_cast<std::size_t>(type)] == 0)
     file_.fail("it has elements of the type " + std::to_string(type) + ", which is not known");
-  if (is_solid(type) && type != tetrahedron)
+  if (is_solid(type) && type != gmsh_tetrahedron)
     file_.fail("it has cells other than tetrahedra of four nodes");
 }
 
@@ -226,12 +226,12 @@ void GmshReader::read_elements() {
     const auto corners = corners_of[static_cast<std::size_t>(type)];
     const std::uint64_t words = 1 + std::uint64_t{corners};
     const std::uint64_t count = judged(size(), words, 8 * words, "elements");
-    const auto& groups = type == triangle ? group_of_surface_ : group_of_volume_;
+    const auto& groups = type == gmsh_triangle ? group_of_surface_ : group_of_volume_;
     const auto group = groups.find(entity);
     const std::int32_t label = group == groups.end() ? entity : group->second;
     for (std::uint64_t i = 0; i < count; ++i) {
       const std::uint64_t tag = size();
-      if (type == tetrahedron) {
+      if (type == gmsh_tetrahedron) {
         take_tet(tag, label);
         for (std::uint64_t& point : mesh_.tets.back()) point = size();
       } else if (is_border(type, label)) {
@@ -280,11 +280,11 @@ void GmshReader::read_element_block_22(std::int32_t type, std::uint64_t count,
       if (t < 2 && label == 0) label = tag;
     }
     const bool border = is_border(type, label);
-    if (type == tetrahedron) take_tet(number, label);
+    if (type == gmsh_tetrahedron) take_tet(number, label);
     if (border) mesh_.border.emplace_back();
     for (int c = 0; c < corners_of[static_cast<std::size_t>(type)]; ++c) {
       const std::uint64_t point = tag_22();
-      if (type == tetrahedron) mesh_.tets.back()[static_cast<std::size_t>(c)] = point;
+      if (type == gmsh_tetrahedron) mesh_.tets.back()[static_cast<std::size_t>(c)] = point;
       if (border) mesh_.border.back()[static_cast<std::size_t>(c)] = point;
     }
   }

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "certet/bounds.hpp"
+#include "gmsh_elements.hpp"
 #include "gmsh_groups.hpp"
 #include "region_sections.hpp"
 #include "registry.hpp"
@@ -37,17 +39,11 @@ using Int = std::int32_t;
 using Size = std::uint64_t;
 
 constexpr Int surface_dimension = 2, volume_dimension = 3;
-constexpr Int triangle = 2, tetrahedron = 4;
 constexpr Size tet_bytes = 5 * sizeof(Size), face_bytes = 4 * sizeof(Size);
-
-/// The box around all points.
-struct Box {
-  Point3 low{}, high{};
-};
 
 /// A surface for each patch and a volume for each region, none with boundaries of
 /// its own.
-void add_entities(Bytes& bytes, const GmshGroups& groups, const Box& box) {
+void add_entities(Bytes& bytes, const GmshGroups& groups, const Bounds& box) {
   const auto add = [&](Int tag) { bytes.add(tag, box.low, box.high, Size{1}, tag, Size{0}); };
   bytes.text("$Entities\n");
   bytes.add(Size{0}, Size{0}, Size{groups.patches.size()}, Size{groups.regions.size()});
@@ -57,7 +53,7 @@ void add_entities(Bytes& bytes, const GmshGroups& groups, const Box& box) {
 }
 
 /// Everything before the nodes.  Its length does not depend on the box.
-Bytes header_of(const GmshGroups& groups, const Box& box) {
+Bytes header_of(const GmshGroups& groups, const Bounds& box) {
   Bytes bytes;
   bytes.text("$MeshFormat\n4.1 1 8\n").add(Int{1}).text("\n$EndMeshFormat\n");
   bytes.text(groups.names_section());
@@ -103,7 +99,7 @@ class GmshWriter final : public StreamedWriter {
   void close() override;
 
   GmshGroups groups_;
-  Box box_;
+  Bounds box_{};  ///< around all points
   std::optional<Section> tags_, coordinates_;
   RegionSections tets_;
   std::uint64_t end_ = 0;  ///< of what has a place in the file
@@ -143,7 +139,7 @@ void GmshWriter::open_tets() {
   for (std::size_t i = 0; i < groups_.regions.size(); ++i) {
     const Region& region = survey().regions[i];
     const Bytes heading =
-        block_heading(volume_dimension, groups_.regions[i].tag, tetrahedron, region.tets);
+        block_heading(volume_dimension, groups_.regions[i].tag, gmsh_tetrahedron, region.tets);
     end_ = tets_.open(region, end_, heading.all(), tet_bytes);
   }
 }
@@ -164,7 +160,7 @@ void GmshWriter::close() {
   for (const Patch patch : groups_.patches) {
     const Size faces = groups_.patch_faces[static_cast<std::size_t>(patch)];
     out.append(
-        block_heading(surface_dimension, GmshGroups::tag_of(patch), triangle, faces).all());
+        block_heading(surface_dimension, GmshGroups::tag_of(patch), gmsh_triangle, faces).all());
     for (const BoundaryFace& face : survey().boundary) {
       if (face.patch != patch) continue;
       const auto& [a, b, c] = face.points;

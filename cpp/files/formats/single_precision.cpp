@@ -10,7 +10,7 @@ namespace {
 
 constexpr double least_cosine = 0.99691733373312796;  // of 4.5 degrees
 
-float single(double number) {
+float nearest_single(double number) {
   constexpr double greatest = std::numeric_limits<float>::max();
   constexpr float infinite = std::numeric_limits<float>::infinity();
   if (std::fabs(number) > greatest) return number > 0 ? infinite : -infinite;
@@ -46,7 +46,9 @@ struct Placed {
 
 }  // namespace
 
-Single3 single(const Point3& p) { return {single(p[0]), single(p[1]), single(p[2])}; }
+Single3 single(const Point3& p) {
+  return {nearest_single(p[0]), nearest_single(p[1]), nearest_single(p[2])};
+}
 
 Point3 normal_of(const Triangle3& triangle) {
   const auto& [a, b, c] = triangle;

@@ -5,10 +5,10 @@
 namespace certet::formats {
 namespace {
 
-constexpr std::size_t batch = 1024;
+constexpr std::size_t tets_at_once = 1024;
 
-constexpr std::array<std::int32_t, batch> only_labels = [] {
-  std::array<std::int32_t, batch> labels{};
+constexpr std::array<std::int32_t, tets_at_once> only_labels = [] {
+  std::array<std::int32_t, tets_at_once> labels{};
   labels.fill(only_label);
   return labels;
 }();
@@ -36,9 +36,9 @@ void StreamedWriter::take(std::span<const Tet<Index>> tets,
                           std::span<const std::int32_t> labels) {
   announced_.tets(tets, labels);
   open_tets_once();
-  std::array<Tet<std::uint64_t>, batch> wide;
-  for (std::size_t begin = 0; begin < tets.size(); begin += batch) {
-    const std::size_t count = std::min(batch, tets.size() - begin);
+  std::array<Tet<std::uint64_t>, tets_at_once> wide;
+  for (std::size_t begin = 0; begin < tets.size(); begin += tets_at_once) {
+    const std::size_t count = std::min(tets_at_once, tets.size() - begin);
     for (std::size_t i = 0; i < count; ++i)
       std::ranges::copy(tets[begin + i], wide[i].begin());
     put_tets(tets_, std::span(wide).first(count),

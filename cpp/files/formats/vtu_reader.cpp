@@ -12,7 +12,7 @@
 namespace certet::formats {
 namespace {
 
-constexpr std::size_t batch = 1 << 16;
+constexpr std::size_t numbers_at_once = 1 << 16;
 
 struct NumberType {
   std::string_view name;
@@ -98,10 +98,10 @@ template <class From, class To, class Work>
 void VtuReader::for_each_of(const Array& array, Work work) const {
   const std::uint64_t bytes = array.count * sizeof(From);
   const auto source = open_vtu_array(file_, header_, array.name, array.entry, bytes, data_end_);
-  std::vector<From> numbers(std::min<std::uint64_t>(batch, array.count));
-  for (std::uint64_t first = 0; first < array.count; first += batch) {
+  std::vector<From> numbers(std::min<std::uint64_t>(numbers_at_once, array.count));
+  for (std::uint64_t first = 0; first < array.count; first += numbers_at_once) {
     const std::span<From> part =
-        std::span(numbers).first(std::min<std::uint64_t>(batch, array.count - first));
+        std::span(numbers).first(std::min<std::uint64_t>(numbers_at_once, array.count - first));
     source->read(std::as_writable_bytes(part));
     for (const From number : part) work(static_cast<To>(number));
   }

@@ -11,7 +11,7 @@ namespace certet::formats {
 namespace {
 
 /// Numbers that are made, or made narrower or wider, on their way to the file.
-constexpr std::size_t batch = 4096;
+constexpr std::size_t values_at_once = 4096;
 
 /// The bytes of an array, after its size.
 class ArraySection {
@@ -29,9 +29,9 @@ class ArraySection {
   /// Appends value(0), value(1), … value(count - 1).
   template <class T, class Value>
   void generate(std::uint64_t count, Value value) {
-    std::array<T, batch> values;
-    for (std::uint64_t begin = 0; begin < count; begin += batch) {
-      const std::size_t size = std::min<std::uint64_t>(batch, count - begin);
+    std::array<T, values_at_once> values;
+    for (std::uint64_t begin = 0; begin < count; begin += values_at_once) {
+      const std::size_t size = std::min<std::uint64_t>(values_at_once, count - begin);
       for (std::size_t i = 0; i < size; ++i) values[i] = static_cast<T>(value(begin + i));
       append(std::span<const T>(values).first(size));
     }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,7 +19,7 @@
 #include "certet/buffer.hpp"
 #include "certet/context.hpp"
 #include "certet/placed_domain.hpp"
-#include "certet/survey.hpp"
+#include "certet/labels.hpp"
 
 namespace certet {
 
@@ -40,7 +41,7 @@ struct Image {
   /// Row major; column a is the direction of voxel axis a.  Orthonormal, but
   /// right-handed or left-handed.
   std::array<std::array<double, 3>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  Voxels voxels;
+  Voxels voxels = {};
   LabelNames names = {};  ///< of labels, where the file tells some
   std::vector<std::string> notes = {};  ///< what is doubtful about it, a sentence each
 
@@ -76,7 +77,8 @@ struct ImageChoice {
 /// series are not equally spaced; `bad_option` where a folder holds several series
 /// or not the one chosen; `too_large` where the voxels need more than `max_bytes`.
 /// The sentence names the file.
-Image read_image(const std::filesystem::path& file, std::uint64_t max_bytes,
+Image read_image(const std::filesystem::path& file,
+                 std::uint64_t max_bytes = std::numeric_limits<std::uint64_t>::max(),
                  const ImageChoice& choice = {});
 
 /// The image with labels for voxels: as it is where they are whole numbers already,
@@ -198,13 +200,14 @@ void find_certain_size(const Image& image, std::optional<double> level,
                        std::vector<ImageRegion>& regions, std::size_t which);
 
 /// The same of an image that nobody else needs.
-inline std::unique_ptr<PlacedDomain> label_domain(Image image, std::vector<LabelRange> labels,
-                                                 const ImageLattice& lattice) {
+inline std::unique_ptr<PlacedDomain> label_domain(Image image,
+                                                  std::vector<LabelRange> labels = {},
+                                                  const ImageLattice& lattice = {}) {
   return label_domain(std::make_shared<const Image>(std::move(image)), std::move(labels),
                       lattice);
 }
 inline std::unique_ptr<PlacedDomain> level_domain(Image image, double level,
-                                                 const ImageLattice& lattice) {
+                                                 const ImageLattice& lattice = {}) {
   return level_domain(std::make_shared<const Image>(std::move(image)), level, lattice);
 }
 

@@ -5,12 +5,16 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "certet/context.hpp"
 #include "certet/domain.hpp"
 #include "certet/lattice.hpp"
+#include "certet/lattice/lattice_limits.hpp"
 #include "certet/mesh.hpp"
 #include "certet/method.hpp"
+#include "certet/placed_domain.hpp"
+#include "certet/warp_figures.hpp"
 
 namespace certet {
 
@@ -39,6 +43,8 @@ class Stuffing {
   /// All-zero tetrahedra that `Method::angles` had inverted; if there were any, the
   /// mesh was warped anew by `Method::embedding`.
   [[nodiscard]] std::uint64_t inverted_tets() const;
+  /// What became of the violated vertices, if they settled (`Method::embedded`); else all is 0.
+  [[nodiscard]] const WarpFigures& warp_figures() const;
 
   /// Number of layers; layers are numbered from 0.
   [[nodiscard]] std::int32_t layers() const;
@@ -96,7 +102,15 @@ class Stuffing {
   std::unique_ptr<State> state_;
 };
 
-/// The whole mesh in memory.  \throws Error as `Stuffing` and `emit`, and `empty_domain`.
+/// The mesh of a shape, in memory, by the method asked for or, where
+/// `Method::angles` would turn over a tetrahedron that is dropped, by
+/// `Method::embedding`: `Mesh::method` says which.
+/// \throws Error `empty_domain` (nothing is inside at this size), `too_large`
+/// (memory, coordinate range), `cancelled`; what the domain throws.
+Mesh mesh(const PlacedDomain& domain, Method method, Context& context);
+Mesh mesh(const PlacedDomain& domain, Method method = Method::embedded);
+
+/// The whole mesh in memory, of a domain that does not know where it lies.  \throws Error as `Stuffing` and `emit`, and `empty_domain`.
 Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame,
            Method method, Context& context);
 

@@ -5,21 +5,18 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "certet/context.hpp"
+#include "certet/labels.hpp"
 #include "certet/material_runs.hpp"
 #include "certet/mesh.hpp"
 #include "certet/stuffing.hpp"
 
 namespace certet {
-
-/// The names of labels, in UTF-8 or whatever the input had.
-using LabelNames = std::map<std::int32_t, std::string>;
 
 /// The label of all tetrahedra of a mesh without labels.
 inline constexpr std::int32_t only_label = 1;
@@ -63,10 +60,12 @@ struct Survey {
 /// \throws Error `cancelled`, `too_large` (out of memory); what the domain throws.
 Survey survey(const Stuffing& stuffing, Context& context);
 
-/// Surveys a mesh in memory; `labels` is empty or as long as `tets`.  Tetrahedra
+/// Surveys a mesh in memory of so many points; `labels` is empty or as long as `tets`.  Tetrahedra
 /// that name a point which is not there, or one twice, have no faces.  All faces
 /// belong to the patch `surface`.
 /// \throws Error `cancelled`.
+Survey survey(std::uint64_t points, std::span<const Tet<std::uint32_t>> tets,
+              std::span<const std::int32_t> labels, Context& context);
 Survey survey(std::uint64_t points, std::span<const Tet<std::uint64_t>> tets,
               std::span<const std::int32_t> labels, Context& context);
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace certet::quality {
+namespace certet::core {
 namespace {
 
 /// cos |cos| of the lower end of a bin, 0 <= bin <= Quality::bins.
@@ -39,4 +39,4 @@ const AngleBins& angle_bins() {
   return bins;
 }
 
-}  // namespace certet::quality
+}  // namespace certet::core

@@ -7,7 +7,7 @@
 
 #include "certet/quality.hpp"
 
-namespace certet::quality {
+namespace certet::core {
 
 /// Bins by the square of the cosine, with the cosine's sign: it falls from 1 to
 /// -1 as the angle grows from 0 to 180 degrees, needs no square root, and is
@@ -41,4 +41,4 @@ class AngleBins {
 /// The one table, made at first use.
 const AngleBins& angle_bins();
 
-}  // namespace certet::quality
+}  // namespace certet::core

@@ -7,7 +7,7 @@
 
 #include "certet/quality.hpp"
 
-namespace certet::quality {
+namespace certet::core {
 
 /// The angle in degrees of which cot |cot| is given.
 inline double degrees_of(double signed_squared_cotangent) {
@@ -26,4 +26,4 @@ inline double long_edges_cubed(const WideSum& steps_volume) {
   return std::ldexp(steps_volume.value(), -3 * (step_bits + 1)) / 6;
 }
 
-}  // namespace certet::quality
+}  // namespace certet::core

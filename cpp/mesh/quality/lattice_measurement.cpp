@@ -5,7 +5,7 @@
 #include "certet/error.hpp"
 #include "extremes.hpp"
 
-namespace certet::quality {
+namespace certet::core {
 namespace {
 
 [[noreturn]] void refuse(const char* sentence) { throw Error(ErrorCode::bad_input, sentence); }
@@ -60,4 +60,4 @@ Quality LatticeMeasurement::result() {
   return quality;
 }
 
-}  // namespace certet::quality
+}  // namespace certet::core

@@ -11,7 +11,7 @@
 #include "measurement.hpp"
 #include "shape_counter.hpp"
 
-namespace certet::quality {
+namespace certet::core {
 
 /// Measures every shape once for all its copies.  Every tetrahedron is looked at:
 /// those whose edges are the same integer vectors are copies of each other.
@@ -39,4 +39,4 @@ class LatticeMeasurement {
   std::array<std::int64_t, lanes> exact_{};  ///< determinants
 };
 
-}  // namespace certet::quality
+}  // namespace certet::core

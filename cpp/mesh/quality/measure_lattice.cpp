@@ -8,7 +8,7 @@ namespace {
 template <class Index>
 Quality lattice(std::span<const Coord3> points, std::uint64_t first_point,
                 std::span<const Tet<Index>> tets) {
-  quality::LatticeMeasurement measurement(points);
+  core::LatticeMeasurement measurement(points);
   core::for_each_batch<Index>(points, first_point, tets,
                               [&](std::size_t, std::span<const TetCorners> corners) {
                                 measurement.add(corners);

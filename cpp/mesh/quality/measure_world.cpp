@@ -7,11 +7,11 @@
 namespace certet {
 namespace {
 
-using quality::CarefulTet;
-using quality::Copies;
-using quality::lanes;
-using quality::Measurement;
-using quality::TetBlock;
+using core::CarefulTet;
+using core::Copies;
+using core::lanes;
+using core::Measurement;
+using core::TetBlock;
 
 /// Copies of lanes that stand for one tetrahedron each.
 constexpr Copies one_each = [] {
@@ -21,9 +21,9 @@ constexpr Copies one_each = [] {
 }();
 
 /// The sum of the lanes that are finite.
-double sum(quality::Lanes values) {
+double sum(core::Lanes values) {
   for (double& value : values) value = std::isfinite(value) ? value : 0;
-  return quality::folded(values, [](double a, double b) { return a + b; });
+  return core::folded(values, [](double a, double b) { return a + b; });
 }
 
 template <class Index>

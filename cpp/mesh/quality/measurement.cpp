@@ -6,7 +6,7 @@
 
 #include "extremes.hpp"
 
-namespace certet::quality {
+namespace certet::core {
 namespace {
 
 /// Beyond this cos |cos| the cosine tells angles apart no better than to
@@ -87,4 +87,4 @@ Quality Measurement::result() {
   return quality_;
 }
 
-}  // namespace certet::quality
+}  // namespace certet::core

@@ -9,7 +9,7 @@
 #include "certet/quality.hpp"
 #include "tet_block.hpp"
 
-namespace certet::quality {
+namespace certet::core {
 
 /// How many tetrahedra each lane stands for.
 using Copies = std::array<std::uint64_t, lanes>;
@@ -77,4 +77,4 @@ void Measurement::add(TetBlock& block, std::size_t count, const Copies& copies,
   count_angles(block, count, counted);
 }
 
-}  // namespace certet::quality
+}  // namespace certet::core

@@ -88,4 +88,6 @@ PlacedQuality measure_placed(const Mesh& mesh, std::span<const Point3> world) {
   return placed;
 }
 
+PlacedQuality quality(const Mesh& mesh) { return measure_placed(mesh, world_points(mesh)); }
+
 }  // namespace certet

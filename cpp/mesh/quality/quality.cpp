@@ -41,11 +41,11 @@ Quality& Quality::operator+=(const Quality& other) {
   for (std::size_t i = 0; i < histogram.size(); ++i) histogram[i] += other.histogram[i];
   steps_volume += other.steps_volume;
   volume = steps_volume == WideSum{} ? volume + other.volume
-                                     : quality::long_edges_cubed(steps_volume);
+                                     : core::long_edges_cubed(steps_volume);
   sharpest = std::max(sharpest, other.sharpest);
   bluntest = std::min(bluntest, other.bluntest);
   least_face = std::min(least_face, other.least_face);
-  quality::set_extremes(*this);
+  core::set_extremes(*this);
   return *this;
 }
 

@@ -11,7 +11,7 @@
 #include "certet/lattice/coord3.hpp"
 #include "tet_block.hpp"
 
-namespace certet::quality {
+namespace certet::core {
 
 /// Edges of which no coordinate is greater have a determinant that fits 64 bits,
 /// with all its intermediate values (`VolumesFit` of the certificate); those of
@@ -134,4 +134,4 @@ class ShapeCounter {
   std::uint32_t last_ = 0;
 };
 
-}  // namespace certet::quality
+}  // namespace certet::core

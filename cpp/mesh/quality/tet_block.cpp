@@ -5,7 +5,7 @@
 
 #include "angle_bins.hpp"
 
-namespace certet::quality {
+namespace certet::core {
 namespace {
 
 struct Vector {
@@ -150,4 +150,4 @@ std::array<double, 6> CarefulTet::signed_squared_cotangents() const {
           at(n1, n2, c),     at(n1, n3, b),     at(n2, n3, a)};
 }
 
-}  // namespace certet::quality
+}  // namespace certet::core

@@ -10,7 +10,7 @@
 #include "certet/frame.hpp"
 #include "certet/quality.hpp"
 
-namespace certet::quality {
+namespace certet::core {
 
 inline constexpr std::size_t lanes = 64;
 using Lanes = std::array<double, lanes>;
@@ -88,4 +88,4 @@ class CarefulTet {
   double six_volume_;  ///< of the scaled edges; zero if any is not finite
 };
 
-}  // namespace certet::quality
+}  // namespace certet::core

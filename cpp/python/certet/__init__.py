@@ -1,18 +1,19 @@
 """Tetrahedral meshes with proven angles, by isosurface stuffing.
 
     import certet
-    mesh = certet.mesh_image(labels, spacing=(1, 1, 1), size=1.5)
+    mesh = certet.mesh(labels, spacing=(1, 1, 1), size=1.5)
     mesh.points, mesh.tets, mesh.labels          # NumPy arrays that share the mesh's memory
-    mesh.to_meshio().write("brain.vtu")
+    certet.write(mesh, "brain.vtu")
 
-Three functions make meshes: `mesh_image` of voxels, `mesh_function` of a function that is
-negative inside, `mesh_surface` of closed triangles.  They run on all cores without Python's
-lock; Ctrl-C stops them.  What they refuse is a `ValueError` with one sentence, a lattice or
+`mesh` makes one of voxels, of a function that is negative inside, or of closed triangles; so do
+`mesh_image`, `mesh_function` and `mesh_surface`, each for one of these.  `write`, `read`, `check`
+and `quality` do what they say.  They run on all cores without Python's lock; Ctrl-C stops them.  What they refuse is a `ValueError` with one sentence, a lattice or
 mesh that is too large a `MemoryError`.
 """
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, Literal, NamedTuple
 
@@ -21,12 +22,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _certet
 
-__all__ = ["Mesh", "Quality", "mesh_function", "mesh_image", "mesh_surface"]
+__all__ = ["CheckReport", "FileMesh", "Mesh", "Quality", "check", "mesh", "mesh_function",
+           "mesh_image", "mesh_surface", "quality", "read", "write"]
 __version__: str = _certet.version
 
 Cuts = Literal["bisect", "midpoint"]
 Guarantee = Literal["angles", "embedding"]
-Method = Literal["angles", "embedding", "midpoint"]
+Method = Literal["embedded", "angles", "embedding", "midpoint"]
 
 
 class Quality(NamedTuple):
@@ -38,13 +40,58 @@ class Quality(NamedTuple):
     max_dihedral: float
     histogram: NDArray[np.uint64]
     """Shape (36,): all six dihedral angles of each tetrahedron, in bins of 5 degrees."""
-    theorem: str
-    """The theorem of the certificate for such meshes; it covers this one where `holds`."""
-    proven_min: float
-    proven_max: float
-    holds: bool
+    theorem: str | None = None
+    """The theorem of the certificate for such meshes; it covers this one where `holds`.  None,
+    and so the next three, of a mesh from a file, which does not tell how it was made."""
+    proven_min: float | None = None
+    proven_max: float | None = None
+    holds: bool | None = None
     """Whether all tetrahedra are positive and all angles within the proven bounds: exactly in
     the lattice, and to a thousandth of a degree in the world, where no two points coincide."""
+
+
+class CheckReport(NamedTuple):
+    """What `check` found."""
+
+    failures: list[str]
+    """One sentence for each broken property; empty: all is well."""
+    points: int
+    tets: int
+    boundary_faces: int
+
+
+class FileMesh:
+    """A mesh as a file holds it.  Its arrays share the memory of the mesh and keep it alive."""
+
+    def __init__(self, inner: _certet.FileMesh) -> None:
+        self._inner = inner
+
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """Shape (n, 3): the file's coordinates."""
+        return self._inner.points
+
+    @property
+    def tets(self) -> NDArray[np.uint64]:
+        """Shape (m, 4): numbers of points."""
+        return self._inner.tets
+
+    @property
+    def labels(self) -> NDArray[np.int32] | None:
+        """Shape (m,): the label of each tetrahedron, where the file has any."""
+        return self._inner.labels
+
+    @property
+    def names(self) -> dict[int, str]:
+        """What labels are called, where the file tells."""
+        return self._inner.names
+
+    def quality(self) -> Quality:
+        """Measures every tetrahedron, in the file's coordinates."""
+        return _quality(self._inner.quality())
+
+    def __repr__(self) -> str:
+        return f"<certet.FileMesh of {len(self.points)} points and {len(self.tets)} tetrahedra>"
 
 
 class Mesh:
@@ -117,8 +164,7 @@ class Mesh:
 
     def quality(self) -> Quality:
         """Measures every tetrahedron, in exact and in world coordinates."""
-        found = self._inner.quality()
-        return Quality(**{**found, "histogram": np.asarray(found["histogram"], np.uint64)})
+        return _quality(self._inner.quality())
 
     def to_meshio(self) -> Any:
         """A `meshio.Mesh` with the cell data `label`, if there are labels."""
@@ -129,6 +175,63 @@ class Mesh:
 
     def __repr__(self) -> str:
         return f"<certet.Mesh of {len(self.points)} points and {len(self.tets)} tetrahedra>"
+
+
+def mesh(shape: Any, **options: Any) -> Mesh:
+    """Meshes a shape, by what it is.
+
+    Parameters
+    ----------
+    shape : a function that is negative inside, as `mesh_function` takes; a pair (points,
+        triangles), as `mesh_surface` does; or an array of voxels, as `mesh_image` does
+    options : those of that function, by name; `bounds` is required for a function
+
+    Raises
+    ------
+    ValueError, MemoryError : as `mesh_image`
+    """
+    if callable(shape):
+        return mesh_function(shape, **options)
+    if isinstance(shape, tuple) and len(shape) == 2:
+        return mesh_surface(*shape, **options)
+    return mesh_image(shape, **options)
+
+
+def write(mesh: Mesh | FileMesh, file: str | os.PathLike[str], format: str | None = None) -> None:
+    """Writes a mesh, in world coordinates, as `certet mesh` does: with its regions, their names and
+    the patches of its boundary where the format has them.
+
+    Parameters
+    ----------
+    format : a name that `certet mesh --format` knows (default: by the extension)
+
+    Raises
+    ------
+    ValueError : an unknown format, a file that cannot be written, a mesh that doubles cannot hold
+        where it lies
+    """
+    _certet.write(mesh._inner, file, format)
+
+
+def read(file: str | os.PathLike[str]) -> FileMesh:
+    """Reads a .vtu, .mesh, .meshb or .msh file.
+
+    Raises
+    ------
+    ValueError : a file that cannot be read, or is not what it should be
+    """
+    return FileMesh(_certet.read(file))
+
+
+def check(mesh: Mesh | FileMesh) -> CheckReport:
+    """Verifies a mesh anew, from its points and tetrahedra alone: conforming, closed, positive,
+    every point used, finite and by itself."""
+    return CheckReport(**_certet.check(mesh._inner))
+
+
+def quality(mesh: Mesh | FileMesh) -> Quality:
+    """Measures every tetrahedron of a mesh; `mesh.quality()` is the same."""
+    return mesh.quality()
 
 
 def mesh_image(
@@ -143,7 +246,7 @@ def mesh_image(
     margin: int = 2,
     method: Method | None = None,
     cuts: Cuts = "bisect",
-    guarantee: Guarantee = "angles",
+    guarantee: Guarantee | None = None,
     threads: int = 0,
 ) -> Mesh:
     """Meshes voxels: chosen labels, or where a grayscale image is above `iso`.
@@ -160,11 +263,13 @@ def mesh_image(
     iso : the level; then `labels` must be None
     size : the long edge of the lattice, in world units (default: the smallest spacing)
     margin : cells of the lattice around the solid, at least 1
-    method : "angles" (default; dihedral angles from 10.77 to 164.76 degrees), "embedding" (from
-        9.27 to 161.46, and the mesh embeds) or "midpoint" (from 30 to 135: edges are cut in
+    method : "embedded" (default: dihedral angles from 10.77 to 164.76 degrees, no tetrahedra
+        overlap, the surface is a manifold, and no piece of the samples is lost, cut or joined to
+        another), "angles" and "embedding" (the paper's rule with either of its thresholds; from
+        9.27 to 161.46 degrees with the second) or "midpoint" (from 30 to 135: edges are cut in
         the middle, whatever the surface does between its ends)
     cuts, guarantee : the same in two older words, where there is no `method`: cuts="midpoint",
-        or guarantee="embedding"
+        or guarantee="angles" or "embedding"
     threads : 0 takes all cores; the mesh does not depend on it
 
     Raises
@@ -191,7 +296,7 @@ def mesh_function(
     margin: int = 2,
     method: Method | None = None,
     cuts: Cuts = "bisect",
-    guarantee: Guarantee = "angles",
+    guarantee: Guarantee | None = None,
     threads: int = 0,
 ) -> Mesh:
     """Meshes where a function is negative.
@@ -223,7 +328,7 @@ def mesh_surface(
     margin: int = 2,
     method: Method | None = None,
     cuts: Cuts = "bisect",
-    guarantee: Guarantee = "angles",
+    guarantee: Guarantee | None = None,
     threads: int = 0,
 ) -> Mesh:
     """Meshes the inside of a closed surface.
@@ -250,6 +355,10 @@ def mesh_surface(
                                      _options(method, cuts, guarantee, threads)))
 
 
+def _quality(found: dict[str, Any]) -> Quality:
+    return Quality(**{**found, "histogram": np.asarray(found["histogram"], np.uint64)})
+
+
 def _three(numbers: Sequence[float]) -> tuple[float, float, float]:
     x, y, z = numbers
     return float(x), float(y), float(z)
@@ -264,13 +373,13 @@ def _size(size: float | None) -> float:
     return float(size)
 
 
-def _options(method: str | None, cuts: str, guarantee: str, threads: int) -> _certet.Options:
+def _options(method: str | None, cuts: str, guarantee: str | None, threads: int) -> _certet.Options:
     if cuts not in ("bisect", "midpoint"):
         raise ValueError(f"cuts is 'bisect' or 'midpoint', not {cuts!r}")
-    if guarantee not in ("angles", "embedding"):
+    if guarantee not in (None, "angles", "embedding"):
         raise ValueError(f"guarantee is 'angles' or 'embedding', not {guarantee!r}")
     if method is None:
-        method = "midpoint" if cuts == "midpoint" else guarantee
-    elif (cuts, guarantee) != ("bisect", "angles"):
+        method = "midpoint" if cuts == "midpoint" else guarantee or "embedded"
+    elif (cuts, guarantee) != ("bisect", None):
         raise ValueError("method says all that cuts and guarantee do: give one or the others")
     return _certet.Options(method, threads)

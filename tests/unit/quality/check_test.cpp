@@ -200,8 +200,8 @@ TEST(Faces, WideKeysFindWhatNarrowOnesFind) {
   const std::span<const Tet32> tets(mesh.tets);
   const auto all = [](std::size_t) { return true; };
   Context context;
-  const auto narrow = quality::find_faces<quality::NarrowFace>(mesh.points.size(), tets, all, context);
-  const auto wide = quality::find_faces<quality::WideFace>(mesh.points.size(), tets, all, context);
+  const auto narrow = core::find_faces<core::NarrowFace>(mesh.points.size(), tets, all, context);
+  const auto wide = core::find_faces<core::WideFace>(mesh.points.size(), tets, all, context);
   EXPECT_GT(narrow.misoriented, 0u);
   EXPECT_EQ(narrow.misoriented, wide.misoriented);
   EXPECT_EQ(narrow.overfull, wide.overfull);
@@ -213,23 +213,23 @@ TEST(Faces, WideKeysFindWhatNarrowOnesFind) {
 }
 
 TEST(Faces, KeysHoldTheGreatestPoints) {
-  constexpr std::uint64_t last = quality::NarrowFace::point_limit - 1;
+  constexpr std::uint64_t last = core::NarrowFace::point_limit - 1;
   for (const bool reversed : {false, true}) {
-    const quality::Face face = quality::NarrowFace(last - 1, last, reversed).face(last - 2);
+    const core::Face face = core::NarrowFace(last - 1, last, reversed).face(last - 2);
     EXPECT_EQ(face.points, (std::array<std::uint64_t, 3>{last - 2, last - 1, last}));
     EXPECT_EQ(face.reversed, reversed);
   }
 }
 
 TEST(Faces, ASurfaceWithAMissingOrATurnedTriangleIsOpen) {
-  std::vector<quality::Face> surface = {
+  std::vector<core::Face> surface = {
       {{0, 1, 2}, true}, {{0, 1, 3}, false}, {{0, 2, 3}, true}, {{1, 2, 3}, false}};
   Context context;
-  EXPECT_EQ(quality::find_edges(4, surface, context).open, 0u);
+  EXPECT_EQ(core::find_edges(4, surface, context).open, 0u);
   surface[1].reversed = true;
-  EXPECT_EQ(quality::find_edges(4, surface, context).open, 3u);
+  EXPECT_EQ(core::find_edges(4, surface, context).open, 3u);
   surface.erase(surface.begin() + 1);
-  EXPECT_EQ(quality::find_edges(4, surface, context).open, 3u);
+  EXPECT_EQ(core::find_edges(4, surface, context).open, 3u);
 }
 
 }  // namespace

@@ -65,6 +65,10 @@ TEST(Quality, NothingAddsNothing) {
 }
 
 TEST(Methods, PromiseWhatTheirTheoremsDo) {
+  const AngleBounds& embedded = facts(Method::embedded).bounds;
+  EXPECT_EQ(embedded.theorem, "RuledBoundsInDegrees");
+  EXPECT_EQ(embedded.min_dihedral, 10.77);
+  EXPECT_EQ(embedded.max_dihedral, 164.76);
   const AngleBounds& angles = facts(Method::angles).bounds;
   EXPECT_EQ(angles.theorem, "DihedralBounds");
   EXPECT_EQ(angles.min_dihedral, 10.77);
@@ -85,7 +89,7 @@ TEST(Methods, AreFoundByTheirNames) {
     EXPECT_EQ(method_named(methods[row].name), methods[row].method);
   }
   EXPECT_EQ(method_named("bisect"), std::nullopt);
-  EXPECT_EQ(method_names(), "angles, embedding, midpoint");
+  EXPECT_EQ(method_names(), "embedded, angles, embedding, midpoint");
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// The stencils: how signs turn a structured tetrahedron into the tetrahedra of
-/// the output (section 3.2 of the paper).
+/// the output (section 3.2 of the paper).  Picture: cpp/docs/pictures/stencils.svg.
 
 #include <array>
 #include <cstddef>

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
 /// The structured tetrahedra of the lattice (section 3.1 of the paper).
+/// Picture: cpp/docs/pictures/lattice.svg.
 
 #include <array>
 #include <cstdint>
