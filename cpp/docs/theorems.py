@@ -141,7 +141,7 @@ def page(repository, text):
         proofs = list(dict.fromkeys(proof for _, proof in theorems if proof))
         cells = [row["says"], "<br>".join(link for link, _ in theorems),
                  "<br>".join(f"[{p.removeprefix('coq/')}](../../{p})" for p in proofs),
-                 "<br>".join(str(look(repository.function, name)) for name in row["runs"]),
+                 "<br>".join(str(look(repository.function, name)) for name in row.get("runs", [])) or "-",
                  "<br>".join(f"{file}: " + ", ".join(str(look(repository.code, file, name)) for name in names)
                              for file, names in row["code"]),
                  "<br>".join(str(look(repository.test, name)) for name in row["test"])]

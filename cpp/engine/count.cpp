@@ -9,7 +9,8 @@
 namespace certet::core {
 namespace {
 
-/// The lengths of 64 stencils at once.  A stencil has one tetrahedron if any
+/// The lengths of 64 stencils at once, by their corners' bits, so that counting looks up
+/// no table.  A stencil has one tetrahedron if any
 /// corner is plus, one more if there is also a minus and a second plus, and a
 /// third if, besides, no corner is zero.
 struct StencilCounts {

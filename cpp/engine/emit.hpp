@@ -6,6 +6,7 @@
 /// `numbers`, row by row.  \throws Error `bad_option` if `out` has another size;
 /// `cancelled`.
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -41,7 +42,20 @@ void emit_materials(const Domain& domain, const RowNumbers& numbers, const Latti
                     std::span<const Tet<Index>> tets, std::span<Material> out, Context& context);
 
 /// Puts labels, that of material m being labels[m - 1], in the place of materials; 0
-/// for what is outside.
-void labels_in_place(std::span<Material> materials, std::span<const std::int32_t> labels);
+/// for what is outside.  Calls visit(label, count) for each run of equal ones.
+template <class Visit>
+void labels_in_place(std::span<Material> materials, std::span<const std::int32_t> labels,
+                     const Visit& visit) {
+  for (auto at = materials.begin(); at != materials.end();) {
+    const Material material = *at;
+    const auto end =
+        std::find_if(at, materials.end(), [&](Material other) { return other != material; });
+    const std::int32_t label =
+        material == 0 ? 0 : labels[static_cast<std::size_t>(material) - 1];
+    std::fill(at, end, label);
+    visit(label, static_cast<std::uint64_t>(end - at));
+    at = end;
+  }
+}
 
 }  // namespace certet::core

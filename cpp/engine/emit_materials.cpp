@@ -32,11 +32,6 @@ void emit_materials(const Domain& domain, const RowNumbers& numbers, const Latti
   });
 }
 
-void labels_in_place(std::span<Material> materials, std::span<const std::int32_t> labels) {
-  for (std::int32_t& material : materials)
-    material = material == 0 ? 0 : labels[static_cast<std::size_t>(material) - 1];
-}
-
 template void emit_materials(const Domain&, const RowNumbers&, const Lattice&, Window,
                              std::span<const Coord3>, std::span<const Tet<std::uint32_t>>,
                              std::span<Material>, Context&);

@@ -31,6 +31,9 @@ class TetEmitter {
     return static_cast<Index>(numbers_.first_point(j, k));
   }
 
+  /// 64 cells: most have nothing inside, or all.  The former are passed over by the
+  /// bits of `any_plus`, runs of the latter need neither signs nor stencils; what is
+  /// left are the cells around the surface.
   void emit_word(const SignRows& signs, int w) {
     std::uint64_t any_plus = 0;
     std::uint64_t all_plus = ~std::uint64_t{0};
@@ -52,7 +55,8 @@ class TetEmitter {
     }
   }
 
-  /// The number of a point `kind` whose owner is `owner` away from bit b.
+  /// The number of a point `kind` whose owner is `owner` away from bit b, by its rank
+  /// in the owner's row: cpp/docs/pictures/ranks.svg.
   [[nodiscard]] Index point(std::size_t kind, Shift owner, int w, int b) const {
     const auto y = static_cast<std::size_t>(int{owner.y});
     const auto z = static_cast<std::size_t>(int{owner.z});
@@ -74,7 +78,8 @@ class TetEmitter {
     out_ += length * int{cell_tet_count};
   }
 
-  /// A cell with the surface in or near it: case by case, by the stencils.
+  /// A cell with the surface in or near it: case by case, by the stencils
+  /// (cpp/docs/pictures/stencils.svg).
   void emit_cell(int w, int b) {
     std::array<Sign, cell_vertex_count> sign;
     for (std::size_t v = 0; v < cell_vertex_count; ++v)

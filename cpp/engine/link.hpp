@@ -28,21 +28,21 @@ inline constexpr std::array<std::uint16_t, direction_count> link_ring = [] {
   return ring;
 }();
 
-/// A bit for each set of neighbours: whether it is not empty, and in one piece.
+/// A bit for each set of neighbours: whether it is not empty, and in one piece.  It is
+/// so if it is one neighbour, or next to one of its own the others are, in one piece:
+/// whatever is in one piece has a member that holds no two parts of it together.
 inline constexpr std::array<std::uint64_t, (whole_link + 1) / 64> connected_sets = [] {
-  std::array<std::uint16_t, whole_link + 1> next_to{};  // a set
-  for (LinkSet set = 1; set <= whole_link; ++set)
-    next_to[set] = static_cast<std::uint16_t>(
-        next_to[set & (set - 1)] | link_ring[static_cast<std::size_t>(std::countr_zero(set))]);
   std::array<std::uint64_t, (whole_link + 1) / 64> connected{};
-  for (LinkSet set = 1; set <= whole_link; ++set) {
-    LinkSet piece = set & -set;
-    for (LinkSet before = 0; piece != before;) {
-      before = piece;
-      piece |= next_to[piece] & set;
+  std::uint64_t* const words = connected.data();  // compilers count the steps of this
+  for (LinkSet set = 1; set <= whole_link; ++set)
+    for (LinkSet rest = set; rest != 0; rest &= rest - 1) {
+      const LinkSet others = set & ~(rest & -rest);
+      if (others != 0 && ((words[others >> 6] >> (others & 63) & 1) == 0 ||
+                          (link_ring[static_cast<std::size_t>(std::countr_zero(rest))] & others) == 0))
+        continue;
+      words[set >> 6] |= std::uint64_t{1} << (set & 63);
+      break;
     }
-    if (piece == set) connected[set >> 6] |= std::uint64_t{1} << (set & 63);
-  }
   return connected;
 }();
 

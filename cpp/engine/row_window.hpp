@@ -9,7 +9,8 @@
 
 namespace certet::core {
 
-/// The ranks of rows (j..j+1, k..k+1), moved along j.
+/// The ranks of rows (j..j+1, k..k+1), moved along j: points of a cell of row (j,k)
+/// are owned by these rows alone.  A step along j computes two and keeps two.
 class RowWindow {
  public:
   RowWindow(const SignPlanes& planes, int j, int k) : planes_(planes), j_(j), k_(k) {

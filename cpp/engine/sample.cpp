@@ -17,7 +17,9 @@ static_assert(64 % block == 0, "a block must not straddle two words");
 
 constexpr int blocks_in(int n) { return (n + block - 1) / block; }
 
-/// Bit 0 of each of eight bytes, as eight bits.
+/// Bit 0 of each of eight bytes, as eight bits.  Byte n has it at 8n; the factor has a
+/// bit at 7 m for m = 1 to 8, so that the product has a copy of it at 8n + 7m, and for
+/// m = 8 - n at 56 + n.  No two copies fall on one bit, and nothing is carried.
 constexpr std::uint64_t gather_low_bits(std::uint64_t bytes) {
   return (bytes & 0x0101010101010101) * 0x0102040810204080 >> 56;
 }

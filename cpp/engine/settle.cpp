@@ -118,8 +118,11 @@ class Turns {
 
  private:
   [[nodiscard]] Link link_of(const Candidate& v, int k) const {
-    const std::array<std::uint64_t*, grid_count> plus{now_.plus(even, v.j, k), now_.plus(odd, v.j, k)};
-    const std::array<std::uint64_t*, grid_count> zero{now_.zero(even, v.j, k), now_.zero(odd, v.j, k)};
+    std::array<std::uint64_t*, grid_count> plus{}, zero{};
+    for (const Grid grid : grids) {
+      plus[grid] = now_.plus(grid, v.j, k);
+      zero[grid] = now_.zero(grid, v.j, k);
+    }
     Link link;
     for (std::size_t d = 0; d < direction_count; ++d) {
       const std::ptrdiff_t at = v.i + distance_[v.grid][d];

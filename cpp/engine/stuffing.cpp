@@ -178,6 +178,13 @@ void Stuffing::emit_materials(std::int32_t begin, std::int32_t end,
                        tets, out, context);
 }
 
+void Stuffing::materials_of(std::span<const TetCorners> tets, std::span<Material> out) const {
+  if (labels().size() <= 1)
+    std::ranges::fill(out, 1);
+  else
+    state_->domain.materials_of(tets, out);
+}
+
 bool Stuffing::has_border() const { return !state_->domain.border().empty(); }
 
 bool Stuffing::is_on_border(Coord3 point) const {
@@ -209,7 +216,8 @@ Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context) {
         mesh.labels = Buffer<std::int32_t>(tets.size());
         stuffing.emit_materials(0, stuffing.layers(), mesh.points,
                                 std::span<const Tet<Index>>(tets), mesh.labels, context);
-        labels_in_place(mesh.labels, stuffing.labels());
+        labels_in_place(std::span(mesh.labels), stuffing.labels(),
+                        [](std::int32_t, std::uint64_t) {});
       }
       mesh.tets = std::move(tets);
     };

@@ -155,8 +155,8 @@ const Displacement& Violations::target(Grid grid, int i, int j, int k) const {
   const DisplacedLayer& layer = targets[k];
   std::size_t at = layer.row_begin[static_cast<std::size_t>(j)];
   const auto count = [](std::uint64_t word) { return static_cast<std::size_t>(std::popcount(word)); };
-  if (grid == odd)
-    for (int w = 0; w < violated.words(); ++w) at += count(violated.plus(even, j, k)[w]);
+  for (std::size_t before = 0; before < grid; ++before)
+    for (int w = 0; w < violated.words(); ++w) at += count(violated.plus(before, j, k)[w]);
   const std::uint64_t* const row = violated.plus(grid, j, k);
   for (int w = 0; w < i >> 6; ++w) at += count(row[w]);
   at += count(row[i >> 6] & below(i & 63));

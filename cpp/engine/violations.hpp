@@ -19,7 +19,7 @@ struct Displacement {
   std::uint8_t direction = 0;
 };
 
-/// The displacements of some vertices of one layer: row by row, even before odd,
+/// The displacements of some vertices of one layer: row by row, grid by grid,
 /// in the order of the index.
 struct DisplacedLayer {
   std::vector<Displacement> displacements;

@@ -1,7 +1,9 @@
 #include "slab.hpp"
 
 #include "certet/context.hpp"
+#include "engine/corners.hpp"
 #include "engine/emit.hpp"
+#include "mesh/quality/lattice_measurement.hpp"
 
 namespace certet::pipeline {
 namespace {
@@ -36,43 +38,58 @@ std::span<const Point3> PointSlab::world(const Stuffing& stuffing, std::int32_t 
           world_.begin() + (stuffing.first_point(end) - first_)};
 }
 
+/// Asks for materials while it measures, as both want the corners.
 template <class Index>
-void TetSlab<Index>::label_layer(Source& source, std::span<const Coord3> points,
-                                 std::int32_t layer) {
+Quality TetSlab<Index>::measure_layer(const Source& source, std::span<const Coord3> points,
+                                      std::int32_t layer) {
   const Stuffing& stuffing = source.stuffing;
   const std::uint64_t begin = stuffing.first_tet(layer) - first_;
-  const std::uint64_t end = stuffing.first_tet(layer + 1) - first_;
-  const std::span<std::int32_t> labels{labels_.begin() + begin, labels_.begin() + end};
-  OneThread context;
-  if (source.known.empty())
-    stuffing.emit_materials(layer, layer + 1, points,
-                            std::span<const Tet<Index>>(tets_.begin() + begin, end - begin),
-                            labels, context);
-  else
-    source.known.get(layer, labels);
-  core::labels_in_place(labels, stuffing.labels());
+  const bool asks = !labels_.empty() && source.known.empty();
+  quality::LatticeMeasurement lattice(points);
+  core::for_each_batch(points, stuffing.first_point(layer), tets(stuffing, layer),
+                       [&](std::size_t from, std::span<const TetCorners> corners) {
+                         lattice.add(corners);
+                         if (asks)
+                           stuffing.materials_of(corners, {labels_.begin() + begin + from,
+                                                           corners.size()});
+                       });
+  return lattice.result();
+}
+
+template <class Index>
+quality::RegionCounts TetSlab<Index>::label_layer(const Source& source, std::int32_t layer) {
+  const Stuffing& stuffing = source.stuffing;
+  const std::size_t count = tets(stuffing, layer).size();
+  quality::RegionCounts regions;
+  if (labels_.empty()) {
+    if (count != 0) regions.add(only_label, count);
+    return regions;
+  }
+  const std::span<std::int32_t> labels{
+      labels_.begin() + (stuffing.first_tet(layer) - first_), count};
+  if (!source.known.empty()) source.known.get(layer, labels);
+  core::labels_in_place(
+      labels, stuffing.labels(),
+      [&](std::int32_t label, std::uint64_t run) { regions.add(label, run); });
+  return regions;
 }
 
 template <class Index>
 Findings TetSlab<Index>::make_layer(Source& source, const PointSlab& points, std::int32_t layer) {
   const Stuffing& stuffing = source.stuffing;
   const std::uint64_t first_tet = stuffing.first_tet(layer);
-  const std::uint64_t begin = first_tet - first_;
-  const std::uint64_t end = stuffing.first_tet(layer + 1) - first_;
-  const std::int32_t behind = source.points_end(layer + 1);
-  const std::span<const Coord3> steps = points.steps(stuffing, layer, behind);
-  const std::span<Tet<Index>> tets{tets_.begin() + begin, tets_.begin() + end};
+  const std::span<const Tet<Index>> made = tets(stuffing, layer);
   {
     const Timer timer(source.emitting);
     OneThread context;
-    stuffing.emit_tets(layer, layer + 1, tets, context);
-    if (!labels_.empty()) label_layer(source, steps, layer);
+    stuffing.emit_tets(layer, layer + 1, {tets_.begin() + (first_tet - first_), made.size()},
+                       context);
   }
   const Timer timer(source.measuring);
+  const std::int32_t behind = source.points_end(layer + 1);
   const std::uint64_t first_point = stuffing.first_point(layer);
-  const std::span<const Tet<Index>> made = tets;
   Findings found;
-  found.lattice = measure_lattice(steps, first_point, made);
+  found.lattice = measure_layer(source, points.steps(stuffing, layer, behind), layer);
   if (points.has_world()) {
     const std::span<const Point3> world = points.world(stuffing, layer, behind);
     found.world = measure_world(world, first_point, made, Histogram::empty);
@@ -80,10 +97,7 @@ Findings TetSlab<Index>::make_layer(Source& source, const PointSlab& points, std
   }
   found.tets.tets(first_tet, made);
   found.points.points(first_point, points.steps(stuffing, layer, layer + 1));
-  if (!labels_.empty())
-    found.regions.add({labels_.begin() + begin, labels_.begin() + end});
-  else if (!made.empty())
-    found.regions.add(only_label, made.size());
+  found.regions = label_layer(source, layer);
   return found;
 }
 

@@ -80,8 +80,15 @@ class TetSlab {
   void write(Source& source, std::int32_t begin, std::int32_t end, MeshWriter& writer) const;
 
  private:
-  /// Labels are kept from a survey, or asked for now.
-  void label_layer(Source& source, std::span<const Coord3> points, std::int32_t layer);
+  [[nodiscard]] std::span<const Tet<Index>> tets(const Stuffing& stuffing,
+                                                std::int32_t layer) const {
+    return {tets_.begin() + (stuffing.first_tet(layer) - first_),
+            tets_.begin() + (stuffing.first_tet(layer + 1) - first_)};
+  }
+  /// Leaves materials in the place of labels, unless a survey has kept them.
+  Quality measure_layer(const Source& source, std::span<const Coord3> points,
+                        std::int32_t layer);
+  quality::RegionCounts label_layer(const Source& source, std::int32_t layer);
 
   std::uint64_t first_ = 0;
   Buffer<Tet<Index>> tets_;

@@ -108,8 +108,9 @@ void LayerSurvey<Index>::find_materials(MaterialRuns& runs, RegionCounts& counts
   stuffing_.emit_materials(layer_, layer_ + 1, points_, std::span<const Tet<Index>>(tets_),
                            materials, context_);
   runs.put(layer_, materials);
-  core::labels_in_place(materials, stuffing_.labels());
-  counts.add(materials);
+  core::labels_in_place(
+      std::span(materials), stuffing_.labels(),
+      [&](std::int32_t label, std::uint64_t count) { counts.add(label, count); });
 }
 
 template <class Index>

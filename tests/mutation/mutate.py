@@ -22,7 +22,7 @@ from report import write_report
 
 HERE = Path(__file__).resolve().parent
 SOURCE = HERE.parent.parent
-HEADERS = ["lattice/coord3", "lattice/structured_tet", "lattice/stencil", "lattice/warp",
+HEADERS = ["lattice/coord3", "lattice/structured_tet", "lattice/tiling", "lattice/stencil", "lattice/warp",
            "lattice/direction", "lattice/orientation", "lattice/sign", "checksum", "frame", "stuffing"]
 
 

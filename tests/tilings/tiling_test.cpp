@@ -77,7 +77,7 @@ std::vector<PlacedTet> engine(const Waves& inside, const Lattice& lattice) {
   Context context;
   context.threads = 1;
   const FunctionDomain domain(inside, Frame{});
-  const Mesh mesh = stuff(domain, lattice, {}, {.cuts = Cuts::midpoint}, context);
+  const Mesh mesh = stuff(domain, lattice, {}, Method::midpoint, context);
   std::vector<PlacedTet> placed;
   std::visit([&](const auto& tets) {
     for (const auto& tet : tets) {

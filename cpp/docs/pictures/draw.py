@@ -15,6 +15,7 @@ import sys
 from pathlib import Path
 
 import lattice
+import pruning
 import ranks
 import stencils
 import warping
@@ -23,7 +24,7 @@ import windows
 HERE = Path(__file__).resolve().parent
 KIT = HERE.parent.parent.parent / "tests/conformance/kit.json"
 PICTURES = {"lattice.svg": lattice, "stencils.svg": stencils, "ranks.svg": ranks, "warping.svg": warping,
-            "windows.svg": windows}
+            "pruning.svg": pruning, "windows.svg": windows}
 
 
 def stale(kit, committed):

@@ -30,7 +30,7 @@ def halo(header, name):
     """How many layers a window of window.hpp has before and behind the one of the mesh."""
     if not isinstance(name, str):
         return name
-    found = re.search(rf"Window {name}\(.*?widened\(window, (\d+), (\d+), lattice\)", header, re.DOTALL)
+    found = re.search(rf"Window {name}\([^{{]*{{\s*return widened\(window, (\d+)(?: \+ halo)?, (\d+)(?: \+ halo)?, lattice\);", header)
     return int(found[1]), int(found[2])
 
 
@@ -71,5 +71,8 @@ def draw(_):
         picture.text((30, y + 22 * n), words, 14, SOFT)
     picture.text((30, y + 22 * len(NEEDS) + 10), "Where the lattice ends the halo ends too: its rim, and not the "
                  "window's, closes the mesh.", 14, INK, weight="700")
-    picture.height = int(y + 22 * len(NEEDS) + 34)
+    halo_of_settling = re.search(r"settling_halo = (\d+);", header)[1]
+    picture.text((30, y + 22 * len(NEEDS) + 34), f"Where violated vertices settle one after the other, the first three stages "
+                 f"need {halo_of_settling} layers more on each side.", 14, SOFT)
+    picture.height = int(y + 22 * len(NEEDS) + 58)
     return picture

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "axis_table.hpp"
@@ -122,7 +123,7 @@ class LabelDomain final : public PlacedDomain {
   }
 
   void materials_of(std::span<const TetCorners> tets, std::span<Material> out) const override {
-    constexpr std::size_t batch = 64;
+    constexpr std::size_t batch = 16;  // a cell or two, which often are of one label
     for (std::size_t begin = 0; begin < out.size(); begin += batch) {
       const std::size_t count = std::min(batch, out.size() - begin);
       find_materials(tets.subspan(begin, count), out.subspan(begin, count));
@@ -200,10 +201,15 @@ class LabelDomain final : public PlacedDomain {
   /// Away from the surface, and everywhere with midpoint cuts, centroids are at
   /// eighths of lattice units, which are tabled.
   void find_materials(std::span<const TetCorners> tets, std::span<Material> out) const {
-    std::array<Sum, 64> sums{};
+    std::array<Sum, 16> sums;
+    SumRange range;
+    for (std::size_t i = 0; i < tets.size(); ++i) range.add(sums[i] = sum_of(tets[i]));
+    if (const Material same = material_within(range); same != 0) {
+      std::ranges::fill(out, same);
+      return;
+    }
     LastMaterial material(*this);
-    for (std::size_t i = 0; i < tets.size(); ++i) sums[i] = sum_of(tets[i]);
-    const bool tabled = all_tabled(std::span(sums).first(tets.size()));
+    const bool tabled = all_tabled(range);
     for (std::size_t i = 0; i < tets.size(); ++i) {
       const std::int64_t voxel =
           tabled && at_eighths(sums[i]) ? tabled_voxel(sums[i]) : chosen_voxel(sums[i]);
@@ -218,17 +224,43 @@ class LabelDomain final : public PlacedDomain {
     return ((sum[0] | sum[1] | sum[2]) & fraction) == 0;
   }
 
-  /// Whether the tables reach as far as these centroids.
-  [[nodiscard]] bool all_tabled(std::span<const Sum> sums) const {
-    Sum low = sums.front(), high = sums.front();
-    for (const Sum& sum : sums)
+  /// A box of centroids.
+  struct SumRange {
+    Sum low{std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::max(),
+            std::numeric_limits<std::int64_t>::max()};
+    Sum high{std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::min(),
+             std::numeric_limits<std::int64_t>::min()};
+    void add(const Sum& sum) {
       for (std::size_t a = 0; a < 3; ++a) {
         low[a] = std::min(low[a], sum[a]);
         high[a] = std::max(high[a], sum[a]);
       }
+    }
+  };
+
+  /// The material of all centroids of a box whose voxels all have one chosen label;
+  /// else 0.  From corner to corner voxels follow each other as centroids do.
+  [[nodiscard]] Material material_within(const SumRange& range) const {
+    constexpr std::int64_t most_voxels = 64;
+    VoxelBox box;
+    std::int64_t count = 1;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::int64_t one = placement_.axis[a].nearest(lattice_coordinate(range.low[a]));
+      const std::int64_t other = placement_.axis[a].nearest(lattice_coordinate(range.high[a]));
+      if (one < 0 || other < 0) return 0;
+      std::tie(box.low[a], box.high[a]) = std::minmax(one, other);
+      count *= box.high[a] - box.low[a] + 1;
+      if (count > most_voxels) return 0;
+    }
+    if (!mask_.test(box.low[0], box.low[1], box.low[2])) return 0;
+    return material_of_voxels(box).value_or(0);
+  }
+
+  /// Whether the tables reach as far as these centroids.
+  [[nodiscard]] bool all_tabled(const SumRange& range) const {
     for (std::size_t a = 0; a < 3; ++a)
-      if (!eighths_[a].holds(static_cast<std::int32_t>(low[a] >> eighth_bits), 1) ||
-          !eighths_[a].holds(static_cast<std::int32_t>(high[a] >> eighth_bits), 1))
+      if (!eighths_[a].holds(static_cast<std::int32_t>(range.low[a] >> eighth_bits), 1) ||
+          !eighths_[a].holds(static_cast<std::int32_t>(range.high[a] >> eighth_bits), 1))
         return false;
     return true;
   }
@@ -242,11 +274,15 @@ class LabelDomain final : public PlacedDomain {
     return bit < 0 || !mask_.test(bit) ? -1 : x.voxel + y.voxel + z.voxel;
   }
 
-  /// The index of the voxel at a centroid, or -1 where it is not chosen.  Both
-  /// factors are exact, for the sum fits 35 bits.
+  /// Of one coordinate of a centroid.  Both factors are exact, for the sum fits 35 bits.
+  static double lattice_coordinate(std::int64_t sum) {
+    return 0.25 / steps * static_cast<double>(sum);
+  }
+
+  /// The index of the voxel at a centroid, or -1 where it is not chosen.
   [[nodiscard]] std::int64_t chosen_voxel(const Sum& sum) const {
-    const auto lattice = [](std::int64_t s) { return 0.25 / steps * static_cast<double>(s); };
-    return chosen_voxel(lattice(sum[0]), lattice(sum[1]), lattice(sum[2]));
+    return chosen_voxel(lattice_coordinate(sum[0]), lattice_coordinate(sum[1]),
+                        lattice_coordinate(sum[2]));
   }
 
   [[nodiscard]] std::int64_t column(double x) const {

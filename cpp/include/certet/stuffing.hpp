@@ -85,6 +85,9 @@ class Stuffing {
                       std::span<const Tet<std::uint64_t>> tets, std::span<Material> out,
                       Context& context) const;
 
+  /// The same for some tetrahedra of the mesh, whose corners are at hand.
+  void materials_of(std::span<const TetCorners> tets, std::span<Material> out) const;
+
   /// Whether the domain is cut off anywhere.
   [[nodiscard]] bool has_border() const;
   /// Whether a point of the mesh's surface, in steps, lies where the domain is cut off.
