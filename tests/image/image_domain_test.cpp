@@ -11,6 +11,7 @@
 
 #include "certet/error.hpp"
 #include "certet/image.hpp"
+#include "certet/stuffing.hpp"
 #include "materials.hpp"
 
 namespace certet {
