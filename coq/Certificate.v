@@ -11,6 +11,9 @@
 
 From Coq Require Import ZArith Reals List.
 
+(** The paper's own statements. *)
+From Certet Require Export PaperCertificate.
+
 (** What runs. *)
 From Certet Require Export Lattice.Coord3 Lattice.Direction.
 From Certet Require Export Lattice.StructuredTet Stencil.UnstructuredTet.
@@ -31,12 +34,10 @@ From Certet Require Export Embedding.EmbeddingSpec Embedding.PiecesSpec.
 From Certet Require Export Range.RangeSpec.
 
 (** Why it holds. *)
-From Certet Require Lattice.StructuredTetProof Lattice.NeighborProof.
+From Certet Require Lattice.NeighborProof.
 From Certet Require Lattice.FaceProof.
 From Certet Require Stencil.CompatibilityChecker.
 From Certet Require Stencil.CompatibilityCheckerProof.
-From Certet Require Stencil.CompatibilityProof.
-From Certet Require Stencil.LatticeCompatibilityProof.
 From Certet Require Stencil.OtherStencilsProof.
 From Certet Require Stencil.TriangleChecker Stuffing.GappedStencilsProof.
 From Certet Require Stuffing.MeshProof Stuffing.OnceProof.
@@ -55,102 +56,6 @@ From Certet Require Embedding.PiecesProof Embedding.DiskPiecesProof.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
-
-(** ** The paper's certificate *)
-
-(** Every structured tetrahedron knows its four face neighbours: lined up by
-    the order it gives, their vertices are its own except the one across
-    (section 4.2). *)
-Theorem FacesCorrect :
-  forall tid : StructuredTetId,
-    match GetStructuredTet tid with
-      ST v1 v2 v3 v4 (tid1, o1) (tid2, o2) (tid3, o3) (tid4, o4) =>
-        (Face1Correct v1 v2 v3 v4 tid1 o1) /\
-        (Face2Correct v1 v2 v3 v4 tid2 o2) /\
-        (Face3Correct v1 v2 v3 v4 tid3 o3) /\
-        (Face4Correct v1 v2 v3 v4 tid4 o4)
-    end.
-Proof. exact StructuredTetProof.FacesCorrect. Qed.
-
-(** Whatever the vertices, the signs and the cuts, no two edges of the stencils
-    on the two sides of a shared face meet in their interiors, if the two
-    tetrahedra stand in one of six arrangements (section 5.2). *)
-Lemma CompatibilityOrders :
-  forall Vertex GetSign GetIntersection f1 f2 f3 p q,
-    let P := AllEdgesCompatible Vertex GetSign
-               GetIntersection f1 f2 f3 p q in
-    P p f1 f2 f3 q f1 f2 f3 /\
-    P p f1 f2 f3 f1 q f3 f2 /\
-    P f1 p f2 f3 q f1 f3 f2 /\
-    P f1 p f2 f3 f1 q f2 f3 /\
-    P f1 f2 p f3 f1 f2 q f3 /\
-    P f1 f2 f3 p f1 f2 f3 q.
-Proof. exact CompatibilityProof.CompatibilityOrders. Qed.
-
-(** The lattice has no other arrangement, so its stencils are compatible across
-    the first face of every structured tetrahedron (section 6), *)
-Theorem Face1Compatible :
-  forall GetSign GetIntersection tid,
-    match GetStructuredTet tid with
-      ST v1 v2 v3 v4 (tid1, order1) _ _ _ =>
-        match GetStructuredTet tid1 with
-          ST u1 u2 u3 u4 _ _ _ _ =>
-            let '(w1, w2, w3, w4) :=
-              order1 u1 u2 u3 u4 in
-            AllEdgesCompatible Coord3 GetSign
-              GetIntersection w2 w3 w4 v1 w1
-              v1 v2 v3 v4 u1 u2 u3 u4
-        end
-    end.
-Proof. exact LatticeCompatibilityProof.Face1Compatible. Qed.
-
-(** across the second, *)
-Theorem Face2Compatible :
-  forall GetSign GetIntersection tid,
-    match GetStructuredTet tid with
-      ST v1 v2 v3 v4 _ (tid2, order2) _ _ =>
-        match GetStructuredTet tid2 with
-          ST u1 u2 u3 u4 _ _ _ _ =>
-            let '(w1, w2, w3, w4) :=
-              order2 u1 u2 u3 u4 in
-            AllEdgesCompatible Coord3 GetSign
-              GetIntersection w1 w3 w4 v2 w2
-              v1 v2 v3 v4 u1 u2 u3 u4
-        end
-    end.
-Proof. exact LatticeCompatibilityProof.Face2Compatible. Qed.
-
-(** across the third, *)
-Theorem Face3Compatible :
-  forall GetSign GetIntersection tid,
-    match GetStructuredTet tid with
-      ST v1 v2 v3 v4 _ _ (tid3, order3) _ =>
-        match GetStructuredTet tid3 with
-          ST u1 u2 u3 u4 _ _ _ _ =>
-            let '(w1, w2, w3, w4) :=
-              order3 u1 u2 u3 u4 in
-            AllEdgesCompatible Coord3 GetSign
-              GetIntersection w1 w2 w4 v3 w3
-              v1 v2 v3 v4 u1 u2 u3 u4
-        end
-    end.
-Proof. exact LatticeCompatibilityProof.Face3Compatible. Qed.
-
-(** and across the fourth. *)
-Theorem Face4Compatible :
-  forall GetSign GetIntersection tid,
-    match GetStructuredTet tid with
-      ST v1 v2 v3 v4 _ _ _ (tid4, order4) =>
-        match GetStructuredTet tid4 with
-          ST u1 u2 u3 u4 _ _ _ _ =>
-            let '(w1, w2, w3, w4) :=
-              order4 u1 u2 u3 u4 in
-            AllEdgesCompatible Coord3 GetSign
-              GetIntersection w1 w2 w3 v4 w4
-              v1 v2 v3 v4 u1 u2 u3 u4
-        end
-    end.
-Proof. exact LatticeCompatibilityProof.Face4Compatible. Qed.
 
 (** ** Beyond the paper: the verification is not tied to these stencils *)
 
@@ -453,7 +358,7 @@ Theorem DihedralBounds :
     Admissible before warping cut AngleThresholds (Corners tid) ->
     forall t, In t (PlacedTets before warping cut tid) ->
       WellShaped (AB (CotSq 221 8) (CotSq 1751 130)) t.
-Proof. exact AngleTheorems.WidestGuaranteed. Qed.
+Proof. exact AngleTheorems.DihedralBounds. Qed.
 
 (** and between 9.27 and 161.46 degrees at 64/256 and 105/256. *)
 Theorem DihedralBoundsEmbedding :
@@ -461,7 +366,7 @@ Theorem DihedralBoundsEmbedding :
     Admissible before warping cut EmbeddingThresholds (Corners tid) ->
     forall t, In t (PlacedTets before warping cut tid) ->
       WellShaped (AB (CotSq 563 15) (CotSq 80 9)) t.
-Proof. exact AngleTheorems.EmbeddingGuaranteed. Qed.
+Proof. exact AngleTheorems.DihedralBoundsEmbedding. Qed.
 
 (** A domain that is in or out, cut in the middle of its edges: the squares of
     the cotangents are at most 3 and 1. *)
@@ -472,7 +377,7 @@ Theorem MidpointBounds :
     In t (map (MapTet (MeshPosition NoWarpThresholds decided cut))
             (StuffTet NoWarpThresholds decided cut tid)) ->
     WellShaped (AB (CotSq 3 1) (CotSq 1 1)) t.
-Proof. exact AngleTheorems.StuffedInOrOut. Qed.
+Proof. exact AngleTheorems.MidpointBounds. Qed.
 
 (** The theorem that users read: every tetrahedron that the product makes, of
     any domain, has positive volume and dihedral angles between 10.77 and
@@ -482,7 +387,7 @@ Theorem DihedralBoundsInDegrees :
     In t (map (MapTet (MeshPosition AngleThresholds sign cut))
             (StuffTet AngleThresholds sign cut tid)) ->
     WithinDegrees (1077 / 100) (16476 / 100) t.
-Proof. exact DegreesProof.AngleBounds_73_102. Qed.
+Proof. exact DegreesProof.DihedralBoundsInDegrees. Qed.
 
 (** between 9.27 and 161.46 degrees with the thresholds that embed, *)
 Theorem DihedralBoundsEmbeddingInDegrees :
@@ -490,7 +395,7 @@ Theorem DihedralBoundsEmbeddingInDegrees :
     In t (map (MapTet (MeshPosition EmbeddingThresholds sign cut))
             (StuffTet EmbeddingThresholds sign cut tid)) ->
     WithinDegrees (927 / 100) (16146 / 100) t.
-Proof. exact DegreesProof.AngleBounds_64_105. Qed.
+Proof. exact DegreesProof.DihedralBoundsEmbeddingInDegrees. Qed.
 
 (** and between 30 and 135 degrees with cuts in the middle. *)
 Theorem MidpointBoundsInDegrees :
@@ -500,14 +405,14 @@ Theorem MidpointBoundsInDegrees :
     In t (map (MapTet (MeshPosition NoWarpThresholds decided cut))
             (StuffTet NoWarpThresholds decided cut tid)) ->
     WithinDegrees 30 135 t.
-Proof. exact DegreesProof.AngleBounds_InOrOut. Qed.
+Proof. exact DegreesProof.MidpointBoundsInDegrees. Qed.
 
 (** At 64/256 and 105/256 no structured tetrahedron, kept or dropped, is turned
     over by warping: what is dropped never covers what is kept. *)
 Theorem WarpedLatticePositive :
   forall sign cut tid, CutsOnEdges sign cut ->
     Positive (WarpedTet EmbeddingThresholds sign cut tid).
-Proof. exact LatticeProof.LatticePositive. Qed.
+Proof. exact LatticeProof.WarpedLatticePositive. Qed.
 
 (** No bound can be improved by 0.02 degrees: there are domains of which the
     product itself makes such angles. *)
@@ -651,7 +556,7 @@ Theorem UncrossedKeepsShortEdges :
   forall warping,
     MovesAtMost AngleThresholds warping -> Uncrossed warping ->
     KeepsShortEdges (fun v => WarpedPosition v (warping v)).
-Proof. exact WarpedLatticeProof.UncrossedMoves. Qed.
+Proof. exact WarpedLatticeProof.UncrossedKeepsShortEdges. Qed.
 
 (** so that the structured tetrahedra leave no gaps either, *)
 Theorem UncrossedLatticeCovers :
@@ -694,14 +599,14 @@ Theorem RuledBounds :
     forall tid t,
       In t (WarpOrClamp AngleThresholds sign cut stays limit tid) ->
       WellShaped (AB (CotSq 221 8) (CotSq 1751 130)) t.
-Proof. exact RuledMeshProof.RuledWidest. Qed.
+Proof. exact RuledMeshProof.RuledBounds. Qed.
 
 (** and in degrees. *)
 Theorem RuledBoundsInDegrees :
   forall sign cut stays limit tid t, CutsOnEdges sign cut ->
     In t (WarpOrClamp AngleThresholds sign cut stays limit tid) ->
     WithinDegrees (1077 / 100) (16476 / 100) t.
-Proof. exact RuledDegreesProof.RuledBounds. Qed.
+Proof. exact RuledDegreesProof.RuledBoundsInDegrees. Qed.
 
 (** The paper's rule is the one by which nobody stays. *)
 Theorem NobodyStays :

@@ -168,7 +168,7 @@ Section Lattice.
   Qed.
 End Lattice.
 
-Theorem LatticePositive sign cut tid : CutsOnEdges sign cut ->
+Theorem WarpedLatticePositive sign cut tid : CutsOnEdges sign cut ->
   Positive (WarpedTet EmbeddingThresholds sign cut tid).
 Proof.
   intros C. destruct tid as [anchor case].

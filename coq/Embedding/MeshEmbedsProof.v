@@ -276,5 +276,5 @@ Theorem PlacedEmbeds before warping cut tid tid' t t' :
   MeetInSharedVertices (PlacedPosition warping cut) t t'.
 Proof.
   intros M U C. apply PlacedMeshEmbeds; [exact C|].
-  apply UncrossedMoves; assumption.
+  apply UncrossedKeepsShortEdges; assumption.
 Qed.

@@ -7,11 +7,11 @@ From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
 From Certet Require Import Angles.DegreesProof.
 From Certet Require Import Embedding.WarpOrClamp Embedding.RuledMeshProof.
 
-Theorem RuledBounds sign cut stays limit tid t : CutsOnEdges sign cut ->
+Theorem RuledBoundsInDegrees sign cut stays limit tid t : CutsOnEdges sign cut ->
   In t (WarpOrClamp AngleThresholds sign cut stays limit tid) ->
   WithinDegrees (1077 / 100) (16476 / 100) t.
 Proof.
   intros C I. replace (16476 / 100)%R with (180 - 1524 / 100)%R by lra.
   exact (DegreesBounds _ _ _ _ _ Cotangent10_77 Cotangent15_24
-           (RuledWidest sign cut stays limit C tid t I)).
+           (RuledBounds sign cut stays limit C tid t I)).
 Qed.

@@ -21,11 +21,11 @@ Section Mesh.
   Let warping := RuledWarping AngleThresholds sign cut stays limit.
   Let clamped := ClampedCut AngleThresholds cut.
 
-  Theorem RuledWidest tid t :
+  Theorem RuledBounds tid t :
     In t (WarpOrClamp AngleThresholds sign cut stays limit tid) ->
     WellShaped WidestAngles t.
   Proof.
-    apply WidestGuaranteed.
+    apply DihedralBounds.
     apply AnySubsetStays; [exact AngleThresholdsAtMostHalf|exact OnEdges].
   Qed.
 
@@ -53,7 +53,7 @@ Section Mesh.
   Proof.
     intros U E E' I I'. apply (LevelInteriorsApart sign warping clamped);
       try assumption; [apply RuledMovesAtMost, OnEdges|exact RuledInside|].
-    apply (WellShapedPositive WidestAngles), (RuledWidest tid').
+    apply (WellShapedPositive WidestAngles), (RuledBounds tid').
     unfold WarpOrClamp. rewrite PlacedByName. apply in_map, I'.
   Qed.
 End Mesh.

@@ -109,7 +109,7 @@ Section Keeps.
     all: destruct d; try discriminate K; try discriminate D; reflexivity.
   Qed.
 
-  Lemma UncrossedMoves : MovesAtMost AngleThresholds warping ->
+  Lemma UncrossedKeepsShortEdges : MovesAtMost AngleThresholds warping ->
     Uncrossed warping -> KeepsShortEdges (fun v => WarpedPosition v (warping v)).
   Proof.
     intros M U. apply KeepsByAxis. intros f v d F K.

@@ -12,7 +12,7 @@ THEOREM = re.compile(r"(?:\(\*\*(?:(?!\*\)).)*\*\)\s*)?(?:Theorem|Lemma|Corollar
 
 # Theorems whose proofs compile at once, and that between them speak of places, orders, signs,
 # degrees, volumes and ranges.
-KEPT = ("FacesCorrect", "FaceTriangleOnce", "MidpointBoundsInDegrees", "WarpedLatticePositive",
+KEPT = ("FaceTriangleOnce", "MidpointBoundsInDegrees", "WarpedLatticePositive",
         "DoorSuffices", "CornersInRange")
 
 
