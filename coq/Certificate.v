@@ -1,13 +1,17 @@
 (** * The certificate
 
-    Everything that is proved about the mesher, on one page.  Each theorem is
-    spelled out in full over the functions that are extracted and run; the
-    definitions it speaks of are in the files exported here, which hold no
-    proofs.  Proof files are only required for the [exact] of each theorem.
+    Everything that is proved about the mesher, on one page.  The first theorem
+    is the one to read: what is certified of every mesh that the product makes.
+    What follows it is the rest, each theorem spelled out in full over the
+    functions that are extracted and run; the definitions that they speak of are
+    in the files exported here, which hold no proofs.  Proof files are only
+    required for the [exact] of each theorem, which has the same name there.
 
     [make audit] checks these statements against the committed ones, and that
-    none of them rests on an axiom; but for those in degrees, which rest on the
-    axioms of Coq's real numbers. *)
+    none of them rests on an axiom; but for those in degrees, [CertifiedMesh]
+    among them, which rest on the axioms of Coq's real numbers.
+
+    The paper's own list of statements is in [PaperCertificate.v]. *)
 
 From Coq Require Import ZArith Reals List.
 
@@ -15,8 +19,7 @@ From Coq Require Import ZArith Reals List.
 From Certet Require Export PaperCertificate.
 
 (** What runs. *)
-From Certet Require Export Lattice.Coord3 Lattice.Direction.
-From Certet Require Export Lattice.StructuredTet Stencil.UnstructuredTet.
+From Certet Require Export Lattice.Direction.
 From Certet Require Export Warp.Cut Warp.Warp.
 From Certet Require Export Stuffing.Stuffing Stuffing.Domain.
 
@@ -24,9 +27,10 @@ From Certet Require Export Stuffing.Stuffing Stuffing.Domain.
 From Certet Require Export Embedding.WarpOrClamp Embedding.DiskRule.
 
 (** What is meant. *)
-From Certet Require Export Lattice.StructuredTetSpec Lattice.NeighborSpec.
-From Certet Require Export Stencil.CompatibilitySpec.
-From Certet Require Export Stencil.StencilSet Stencil.OtherStencils.
+From Certet Require Export Mesh.Method Mesh.CertifiedSpec.
+From Certet Require Export Lattice.NeighborSpec Lattice.Tiling.
+From Certet Require Export Stencil.StencilSet Stencil.TilingSpec.
+From Certet Require Export Stencil.OtherStencils.
 From Certet Require Export Stencil.TriangleSpec Stuffing.MeshSpec.
 From Certet Require Export Warp.WarpSpec.
 From Certet Require Export Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
@@ -34,8 +38,10 @@ From Certet Require Export Embedding.EmbeddingSpec Embedding.PiecesSpec.
 From Certet Require Export Range.RangeSpec.
 
 (** Why it holds. *)
-From Certet Require Lattice.NeighborProof.
+From Certet Require Mesh.CertifiedMeshProof.
+From Certet Require Lattice.TilingProof Lattice.NeighborProof.
 From Certet Require Lattice.FaceProof.
+From Certet Require Stencil.LatticeCompatibilityProof.
 From Certet Require Stencil.CompatibilityChecker.
 From Certet Require Stencil.CompatibilityCheckerProof.
 From Certet Require Stencil.OtherStencilsProof.
@@ -44,8 +50,8 @@ From Certet Require Stuffing.MeshProof Stuffing.OnceProof.
 From Certet Require Warp.WarpProof Warp.CutProof.
 From Certet Require Angles.ApexProof.
 From Certet Require Angles.AngleTheorems Angles.LatticeProof.
-From Certet Require Angles.DegreesProof Angles.SharpnessProof.
-From Certet Require Angles.DomainProof Angles.DomainDegreesProof.
+From Certet Require Angles.Degrees.DegreesProof Angles.Degrees.SharpnessProof.
+From Certet Require Angles.DomainProof Angles.Degrees.DomainDegreesProof.
 From Certet Require Embedding.WarpedLatticeProof Embedding.MeshEmbedsProof.
 From Certet Require Embedding.LatticeVolumeProof.
 From Certet Require Embedding.LatticeCoversProof.
@@ -56,6 +62,26 @@ From Certet Require Embedding.PiecesProof Embedding.DiskPiecesProof.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
+
+(** ** The theorem
+
+    Read [Mesh/Method.v] (the product's methods) and [Mesh/CertifiedSpec.v] (one
+    definition for each line). *)
+
+(** Whatever the method, whatever the domain, and whichever lattice points are
+    taken as inside: every tetrahedron has positive volume; every dihedral angle
+    is within the method's bounds; both sides of a face have the same triangles;
+    a triangle that only one tetrahedron has lies on the surface; and no integer
+    overflows. *)
+Theorem CertifiedMesh :
+  forall (method : Method) (sign : SignField) (domain : PositionSigns),
+    let mesh := MeshOf method sign domain in
+    TetsPositive mesh /\
+    AnglesBetween mesh (LeastAngle method) (GreatestAngle method) /\
+    FacesConform mesh /\
+    BoundaryIsSurface mesh /\
+    NothingOverflows mesh (MethodThresholds method).
+Proof. exact CertifiedMeshProof.CertifiedMesh. Qed.
 
 (** ** Beyond the paper: the verification is not tied to these stencils *)
 
@@ -80,6 +106,34 @@ Proof. exact OtherStencilsProof.HoledStencilsIncompatible. Qed.
 Theorem HoledStencilsRejected :
   CompatibilityChecker.CheckCompatibility HoledStencils = false.
 Proof. exact OtherStencilsProof.HoledStencilsRejected. Qed.
+
+(** ** Beyond the paper: nor to this lattice
+
+    Read [Lattice/Tiling.v]: tetrahedra, their vertices and their neighbours as
+    data. *)
+
+(** Compatible stencils fit any tiling whose neighbours share their faces, and
+    are lined up as the lattice's are. *)
+Theorem StencilsFitTiling :
+  forall (S : StencilSet) (T : Tiling),
+    CompatibleStencils S -> TilingFacesCorrect T -> OrdersKnown T ->
+    CompatibleInTiling S T.
+Proof. exact LatticeCompatibilityProof.StencilsFitTiling. Qed.
+
+(** The lattice is such a tiling, *)
+Theorem LatticeFacesCorrect : TilingFacesCorrect LatticeTiling.
+Proof. exact TilingProof.LatticeFacesCorrect. Qed.
+
+Theorem LatticeOrdersKnown : OrdersKnown LatticeTiling.
+Proof. exact TilingProof.LatticeOrdersKnown. Qed.
+
+(** of tetrahedra with four vertices each, *)
+Theorem LatticeVerticesApart : VerticesApart LatticeTiling.
+Proof. exact TilingProof.LatticeVerticesApart. Qed.
+
+(** whose neighbours are mutual. *)
+Theorem LatticeInvolution : TilingInvolution LatticeTiling.
+Proof. exact TilingProof.LatticeInvolution. Qed.
 
 (** ** What compatible edges do not tell
 
@@ -770,8 +824,21 @@ Theorem DoorSuffices :
          <= LatticeLimit).
 Proof. exact RangeProof.DoorSuffices. Qed.
 
-(** and so are the corners of every structured tetrahedron with an anchor within
-    [AnchorLimit]. *)
+(** and so are the vertices of whatever stands within [AnchorLimit], in a tiling
+    that reaches no farther than the 8 units between the two limits. *)
+Theorem TilingCornersInRange :
+  forall (T : Tiling) reach (id : Identifier T) v,
+    TilingReaches reach T -> reach <= LatticeLimit - AnchorLimit ->
+    Bounded AnchorLimit (AnchorOf id) -> In v (VerticesOf T id) ->
+    Bounded LatticeLimit v.
+Proof. exact RangeProof.TilingCornersInRange. Qed.
+
+(** The lattice reaches 3 units far, *)
+Theorem LatticeReaches : TilingReaches 3 LatticeTiling.
+Proof. exact RangeProof.LatticeReaches. Qed.
+
+(** so that this goes for the corners of every structured tetrahedron with an
+    anchor within [AnchorLimit]. *)
 Theorem CornersInRange :
   forall anchor case v,
     Bounded AnchorLimit anchor -> In v (Corners (STId anchor case)) ->
@@ -829,7 +896,25 @@ Theorem VolumesFit :
     Computes 64 (DeterminantFormula a b c d) (SixVolume a b c d).
 Proof. exact RangeProof.VolumesFit. Qed.
 
-(** and those of the output, and of the warped lattice, are half as long. *)
+(** Between vertices that are made of corners no farther apart than some width,
+    they are two units longer at most; so that a tiling may be six units wide,
+    which with two more are [WidthLimit]. *)
+Theorem PlacedNarrow :
+  forall before warping cut width corners,
+    NoWider width corners -> Moderate before warping cut corners ->
+    forall m n,
+      OfCorners before warping corners m ->
+      OfCorners before warping corners n ->
+      Bounded ((width + 2) * Steps)
+        (Difference (PlacedPosition warping cut m)
+                    (PlacedPosition warping cut n)).
+Proof. exact RangeProof.PlacedNarrow. Qed.
+
+(** The lattice is two units wide, *)
+Theorem LatticeNoWider : TilingNoWider 2 LatticeTiling.
+Proof. exact RangeProof.LatticeNoWider. Qed.
+
+(** so that edges of the output, and of the warped lattice, are half as long. *)
 Theorem TetsNarrow :
   forall th sign cut, AtMostHalf th -> CutsOnEdges sign cut ->
     forall tid t,

@@ -7,9 +7,9 @@ From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.CheckerProof Angles.Configurations.
-From Certet Require Import Angles.SymmetryProof.
-From Certet Require Import Angles.ReductionProof Angles.AdmissibleProof.
+From Certet Require Import Angles.Forms.CheckerProof Angles.Cases.Configurations.
+From Certet Require Import Angles.Cases.SymmetryProof.
+From Certet Require Import Angles.Cases.ReductionProof Angles.Cases.AdmissibleProof.
 From Certet Require Import Angles.Jobs.AnglesFewSurface.
 From Certet Require Import Angles.Jobs.AnglesManySurface.
 From Certet Require Import Angles.Jobs.EmbeddingFewSurface.

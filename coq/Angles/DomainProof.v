@@ -9,7 +9,7 @@ From Certet Require Import Stencil.StencilSet Stencil.TriangleSpec.
 From Certet Require Import Warp.Cut Warp.Warp Warp.CutProof.
 From Certet Require Import Stuffing.Stuffing Stuffing.Domain.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.AdmissibleProof Angles.AngleTheorems.
+From Certet Require Import Angles.Cases.AdmissibleProof Angles.AngleTheorems.
 From Certet Require Import Angles.LatticeProof.
 From Certet Require Import Stuffing.NameProof Stuffing.VerticesProof.
 Import ListNotations.

@@ -5,7 +5,7 @@ From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet.
 From Certet Require Import Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec Angles.Isometry.
+From Certet Require Import Angles.AnglesSpec Angles.Cases.Isometry.
 From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
 From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
 From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.

@@ -13,7 +13,7 @@ From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Import Stencil.TriangleSpec.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.AdmissibleProof.
+From Certet Require Import Angles.Cases.AdmissibleProof.
 From Certet Require Import Embedding.EmbeddingSpec Embedding.Rounding.
 From Certet Require Import Embedding.LatticeEmbedsProof Embedding.EdgeRank.
 From Certet Require Import Embedding.WarpedLatticeProof Embedding.MeshEmbedsProof.

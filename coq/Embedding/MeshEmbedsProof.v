@@ -13,7 +13,7 @@ From Certet Require Import Lattice.StructuredTet.
 From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Import Stencil.TriangleSpec.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec Angles.AdmissibleProof.
+From Certet Require Import Angles.AnglesSpec Angles.Cases.AdmissibleProof.
 From Certet Require Import Embedding.EmbeddingSpec.
 From Certet Require Import Embedding.LatticeEmbedsProof.
 From Certet Require Import Embedding.WarpedLatticeProof.

@@ -4,7 +4,7 @@ From Coq Require Import ZArith Reals List Lra.
 From Certet Require Import Lattice.Coord3 Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
-From Certet Require Import Angles.DegreesProof.
+From Certet Require Import Angles.Degrees.DegreesProof.
 From Certet Require Import Embedding.WarpOrClamp Embedding.RuledMeshProof.
 
 Theorem RuledBoundsInDegrees sign cut stays limit tid t : CutsOnEdges sign cut ->

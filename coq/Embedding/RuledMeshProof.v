@@ -7,7 +7,7 @@ From Certet Require Import Lattice.StructuredTet.
 From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Isometry Angles.AngleTheorems.
+From Certet Require Import Angles.Cases.Isometry Angles.AngleTheorems.
 From Certet Require Import Embedding.EmbeddingSpec Embedding.WarpOrClamp.
 From Certet Require Import Embedding.MeshEmbedsProof Embedding.LevelProof.
 From Certet Require Import Embedding.WarpOrClampProof.

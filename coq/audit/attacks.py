@@ -67,7 +67,7 @@ def in_degrees(change, proof="Admitted."):
     def plant(w):
         change(w)
         w.compile("Angles/DegreesSpec.v")
-        cut_short(w, "Angles/DegreesProof.v", proof)
+        cut_short(w, "Angles/Degrees/DegreesProof.v", proof)
         w.compile(PAGE)
     return plant
 
@@ -255,6 +255,9 @@ SPECS = [(what, "specs", said(text, SPEC)) for what, text in [
     ("a notation that only prints", 'Notation "\'Bounded\' n" := (n = 0) (at level 9, only printing).'),
     ("a local notation", 'Local Notation "x <= y" := True.'),
     ("an abbreviation", "Notation Bounded := (fun _ _ => True)."),
+    ("a local name for what no variable makes", "Local Notation Bounded_ := (Bounded LatticeLimit)."),
+    ("a local name for more than variables", "Section S. Variable n : Z. Local Notation m := (n = n). End S."),
+    ("a local name that hides a variable", "Section S. Variables m n : Z. Local Notation m := (n). End S."),
     ("a notation of an inductive type",
      "Inductive Less_ : Z -> Prop := less n : [ n ] where \"[ n ]\" := (Less_ n)."),
     ("a coercion", "Coercion Number : Z >-> Formula."),

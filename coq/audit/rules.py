@@ -129,9 +129,40 @@ def check_file(root, file, allowed, exported, others=()):
 
 # -- one kind each ------------------------------------------------------------
 
+def variables(sentence):
+    """The names that Variable or Variables declares, without their types."""
+    found, reading = [], True
+    for token in sentence.tokens[1:]:
+        reading = token == "(" or reading and token != ":"
+        if reading and token != "(":
+            found.append(token)
+    return found
+
+
+def short_names(root, file):
+    """Local names for what the variables of open sections make: c12 for (GetIntersection v1 v2)."""
+    found, declared = set(), []
+    for sentence in read(root, file):
+        words = sentence.tokens
+        if words[0] == "Section":
+            declared.append(set())
+        elif words[0] == "End" and declared:
+            declared.pop()
+        elif words[0] in ("Variable", "Variables") and declared:
+            declared[-1] |= set(variables(sentence))
+        elif words[0] == "Local":
+            known = set().union(*declared)
+            if (words[1:4:2] != ("Notation", ":=") or words[4:5] + words[-1:] != ("(", ")")
+                    or not set(words[5:-1]) <= known or words[2] in known | found):
+                refuse(file, sentence, "only what the variables of a section make is given a local name.")
+            found.add(words[2])
+    return found
+
+
 def check_definitions(root, file, exported):
     """A file that a page exports: plain definitions."""
-    check_file(root, file, DEFINING, exported)
+    short_names(root, file)
+    check_file(root, file, DEFINING | {"Local"}, exported)
     for sentence in read(root, file):
         if TRICKS & set(sentence.tokens) or any(t.startswith('"') for t in sentence.tokens):
             refuse(file, sentence, "a definition that users read has no notation, coercion, attribute or tactic.")

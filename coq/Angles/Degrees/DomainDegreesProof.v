@@ -5,9 +5,9 @@ From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
 From Certet Require Import Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing Stuffing.Domain.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
-From Certet Require Import Angles.CheckerProof Angles.AngleTheorems.
-From Certet Require Import Angles.DegreesProof Angles.Witnesses.
-From Certet Require Import Angles.SharpnessProof Angles.DomainProof.
+From Certet Require Import Angles.Forms.CheckerProof Angles.AngleTheorems.
+From Certet Require Import Angles.Degrees.DegreesProof Angles.Degrees.Witnesses.
+From Certet Require Import Angles.Degrees.SharpnessProof Angles.DomainProof.
 Open Scope R_scope.
 
 Theorem BisectedBoundsInDegrees sign domain tid t :

@@ -6,7 +6,7 @@ From Coq Require Import ZArith Reals List Lra Lia.
 From Certet Require Import Lattice.Coord3 Stencil.UnstructuredTet.
 From Certet Require Import Stuffing.Stuffing Warp.Warp Warp.Cut.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
-From Certet Require Import Angles.CheckerProof Angles.AngleTheorems.
+From Certet Require Import Angles.Forms.CheckerProof Angles.AngleTheorems.
 Open Scope R_scope.
 
 (** ** Numbers *)
