@@ -662,6 +662,17 @@ Theorem RuledBoundsInDegrees :
     WithinDegrees (1077 / 100) (16476 / 100) t.
 Proof. exact RuledDegreesProof.RuledBoundsInDegrees. Qed.
 
+(** The rest of [CertifiedMesh] holds as well. *)
+Theorem CertifiedRuledMesh :
+  forall sign cut stays limit, CutsOnEdges sign cut ->
+    let mesh := RuledMesh AngleThresholds sign cut stays limit in
+    TetsPositive mesh /\
+    AnglesBetween mesh 1077 16476 /\
+    FacesConform mesh /\
+    BoundaryIsSurface mesh /\
+    NothingOverflows mesh AngleThresholds.
+Proof. exact CertifiedMeshProof.CertifiedRuledMesh. Qed.
+
 (** The paper's rule is the one by which nobody stays. *)
 Theorem NobodyStays :
   forall th sign cut tid,

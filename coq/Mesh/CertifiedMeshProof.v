@@ -1,7 +1,10 @@
-(** * Every mesh of the product is certified: proof *)
+(** * Every mesh of the product is certified: proof
 
-From Coq Require Import ZArith Reals List Lra.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
+    The angles are theorems of their own; the rest holds of any placement. *)
+
+From Coq Require Import ZArith Reals List Lra Lia.
+From Certet Require Import Lattice.Coord3 Lattice.Direction.
+From Certet Require Import Lattice.StructuredTet.
 From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Import Warp.Cut Warp.Warp.
 From Certet Require Import Stuffing.Stuffing Stuffing.Domain.
@@ -9,6 +12,9 @@ From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
 From Certet Require Import Angles.AngleTheorems Angles.DomainProof.
 From Certet Require Import Angles.Degrees.DegreesProof.
 From Certet Require Import Angles.Degrees.DomainDegreesProof.
+From Certet Require Import Embedding.EmbeddingSpec Embedding.WarpOrClamp.
+From Certet Require Import Embedding.WarpOrClampProof.
+From Certet Require Import Embedding.RuledDegreesProof.
 From Certet Require Import Range.RangeSpec Range.RangeProof.
 From Certet Require Import Mesh.Method Mesh.CertifiedSpec.
 From Certet Require Import Mesh.PlacedMeshProof.
@@ -40,6 +46,41 @@ Proof.
   apply PlacedCertified; [exact within|].
   intros tid. apply StuffedModerate; assumption.
 Qed.
+
+(** ** A warp with a rule of who stays *)
+
+Lemma RuledModerate sign cut stays limit corners : CutsOnEdges sign cut ->
+  Moderate sign (RuledWarping AngleThresholds sign cut stays limit)
+    (ClampedCut AngleThresholds cut) corners.
+Proof.
+  intros on. split.
+  - intros v d t _ W.
+    pose proof (RuledMovesAtMost AngleThresholds sign cut stays limit on v d t W).
+    pose proof (AngleThresholdsAtMostHalf (DirectionKind d)). lia.
+  - intros p q _. unfold ClampedCut.
+    pose proof (AngleThresholdsAtMostHalf (KindBetween p q)).
+    assert (0 <= ThresholdSteps AngleThresholds (KindBetween p q))
+      by (destruct (KindBetween p q); vm_compute; discriminate).
+    lia.
+Qed.
+
+Theorem CertifiedRuledMesh :
+  forall sign cut stays limit, CutsOnEdges sign cut ->
+    let mesh := RuledMesh AngleThresholds sign cut stays limit in
+    TetsPositive mesh /\
+    AnglesBetween mesh 1077 16476 /\
+    FacesConform mesh /\
+    BoundaryIsSurface mesh /\
+    NothingOverflows mesh AngleThresholds.
+Proof.
+  intros sign cut stays limit on.
+  apply (PlacedCertified sign (RuledWarping AngleThresholds sign cut stays limit)
+    (ClampedCut AngleThresholds cut)); [| intros tid; apply RuledModerate, on | tauto].
+  intros tid t I. apply (RuledBoundsInDegrees sign cut stays limit tid t on).
+  unfold WarpOrClamp. rewrite PlacedByName. exact I.
+Qed.
+
+(** ** The product's methods *)
 
 Theorem CertifiedMesh :
   forall (method : Method) (sign : SignField) (domain : PositionSigns),

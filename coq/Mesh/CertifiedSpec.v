@@ -7,7 +7,8 @@ From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
 From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Import Stencil.TriangleSpec.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing Stuffing.MeshSpec.
+From Certet Require Import Warp.Cut Warp.Warp.
+From Certet Require Import Stuffing.Stuffing Stuffing.MeshSpec.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
 From Certet Require Import Range.RangeSpec Mesh.Method.
 Open Scope Z_scope.
@@ -25,7 +26,8 @@ Section Mesh.
 
   (** All dihedral angles are between so many hundredths of a degree. *)
   Definition AnglesBetween (least greatest : Z) : Prop :=
-    forall tid t p q r s, In t (PlacedWithin tid) -> In (p, q, r, s) (DihedralEdges t) ->
+    forall tid t p q r s,
+      In t (PlacedWithin tid) -> In (p, q, r, s) (DihedralEdges t) ->
       (IZR least / 100 <= DihedralDegrees p q r s <= IZR greatest / 100)%R.
 
   (** Neighbours conform: a face of the lattice with a corner inside is divided
@@ -44,7 +46,8 @@ Section Mesh.
 
   (** The boundary is on the surface: a triangle that no other tetrahedron has
       as well, within the same structured one or a neighbour of it, has its
-      three vertices there. *)
+      three vertices there: cuts, corners that are on the surface of themselves,
+      or that were warped to a cut. *)
   Definition BoundaryIsSurface : Prop :=
     forall tid t a b c, In t (TetsWithin mesh tid) -> HasTriangle t a b c ->
       (SignIn mesh a = OnSurface /\ SignIn mesh b = OnSurface /\

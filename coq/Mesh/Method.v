@@ -8,6 +8,8 @@ From Coq Require Import ZArith List.
 From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
 From Certet Require Import Stencil.UnstructuredTet Warp.Warp.
 From Certet Require Import Stuffing.Stuffing Stuffing.Domain.
+From Certet Require Import Angles.AnglesSpec.
+From Certet Require Import Embedding.EmbeddingSpec Embedding.WarpOrClamp.
 Open Scope Z_scope.
 
 (** Cuts found by bisection, and the widest angles; cuts found by bisection, and
@@ -45,11 +47,19 @@ Record Mesh := MakeMesh {
   PositionIn : MeshVertex -> Coord3
 }.
 
-(** The mesh that [StuffTet] makes, *)
+(** The mesh that [StuffTet] makes; *)
 Definition StuffedMesh (th : Thresholds) (sign : SignField) (cut : CutField)
   : Mesh :=
   MakeMesh (StuffTet th sign cut) (MeshVertexSign th sign cut)
            (MeshPosition th sign cut).
+
+(** that of a warp with a rule of who stays and how far the others move, which
+    no method uses yet; *)
+Definition RuledMesh (th : Thresholds) (sign : SignField) (cut : CutField)
+  (stays : Coord3 -> bool) (limit : Coord3 -> Z) : Mesh :=
+  let warping := RuledWarping th sign cut stays limit in
+  MakeMesh (PlacedNames sign warping) (PlacedSign sign warping)
+           (PlacedPosition warping (ClampedCut th cut)).
 
 (** and so that of a method.  Which lattice points count as inside is told
     beside the domain: the mesher takes the outermost points of its lattice as

@@ -3,7 +3,8 @@
 From Coq Require Import ZArith List Lia.
 From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Lattice.Tiling Stencil.UnstructuredTet.
+From Certet Require Import Lattice.Tiling Lattice.FaceProof.
+From Certet Require Import Stencil.UnstructuredTet.
 From Certet Require Import Stencil.StencilSet Stencil.TriangleSpec.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Stuffing.NameProof Stuffing.VerticesProof.
@@ -244,12 +245,12 @@ Proof. intros W S m n. apply NarrowBetween; assumption. Qed.
 
 Theorem LatticeNoWider : TilingNoWider 2 LatticeTiling.
 Proof.
-  intros [[x y z] c] p q I J k.
-  destruct c; cbn in I, J;
-    repeat (destruct I as [<- | I];
-      [repeat (destruct J as [<- | J]; [destruct k; cbn [Along Difference]; lia|]);
-       destruct J|]);
-    destruct I.
+  intros [a c] p q I J. unfold VerticesOf in I, J.
+  apply in_map_iff in I as (i & <- & _), J as (j & <- & _).
+  cbn [LatticeTiling VertexOf]. rewrite !VertexMoves.
+  replace (Difference _ _) with (Difference (LocalVertex c i) (LocalVertex c j))
+    by (destruct a, (LocalVertex c i), (LocalVertex c j); cbn; f_equal; ring).
+  destruct c, i, j; intros []; split; discriminate.
 Qed.
 
 Theorem LatticeReaches : TilingReaches 3 LatticeTiling.

@@ -92,7 +92,7 @@ Proof.
   split; [exact DihedralBoundsInDegrees|].
   split; [exact DihedralBoundsEmbeddingInDegrees|].
   split; [|reflexivity].
-  intros sign tid t decided cut I. cbn [least greatest MiddleBounds].
+  intros sign tid t decided cut I. cbn [least greatest MiddleBounds BoundsOf LeastAngle GreatestAngle].
   replace (IZR 3000 / 100)%R with 30%R by lra.
   replace (IZR 13500 / 100)%R with 135%R by lra.
   exact (MidpointBoundsInDegrees sign tid t I).

@@ -258,14 +258,15 @@ Definition AreOutwardFaces (t : Table) : bool :=
 
 (** ** The bounds that every mesh is held to
 
-    In hundredths of degrees, with the theorem that promises them; for cuts on
+    Those of the methods, with the theorem that promises them; for cuts on
     the surface at either thresholds, and for cuts in the middle. *)
 
 Record Bounds := { least : Z; greatest : Z; theorem : string }.
-Definition WidestBounds := {| least := 1077; greatest := 16476; theorem := "DihedralBounds" |}.
-Definition EmbeddingBounds :=
-  {| least := 927; greatest := 16146; theorem := "DihedralBoundsEmbedding" |}.
-Definition MiddleBounds := {| least := 3000; greatest := 13500; theorem := "MidpointBounds" |}.
+Definition BoundsOf (m : Method) (promised_by : string) : Bounds :=
+  {| least := LeastAngle m; greatest := GreatestAngle m; theorem := promised_by |}.
+Definition WidestBounds := BoundsOf AngleMethod "DihedralBounds".
+Definition EmbeddingBounds := BoundsOf EmbeddingMethod "DihedralBoundsEmbedding".
+Definition MiddleBounds := BoundsOf MidpointMethod "MidpointBounds".
 Definition ProvenBounds : list (list Bounds) :=
   [[WidestBounds; EmbeddingBounds]; [MiddleBounds; MiddleBounds]].
 
