@@ -13,21 +13,42 @@
 
     The paper's own list of statements is in [PaperCertificate.v]. *)
 
+(** Read [Mesh/Method.v], the product's methods and the mesh that each makes of a
+    domain, and [Mesh/CertifiedSpec.v], a definition for each line below. *)
+From Certet Require Export Stuffing.Stuffing Stuffing.Domain.
+From Certet Require Export Mesh.Method Mesh.CertifiedSpec.
+From Certet Require Mesh.CertifiedMeshProof.
+
+(** Whatever the method, whatever the domain, and whichever lattice points are
+    taken as inside: every tetrahedron has positive volume; every dihedral angle
+    is within the method's bounds; both sides of a face have the same triangles;
+    a triangle that only one tetrahedron has lies on the surface; and no integer
+    overflows. *)
+Theorem CertifiedMesh :
+  forall (method : Method) (sign : SignField) (domain : PositionSigns),
+    let mesh := MeshOf method sign domain in
+    TetsPositive mesh /\
+    AnglesBetween mesh (LeastAngle method) (GreatestAngle method) /\
+    FacesConform mesh /\
+    BoundaryIsSurface mesh /\
+    NothingOverflows mesh (MethodThresholds method).
+Proof. exact CertifiedMeshProof.CertifiedMesh. Qed.
+
+(** ** The rest *)
+
 From Coq Require Import ZArith Reals List.
 
 (** The paper's own statements. *)
 From Certet Require Export PaperCertificate.
 
-(** What runs. *)
+(** What runs, besides [Stuffing]. *)
 From Certet Require Export Lattice.Direction.
 From Certet Require Export Warp.Cut Warp.Warp.
-From Certet Require Export Stuffing.Stuffing Stuffing.Domain.
 
 (** What no program runs yet: a warp with a rule of who stays. *)
 From Certet Require Export Embedding.WarpOrClamp Embedding.DiskRule.
 
 (** What is meant. *)
-From Certet Require Export Mesh.Method Mesh.CertifiedSpec.
 From Certet Require Export Lattice.NeighborSpec Lattice.Tiling.
 From Certet Require Export Stencil.StencilSet Stencil.TilingSpec.
 From Certet Require Export Stencil.OtherStencils.
@@ -38,7 +59,6 @@ From Certet Require Export Embedding.EmbeddingSpec Embedding.PiecesSpec.
 From Certet Require Export Range.RangeSpec.
 
 (** Why it holds. *)
-From Certet Require Mesh.CertifiedMeshProof.
 From Certet Require Lattice.TilingProof Lattice.NeighborProof.
 From Certet Require Lattice.FaceProof.
 From Certet Require Stencil.LatticeCompatibilityProof.
@@ -62,26 +82,6 @@ From Certet Require Embedding.PiecesProof Embedding.DiskPiecesProof.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
-
-(** ** The theorem
-
-    Read [Mesh/Method.v] (the product's methods) and [Mesh/CertifiedSpec.v] (one
-    definition for each line). *)
-
-(** Whatever the method, whatever the domain, and whichever lattice points are
-    taken as inside: every tetrahedron has positive volume; every dihedral angle
-    is within the method's bounds; both sides of a face have the same triangles;
-    a triangle that only one tetrahedron has lies on the surface; and no integer
-    overflows. *)
-Theorem CertifiedMesh :
-  forall (method : Method) (sign : SignField) (domain : PositionSigns),
-    let mesh := MeshOf method sign domain in
-    TetsPositive mesh /\
-    AnglesBetween mesh (LeastAngle method) (GreatestAngle method) /\
-    FacesConform mesh /\
-    BoundaryIsSurface mesh /\
-    NothingOverflows mesh (MethodThresholds method).
-Proof. exact CertifiedMeshProof.CertifiedMesh. Qed.
 
 (** ** Beyond the paper: the verification is not tied to these stencils *)
 
