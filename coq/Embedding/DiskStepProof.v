@@ -95,6 +95,9 @@ End Disk.
 
 (** ** One after the other *)
 
+Lemma PlusOrNot s : s <> Plus \/ s = Plus.
+Proof. destruct s; auto; left; discriminate. Qed.
+
 Section Steps.
   Variable sign : SignField.
 
@@ -112,20 +115,20 @@ Section Steps.
     - apply AllLeave_none. intros u. rewrite E. tauto.
     - assert (K : forall u, u <> v -> (now u = Plus <-> before u = Plus))
         by (intros u N; rewrite (E u N); tauto).
-      destruct (before v) eqn:W.
-      2,3: apply (AllLeaveSame Adjacent _ _ _ IH); intros u;
-        destruct (SamePoint3 u v) as [->|N];
-        [rewrite V, W; split; discriminate|symmetry; apply K, N].
-      apply (AllLeave_one Adjacent v _ _ _ IH).
-      destruct (InsideAround before v D) as [(x & X & I) J].
-      assert (N : forall u, Adjacent v u -> u <> v)
-        by (intros u A ->; exact (NeverNext v A)).
-      split; [exact W|]. split; [rewrite V; discriminate|]. split; [exact K|].
-      split; [exists x; split; [exact X|apply K; auto]|].
-      intros u w U W' Iu Iw.
-      apply (JoinedWider (fun y => before y = Plus /\ Adjacent v y)).
-      + intros y [Y A]. split; [apply K; auto|exact A].
-      + apply J; try assumption; apply K; auto.
+      destruct (PlusOrNot (before v)) as [W|W].
+      + apply (AllLeaveSame Adjacent _ _ _ IH). intros u.
+        destruct (SamePoint3 u v) as [->|N]; [|symmetry; apply K, N].
+        rewrite V. split; [intros P; destruct (W P)|discriminate].
+      + apply (AllLeave_one Adjacent v _ _ _ IH).
+        destruct (InsideAround before v D) as [(x & X & I) J].
+        assert (N : forall u, Adjacent v u -> u <> v)
+          by (intros u A ->; exact (NeverNext v A)).
+        split; [exact W|]. split; [rewrite V; discriminate|]. split; [exact K|].
+        split; [exists x; split; [exact X|apply K; auto]|].
+        intros u w U W' Iu Iw.
+        apply (JoinedWider (fun y => before y = Plus /\ Adjacent v y)).
+        * intros y [Y A]. split; [apply K; auto|exact A].
+        * apply J; try assumption; apply K; auto.
   Qed.
 
   (** Seen from outside, what became 0 leaves again. *)
@@ -137,15 +140,15 @@ Section Steps.
     - assert (K : forall u, u <> v -> (before u <> Plus <-> now u <> Plus))
         by (intros u N; rewrite (E u N); tauto).
       apply (AllLeaveThen Adjacent _ (fun u => before u <> Plus)); [|exact IH].
-      destruct (before v) eqn:W.
-      2,3: apply AllLeave_none; intros u;
-        destruct (SamePoint3 u v) as [->|N];
-        [rewrite V, W; split; discriminate|apply K, N].
-      apply (AllLeave_one Adjacent v _ (fun u => now u <> Plus));
-        [apply AllLeave_none; tauto|].
-      destruct (OutsideAround before v D) as [O J].
-      split; [rewrite V; discriminate|]. split; [intros N; exact (N W)|].
-      split; [exact K|]. split; [exact O|exact J].
+      destruct (PlusOrNot (before v)) as [W|W].
+      + apply AllLeave_none. intros u.
+        destruct (SamePoint3 u v) as [->|N]; [|apply K, N].
+        rewrite V. split; [discriminate|intros _; exact W].
+      + apply (AllLeave_one Adjacent v _ (fun u => now u <> Plus));
+          [apply AllLeave_none; tauto|].
+        destruct (OutsideAround before v D) as [O J].
+        split; [rewrite V; discriminate|]. split; [intros N; exact (N W)|].
+        split; [exact K|]. split; [exact O|exact J].
   Qed.
 
   Hypothesis Decided : forall v, sign v <> OnSurface.
