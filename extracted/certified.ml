@@ -1272,6 +1272,17 @@ let placedTets before warping0 cut = function
       (getUnstructuredTets (placedSign before warping0) meshIntersection
         (Corner v1) (Corner v2) (Corner v3) (Corner v4)))
 
+(** val placedNames :
+    signField -> (coord3 -> warping) -> structuredTetId -> meshVertex
+    unstructuredTet list **)
+
+let placedNames before warping0 = function
+| STId (c, case) ->
+  let ST (v1, v2, v3, v4, _, _, _, _) = getStructuredTet (STId (c, case)) in
+  map (orient (caseHandedness case))
+    (getUnstructuredTets (placedSign before warping0) meshIntersection
+      (Corner v1) (Corner v2) (Corner v3) (Corner v4))
+
 (** val kindBetween : coord3 -> coord3 -> edgeKind **)
 
 let kindBetween a b =

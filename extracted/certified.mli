@@ -318,6 +318,10 @@ val placedTets :
   signField -> (coord3 -> warping) -> cutField -> structuredTetId -> coord3
   unstructuredTet list
 
+val placedNames :
+  signField -> (coord3 -> warping) -> structuredTetId -> meshVertex
+  unstructuredTet list
+
 val kindBetween : coord3 -> coord3 -> edgeKind
 
 val clampedCut : thresholds -> cutField -> coord3 -> coord3 -> z
