@@ -259,15 +259,19 @@ Definition AreOutwardFaces (t : Table) : bool :=
 (** ** The bounds that every mesh is held to
 
     In hundredths of degrees, with the theorem that promises them; for cuts on
-    the surface at either thresholds, and for cuts in the middle. *)
+    the surface where vertices settle, and at either thresholds where all move;
+    and for cuts in the middle. *)
 
 Record Bounds := { least : Z; greatest : Z; theorem : string }.
+Definition SettledBounds :=
+  {| least := 1077; greatest := 16476; theorem := "RuledBoundsInDegrees" |}.
 Definition WidestBounds := {| least := 1077; greatest := 16476; theorem := "DihedralBounds" |}.
 Definition EmbeddingBounds :=
   {| least := 927; greatest := 16146; theorem := "DihedralBoundsEmbedding" |}.
 Definition MiddleBounds := {| least := 3000; greatest := 13500; theorem := "MidpointBounds" |}.
 Definition ProvenBounds : list (list Bounds) :=
-  [[WidestBounds; EmbeddingBounds]; [MiddleBounds; MiddleBounds]].
+  [[SettledBounds; WidestBounds; EmbeddingBounds];
+   [MiddleBounds; MiddleBounds; MiddleBounds]].
 
 (** The number of 53 bits, written in full, that is nearest to so many hundredths. *)
 Definition IsNearest (hundredths : Z) (t : Table) : bool :=
