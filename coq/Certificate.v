@@ -57,6 +57,7 @@ From Certet Require Embedding.RuledDegreesProof.
 From Certet Require Embedding.PiecesProof Embedding.DiskPiecesProof.
 From Certet Require Embedding.DiskTablesProof Embedding.SettleProof.
 From Certet Require Embedding.SettledMeshProof Embedding.SettleOrderProof.
+From Certet Require Embedding.DisksAroundProof.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
@@ -862,12 +863,27 @@ Proof. exact DiskPiecesProof.OneMeshHasItAll. Qed.
 Theorem IsDiskCorrect : forall now, IsDisk (Gather now) = StrictDisk now.
 Proof. exact DiskTablesProof.IsDiskCorrect. Qed.
 
+(** And these are, in so many words: on the sphere of a vertex's neighbours the +
+    are in one piece and the others too, around each 0 the + are one run or none,
+    and no edge from 0 to 0 has + on both sides. *)
+Theorem StrictDiskIff :
+  forall now v, StrictDisk (LinkOf now v) = true <-> DiskAround now v.
+Proof. exact DisksAroundProof.StrictDiskIff. Qed.
+
 (** Signs change only as they may: one vertex after the other becomes 0, each when
     its link is a strict disk. *)
 Theorem SettledByDisks :
   forall th sign cut gap vs,
     ByDisks sign (SignAmong sign (Settle th sign cut gap vs)).
 Proof. exact SettleProof.SettledByDisks. Qed.
+
+(** Who has become 0 keeps its disk, whatever its neighbours do later: at the end
+    every 0 has a strict disk around it, or nothing inside. *)
+Theorem SettledDisksAround :
+  forall th sample cut gap vs,
+    let sign := OpenSigns sample in
+    DisksAround (SignAmong sign (Settle th sign cut gap vs)).
+Proof. exact DisksAroundProof.SettledDisksAround. Qed.
 
 (** Within a colour the order is free: those of one colour may have their turns at
     once. *)

@@ -11,6 +11,10 @@ Import ListNotations.
 Lemma AtGather {A} (f : Direction -> A) d : At (Gather f) d = f d.
 Proof. destruct d; reflexivity. Qed.
 
+Lemma GatherSame {A} (f g : Direction -> A) : (forall d, f d = g d) ->
+  Gather f = Gather g.
+Proof. intros E. unfold Gather. f_equal; apply E. Qed.
+
 Lemma SameDirectionRefl d : SameDirection d d = true.
 Proof. destruct d; reflexivity. Qed.
 
@@ -208,3 +212,6 @@ Section Disk.
         rewrite Ze, N, W in H. discriminate H.
   Qed.
 End Disk.
+
+Lemma StrictDiskSame f g : (forall d, f d = g d) -> StrictDisk f = StrictDisk g.
+Proof. intros E. rewrite <- !IsDiskCorrect, (GatherSame f g E). reflexivity. Qed.
