@@ -36,7 +36,7 @@ Proof. exact CertifiedMeshProof.CertifiedMesh. Qed.
 
 (** ** The rest *)
 
-From Coq Require Import ZArith Reals List.
+From Coq Require Import ZArith Reals List Permutation.
 
 (** The paper's own statements. *)
 From Certet Require Export PaperCertificate.
@@ -45,8 +45,10 @@ From Certet Require Export PaperCertificate.
 From Certet Require Export Lattice.Direction.
 From Certet Require Export Warp.Cut Warp.Warp.
 
-(** What no program runs yet: a warp with a rule of who stays. *)
+(** A warp with a rule of who stays: by turns, as no program runs it, and as one
+    sweep over a list, which is what runs. *)
 From Certet Require Export Embedding.WarpOrClamp Embedding.DiskRule.
+From Certet Require Export Embedding.DiskTables Embedding.Settle.
 
 (** What is meant. *)
 From Certet Require Export Lattice.NeighborSpec Lattice.Tiling.
@@ -56,6 +58,7 @@ From Certet Require Export Stencil.TriangleSpec Stuffing.MeshSpec.
 From Certet Require Export Warp.WarpSpec.
 From Certet Require Export Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
 From Certet Require Export Embedding.EmbeddingSpec Embedding.PiecesSpec.
+From Certet Require Export Embedding.SettleSpec.
 From Certet Require Export Range.RangeSpec.
 
 (** Why it holds. *)
@@ -79,6 +82,9 @@ From Certet Require Embedding.MeshApartProof Embedding.FoldWitness.
 From Certet Require Embedding.WarpOrClampProof Embedding.RuledMeshProof.
 From Certet Require Embedding.RuledDegreesProof.
 From Certet Require Embedding.PiecesProof Embedding.DiskPiecesProof.
+From Certet Require Embedding.DiskTablesProof Embedding.SettleProof.
+From Certet Require Embedding.SettledMeshProof Embedding.SettleOrderProof.
+From Certet Require Embedding.DisksAroundProof.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
@@ -815,6 +821,121 @@ Theorem OneMeshHasItAll :
        Joined (InMesh sign warping) ShareFace t u <->
        Joined (PlusBefore sign) Adjacent p q).
 Proof. exact DiskPiecesProof.OneMeshHasItAll. Qed.
+
+(** ** Beyond the paper: the warp that keeps the shape, as it runs
+
+    Read [Embedding/Settle.v], which begins with the rule in words, and
+    [Embedding/DiskTables.v].  [Settle] is extracted and run, and the production
+    library is compared with it.  Nothing below asks who is in the list of
+    vertices, or in what order they have their turns. *)
+
+(** The disks it looks for are those of [DiskRule]. *)
+Theorem IsDiskCorrect : forall now, IsDisk (Gather now) = StrictDisk now.
+Proof. exact DiskTablesProof.IsDiskCorrect. Qed.
+
+(** And these are, in so many words: on the sphere of a vertex's neighbours the +
+    are in one piece and the others too, around each 0 the + are one run or none,
+    and no edge from 0 to 0 has + on both sides. *)
+Theorem StrictDiskIff :
+  forall now v, StrictDisk (LinkOf now v) = true <-> DiskAround now v.
+Proof. exact DisksAroundProof.StrictDiskIff. Qed.
+
+(** Signs change only as they may: one vertex after the other becomes 0, each when
+    its link is a strict disk. *)
+Theorem SettledByDisks :
+  forall th sign cut gap vs,
+    ByDisks sign (SignAmong sign (Settle th sign cut gap vs)).
+Proof. exact SettleProof.SettledByDisks. Qed.
+
+(** Who has become 0 keeps its disk, whatever its neighbours do later: at the end
+    every 0 has a strict disk around it, or nothing inside. *)
+Theorem SettledDisksAround :
+  forall th sample cut gap vs,
+    let sign := OpenSigns sample in
+    DisksAround (SignAmong sign (Settle th sign cut gap vs)).
+Proof. exact DisksAroundProof.SettledDisksAround. Qed.
+
+(** Within a colour the order is free: those of one colour may have their turns at
+    once. *)
+Theorem ColourInAnyOrder :
+  forall th sign cut gap first class class' last,
+    Permutation class class' ->
+    (forall u v, In u class -> In v class -> Colour u = Colour v) ->
+    forall v, PlaceIn (Settle th sign cut gap (first ++ class ++ last)) v
+            = PlaceIn (Settle th sign cut gap (first ++ class' ++ last)) v.
+Proof. exact SettleOrderProof.ColourInAnyOrder. Qed.
+
+(** It is one of the rules by which any violated vertex may stay, so that every
+    tetrahedron is admissible. *)
+Theorem SettledIsWarpOrClamp :
+  forall th sign cut gap vs,
+    AtMostHalf th -> CutsOnEdges sign cut -> (forall s s', gap s s' <= 1) ->
+    exists stays limit, forall tid,
+      SettledTets th sign cut (Settle th sign cut gap vs) tid
+      = WarpOrClamp th sign cut stays limit tid.
+Proof. exact SettledMeshProof.SettledIsWarpOrClamp. Qed.
+
+(** Samples that lie on the surface are cut at that end of the edge, so that the
+    cuts stay on their edges. *)
+Theorem OpenCutsOnEdges :
+  forall sample cut, CutsOnEdges sample cut ->
+    CutsOnEdges (OpenSigns sample) (OpenCuts sample cut).
+Proof. exact SettledMeshProof.OpenCutsOnEdges. Qed.
+
+(** The mesh of the product: every tetrahedron has dihedral angles between 10.77
+    and 164.76 degrees. *)
+Theorem SettledBoundsInDegrees :
+  forall sample cut vs tids t, CutsOnEdges sample cut ->
+    In t (SettledMesh AngleThresholds (OpenSigns sample) (OpenCuts sample cut)
+            LevelGap vs tids) ->
+    WithinDegrees (1077 / 100) (16476 / 100) t.
+Proof. exact RuledDegreesProof.SettledBounds. Qed.
+
+(** And all at once, whatever the samples: the angles (as integers tell it); no
+    point is inside two tetrahedra; the pieces of the mesh by faces are those of
+    the samples by edges, and none is lost; the outside, with the surface, keeps
+    its pieces too, and no cavity is made. *)
+Theorem SettledMeshHasItAll :
+  forall sample cut vs, CutsOnEdges sample cut ->
+    let th := AngleThresholds in
+    let sign := OpenSigns sample in
+    let cuts := OpenCuts sample cut in
+    let warping := PlaceIn (Settle th sign cuts LevelGap vs) in
+    let place := PlacedPosition warping (ClampedCut th cuts) in
+    (forall tids t, In t (SettledMesh th sign cuts LevelGap vs tids) ->
+       WellShaped (AB (CotSq 221 8) (CotSq 1751 130)) t) /\
+    (forall tid tid' t t', InLattice tid -> InLattice tid' ->
+       In t (PlacedNames sign warping tid) ->
+       In t' (PlacedNames sign warping tid') ->
+       Overlap (MapTet place t) (MapTet place t') -> tid = tid' /\ t = t') /\
+    (forall p q t u,
+       PlusAfter sign warping p -> PlusAfter sign warping q ->
+       MadeAt sign warping p t -> MadeAt sign warping q u ->
+       Joined (InMesh sign warping) ShareFace t u <->
+       Joined (PlusBefore sign) Adjacent p q) /\
+    (forall p, PlusBefore sign p ->
+       (exists tid, InLattice tid /\ In p (Corners tid)) ->
+       exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
+         Joined (PlusBefore sign) Adjacent p q) /\
+    (forall p q, ~ PlusBefore sign p -> ~ PlusBefore sign q ->
+       Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q <->
+       Joined (fun v => ~ PlusBefore sign v) Adjacent p q) /\
+    (forall p, ~ PlusAfter sign warping p ->
+       exists q, ~ PlusBefore sign q /\
+         Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q).
+Proof. exact SettledMeshProof.SettledMeshHasItAll. Qed.
+
+(** The product lets two vertices come level, so that flat walls are flat.  With a
+    step left between any two, the mesh embeds as well. *)
+Theorem SettledMeshEmbeds :
+  forall sign cut vs tid tid' t t',
+    let warping := PlaceIn (Settle AngleThresholds sign cut StrictGap vs) in
+    CutsOnEdges sign cut -> InLattice tid -> InLattice tid' ->
+    In t (PlacedNames sign warping tid) ->
+    In t' (PlacedNames sign warping tid') ->
+    MeetInSharedVertices
+      (PlacedPosition warping (ClampedCut AngleThresholds cut)) t t'.
+Proof. exact SettledMeshProof.StrictMeshEmbeds. Qed.
 
 (** ** Beyond the paper: no overflow
 

@@ -6,6 +6,7 @@ From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
 From Certet Require Import Angles.Degrees.DegreesProof.
 From Certet Require Import Embedding.WarpOrClamp Embedding.RuledMeshProof.
+From Certet Require Import Embedding.Settle Embedding.SettledMeshProof.
 
 Theorem RuledBoundsInDegrees sign cut stays limit tid t : CutsOnEdges sign cut ->
   In t (WarpOrClamp AngleThresholds sign cut stays limit tid) ->
@@ -14,4 +15,14 @@ Proof.
   intros C I. replace (16476 / 100)%R with (180 - 1524 / 100)%R by lra.
   exact (DegreesBounds _ _ _ _ _ Cotangent10_77 Cotangent15_24
            (RuledBounds sign cut stays limit C tid t I)).
+Qed.
+
+Theorem SettledBounds sample cut vs tids t : CutsOnEdges sample cut ->
+  In t (SettledMesh AngleThresholds (OpenSigns sample) (OpenCuts sample cut)
+          LevelGap vs tids) ->
+  WithinDegrees (1077 / 100) (16476 / 100) t.
+Proof.
+  intros C I. replace (16476 / 100)%R with (180 - 1524 / 100)%R by lra.
+  exact (DegreesBounds _ _ _ _ _ Cotangent10_77 Cotangent15_24
+           (proj1 (SettledMeshHasItAll sample cut vs C) tids t I)).
 Qed.

@@ -7,6 +7,7 @@
 
 #include "certet/error.hpp"
 #include "json.hpp"
+#include "mesh/method.hpp"
 #include "table.hpp"
 
 namespace certet::command {
@@ -28,14 +29,18 @@ std::uint64_t hexadecimal(const std::string& digits) {
   return number;
 }
 
+Guarantee guarantee_of(const std::string& used) {
+  for (const Guarantee guarantee : {Guarantee::pieces, Guarantee::angles, Guarantee::embedding})
+    if (used == name(guarantee)) return guarantee;
+  refuse(not_a_run);
+}
+
 /// The bounds are the product's own, never those that a file claims.
 AngleBounds bounds_of(const Json& lattice, const Json& guarantee) {
-  const std::string cuts = text(lattice.at("cuts")), used = text(guarantee.at("used"));
-  if ((cuts != "bisect" && cuts != "midpoint") || (used != "angles" && used != "embedding"))
-    refuse(not_a_run);
-  const AngleBounds bounds =
-      proven_bounds(cuts == "midpoint" ? Cuts::midpoint : Cuts::bisect,
-                    used == "angles" ? Guarantee::angles : Guarantee::embedding);
+  const std::string cuts = text(lattice.at("cuts"));
+  if (cuts != "bisect" && cuts != "midpoint") refuse(not_a_run);
+  const AngleBounds bounds = proven_bounds(cuts == "midpoint" ? Cuts::midpoint : Cuts::bisect,
+                                           guarantee_of(text(guarantee.at("used"))));
   if (text(guarantee.at("theorem")) != bounds.theorem ||
       guarantee.at("min_dihedral").get<double>() != bounds.min_dihedral ||
       guarantee.at("max_dihedral").get<double>() != bounds.max_dihedral)

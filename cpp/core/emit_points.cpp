@@ -46,7 +46,7 @@ Coord3* emit_cuts(const WarpedLattice& warped, const Lattice& lattice, const Row
 /// The points of row (j,k), in the order of RowRanks, from `out` on.
 void emit_row_points(const WarpedLattice& warped, const Lattice& lattice, const RowRanks& row,
                      int j, int k, Coord3* out) {
-  const ZeroLayer& zeros = warped.zeros[k];
+  const DisplacedLayer& zeros = warped.zeros[k];
   const CutLayer& cuts = warped.cuts[k];
   const Displacement* displacement =
       zeros.displacements.data() + zeros.row_begin[static_cast<std::size_t>(j)];

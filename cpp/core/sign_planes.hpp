@@ -2,6 +2,7 @@
 /// \file
 /// The signs of lattice vertices, two bits each.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -51,6 +52,11 @@ class SignPlanes {
       plus_[g].assign(other.plus_[g].begin() + begin, other.plus_[g].begin() + end);
       zero_[g].assign(other.zero_[g].begin() + begin, other.zero_[g].begin() + end);
     }
+  }
+
+  /// Turns every zero vertex to minus.
+  void clear_zeros() {
+    for (std::vector<std::uint64_t>& words : zero_) std::ranges::fill(words, 0);
   }
 
   /// Of the lattice.

@@ -10,6 +10,7 @@
 #include "cuts.hpp"
 #include "emit.hpp"
 #include "sample.hpp"
+#include "settle.hpp"
 #include "warped_lattice.hpp"
 
 namespace certet {
@@ -60,22 +61,49 @@ namespace {
 static_assert(no_warp_thresholds.long_edge == 0 && no_warp_thresholds.short_edge == 0,
               "with cuts in the middle no cut violates a vertex");
 
-/// Warps with the thresholds asked for; falls back to those of `embedding` if a
-/// tetrahedron that is dropped came out inverted, for it would cover others.
-WarpedLattice warp_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
-                           const Lattice& lattice, Guarantee& guarantee, std::uint64_t& inverted,
-                           Context& context) {
+/// The whole lattice, its violated vertices settled.
+WarpedLattice settled_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
+                              const Lattice& lattice, Context& context) {
   const Window all = whole(lattice);
+  Violations violations = find_violations(planes, cuts, all, angle_thresholds, context);
+  Settling settling = settle(planes, violations, lattice, all, context);
+  WarpedLattice warped = warp_lattice({planes, std::move(settling.planes)}, violations, cuts,
+                                      angle_thresholds, lattice, all, context);
+  warped.figures.add(settling.figures);
+  return warped;
+}
+
+/// By the paper's rule: warps with the thresholds asked for; falls back to those of
+/// `embedding` if a tetrahedron that is dropped came out inverted, for it would cover others.
+WarpedLattice moved_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
+                            const Lattice& lattice, Guarantee& guarantee,
+                            std::uint64_t& inverted, Context& context) {
+  const Window all = whole(lattice);
+  const auto warp = [&](const Violations& violations, SignPlanes moved) {
+    return warp_lattice({planes, std::move(moved)}, violations, cuts, no_warp_thresholds, lattice,
+                        all, context);
+  };
   if (guarantee == Guarantee::angles) {
-    const Violations violations(planes, cuts, lattice, all, angle_thresholds, context);
-    inverted = violations.inverted_tets(context);
-    if (inverted == 0) return violations.apply(context);
+    const Violations violations = find_violations(planes, cuts, all, angle_thresholds, context);
+    SignPlanes moved = move_all(planes, violations, context);
+    inverted = inverted_tets(moved, violations, lattice, all, context);
+    if (inverted == 0) return warp(violations, std::move(moved));
   }
   guarantee = Guarantee::embedding;
-  return Violations(planes, cuts, lattice, all, embedding_thresholds, context).apply(context);
+  const Violations violations = find_violations(planes, cuts, all, embedding_thresholds, context);
+  return warp(violations, move_all(planes, violations, context));
 }
 
 }  // namespace
+
+std::string_view name(Guarantee guarantee) {
+  switch (guarantee) {
+    case Guarantee::pieces: return "pieces";
+    case Guarantee::angles: return "angles";
+    case Guarantee::embedding: break;
+  }
+  return "embedding";
+}
 
 Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, const StuffingOptions& options,
                    Context& context) {
@@ -87,9 +115,10 @@ Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, const StuffingO
     SignPlanes planes = sample(domain, lattice, all, options.cuts, context);
     Layers<CutLayer> cuts = find_cuts(planes, domain, lattice, all, options.cuts, context);
     WarpedLattice warped =
-        options.cuts == Cuts::midpoint
-            ? unwarped(std::move(planes), std::move(cuts), all)
-            : warp_lattice(planes, cuts, lattice, guarantee, inverted, context);
+        options.cuts == Cuts::midpoint   ? unwarped(std::move(planes), std::move(cuts), all)
+        : guarantee == Guarantee::pieces ? settled_lattice(planes, cuts, lattice, context)
+                                         : moved_lattice(planes, cuts, lattice, guarantee,
+                                                         inverted, context);
     RowNumbers numbers(warped.planes, lattice, all, context);
     return std::make_unique<State>(
         State{lattice, std::move(warped), std::move(numbers), guarantee, inverted});
@@ -105,6 +134,7 @@ std::uint64_t Stuffing::tet_count() const { return state_->numbers.tet_count(); 
 const Lattice& Stuffing::lattice() const { return state_->lattice; }
 Guarantee Stuffing::guarantee() const { return state_->guarantee; }
 std::uint64_t Stuffing::inverted_tets() const { return state_->inverted_tets; }
+const WarpFigures& Stuffing::warp_figures() const { return state_->warped.figures; }
 std::int32_t Stuffing::layers() const { return state_->lattice.cells[2]; }
 
 std::uint64_t Stuffing::first_point(std::int32_t layer) const {
@@ -139,7 +169,7 @@ std::uint64_t Stuffing::bytes() const {
   std::uint64_t bytes = s.warped.planes.bytes() + s.numbers.bytes();
   for (const CutLayer& layer : s.warped.cuts)
     bytes += 2 * layer.steps.size() + 8 * layer.row_begin.size();
-  for (const ZeroLayer& layer : s.warped.zeros)
+  for (const DisplacedLayer& layer : s.warped.zeros)
     bytes += sizeof(Displacement) * layer.displacements.size() + 4 * layer.row_begin.size();
   return bytes;
 }

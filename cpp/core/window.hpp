@@ -21,6 +21,11 @@
 /// k + 1, is plus after warping; tetrahedra of layer k use points of the layers k
 /// and k + 1.  (A zero vertex of layer n + 1 may be taken for one that remains:
 /// if it does not it has no plus neighbour, and no edge to it is cut.)
+///
+/// That is so where each violated vertex moves, whatever becomes of the others.
+/// Where they settle one after the other, in 32 turns, each looks at its neighbours
+/// as they are at its turn, and these looked at theirs in the turns before: the
+/// violations, cuts and signs of 31 more layers on each side are needed, the `halo`.
 
 #include <algorithm>
 #include <cstddef>
@@ -48,17 +53,20 @@ constexpr Window widened(Window window, std::int32_t before, std::int32_t behind
   return {std::max(window.begin - before, 0), std::min(window.end + behind, lattice.cells[2])};
 }
 
+/// The halo of the method by which violated vertices settle.
+inline constexpr std::int32_t settling_halo = 31;
+
 /// Where signs are sampled, for the mesh of `window`.
-constexpr Window sampled_window(Window window, const Lattice& lattice) {
-  return widened(window, 2, 3, lattice);
+constexpr Window sampled_window(Window window, const Lattice& lattice, std::int32_t halo) {
+  return widened(window, 2 + halo, 3 + halo, lattice);
 }
 /// Where cuts are found.
-constexpr Window cut_window(Window window, const Lattice& lattice) {
-  return widened(window, 2, 2, lattice);
+constexpr Window cut_window(Window window, const Lattice& lattice, std::int32_t halo) {
+  return widened(window, 2 + halo, 2 + halo, lattice);
 }
 /// Where violated vertices are found.
-constexpr Window violation_window(Window window, const Lattice& lattice) {
-  return widened(window, 1, 2, lattice);
+constexpr Window violation_window(Window window, const Lattice& lattice, std::int32_t halo) {
+  return widened(window, 1 + halo, 2 + halo, lattice);
 }
 /// Where the signs after warping are known.
 constexpr Window warped_window(Window window, const Lattice& lattice) {

@@ -37,6 +37,12 @@ struct Options {
   int threads = 0;
 };
 
+Guarantee guarantee_of(const std::string& wanted) {
+  for (const Guarantee guarantee : {Guarantee::angles, Guarantee::embedding})
+    if (wanted == name(guarantee)) return guarantee;
+  return Guarantee::pieces;
+}
+
 Buffer<Point3> world_points(const Mesh& mesh) {
   Buffer<Point3> world(mesh.points.size());
   for (std::size_t i = 0; i < world.size(); ++i) world[i] = mesh.frame.world(mesh.points[i]);
@@ -245,12 +251,11 @@ void translate(std::exception_ptr pointer) {
 PYBIND11_MODULE(_certet, module) {
   py::register_exception_translator(translate);
   py::class_<Options>(module, "Options")
-      .def(py::init([](bool midpoint, bool embedding, int threads) {
-             return Options{{midpoint ? Cuts::midpoint : Cuts::bisect,
-                             embedding ? Guarantee::embedding : Guarantee::angles},
+      .def(py::init([](bool midpoint, const std::string& guarantee, int threads) {
+             return Options{{midpoint ? Cuts::midpoint : Cuts::bisect, guarantee_of(guarantee)},
                             threads};
            }),
-           py::arg("midpoint"), py::arg("embedding"), py::arg("threads"));
+           py::arg("midpoint"), py::arg("guarantee"), py::arg("threads"));
   py::class_<PythonMesh, std::shared_ptr<PythonMesh>>(module, "Mesh")
       .def_property_readonly("points", [](const py::object& self) {
         const auto& world = self.cast<const PythonMesh&>().world;
@@ -263,7 +268,7 @@ PYBIND11_MODULE(_certet, module) {
       .def_property_readonly("origin", [](const PythonMesh& mesh) { return mesh.mesh.frame.origin; })
       .def_property_readonly("axes", [](const PythonMesh& mesh) { return mesh.mesh.frame.axes; })
       .def_property_readonly("guarantee", [](const PythonMesh& mesh) {
-        return mesh.guarantee == Guarantee::angles ? "angles" : "embedding";
+        return name(mesh.guarantee);
       })
       .def_property_readonly("inverted_tets",
                              [](const PythonMesh& mesh) { return mesh.inverted_tets; })

@@ -9,6 +9,7 @@ namespace {
 
 // The bounds as the theorems of coq/Certificate.v state them.
 constexpr AngleBounds midpoint_bounds{30, 135, "MidpointBounds"};
+constexpr AngleBounds settled_bounds{10.77, 164.76, "RuledBoundsInDegrees"};
 constexpr AngleBounds dihedral_bounds{10.77, 164.76, "DihedralBounds"};
 constexpr AngleBounds embedding_bounds{9.27, 161.46, "DihedralBoundsEmbedding"};
 
@@ -24,7 +25,12 @@ std::string degrees(double angle) {
 AngleBounds proven_bounds(Cuts cuts, Guarantee guarantee) {
   // Midpoint cuts never warp a vertex, whatever the thresholds.
   if (cuts == Cuts::midpoint) return midpoint_bounds;
-  return guarantee == Guarantee::angles ? dihedral_bounds : embedding_bounds;
+  switch (guarantee) {
+    case Guarantee::pieces: return settled_bounds;
+    case Guarantee::angles: return dihedral_bounds;
+    case Guarantee::embedding: break;
+  }
+  return embedding_bounds;
 }
 
 bool within(const Quality& quality, const AngleBounds& bounds, double rounding) {

@@ -264,11 +264,14 @@ Definition AreOutwardFaces (t : Table) : bool :=
 Record Bounds := { least : Z; greatest : Z; theorem : string }.
 Definition BoundsOf (m : Method) (promised_by : string) : Bounds :=
   {| least := LeastAngle m; greatest := GreatestAngle m; theorem := promised_by |}.
+Definition SettledBounds :=
+  {| least := 1077; greatest := 16476; theorem := "RuledBoundsInDegrees" |}.
 Definition WidestBounds := BoundsOf AngleMethod "DihedralBounds".
 Definition EmbeddingBounds := BoundsOf EmbeddingMethod "DihedralBoundsEmbedding".
 Definition MiddleBounds := BoundsOf MidpointMethod "MidpointBounds".
 Definition ProvenBounds : list (list Bounds) :=
-  [[WidestBounds; EmbeddingBounds]; [MiddleBounds; MiddleBounds]].
+  [[SettledBounds; WidestBounds; EmbeddingBounds];
+   [MiddleBounds; MiddleBounds; MiddleBounds]].
 
 (** The number of 53 bits, written in full, that is nearest to so many hundredths. *)
 Definition IsNearest (hundredths : Z) (t : Table) : bool :=

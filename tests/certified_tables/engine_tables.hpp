@@ -113,9 +113,11 @@ void for_each_function(const Visit& visit) {
   }));
 
   visit("proven_bounds", std::array{
-      std::array{proven_bounds(Cuts::bisect, Guarantee::angles),
+      std::array{proven_bounds(Cuts::bisect, Guarantee::pieces),
+                 proven_bounds(Cuts::bisect, Guarantee::angles),
                  proven_bounds(Cuts::bisect, Guarantee::embedding)},
-      std::array{proven_bounds(Cuts::midpoint, Guarantee::angles),
+      std::array{proven_bounds(Cuts::midpoint, Guarantee::pieces),
+                 proven_bounds(Cuts::midpoint, Guarantee::angles),
                  proven_bounds(Cuts::midpoint, Guarantee::embedding)}});
 }
 

@@ -13,6 +13,7 @@ KEYS = {
     "input": {"kind", "name", "notes"},
     "output": {"file", "format", "bytes", "origin"},
     "lattice": {"cells", "size", "cuts"},
+    "method": {"name", "violated", "stayed", "shortened", "clamped"},
     "mesh": {"points", "tets", "volume", "checksum", "file_checksum"},
     "dihedral": {"min", "max", "lattice_min", "lattice_max", "rounding", "histogram"},
     "guarantee": {"asked", "used", "theorem", "min_dihedral", "max_dihedral",
@@ -88,10 +89,30 @@ class Formula(ProgramTest):
         self.assertLess(report["mesh"]["volume"], 4.1)
         self.check("root.vtu")
 
-    def test_other_thresholds_and_cuts(self):
-        for choice, low in ((("--guarantee", "embedding"), 9.2), (("--cuts", "midpoint"), 30)):
-            report = self.mesh(*TORUS, *choice, "-o", "t.vtu")
-            self.assertGreaterEqual(report["dihedral"]["min"], low - 1e-6)
+    def test_methods(self):
+        for choice, method, used, low in (
+                ((), "embedded", "pieces", 10.77), (("--method", "embedded"), "embedded", "pieces", 10.77),
+                (("--method", "paper"), "paper", "angles", 10.77),
+                (("--guarantee", "angles"), "paper", "angles", 10.77),
+                (("--method", "paper", "--guarantee", "embedding"), "paper", "embedding", 9.27),
+                (("--guarantee", "embedding"), "paper", "embedding", 9.27),
+                (("--method", "midpoint"), "midpoint", "angles", 30),
+                (("--cuts", "midpoint"), "midpoint", "angles", 30)):
+            with self.subTest(choice):
+                report = self.mesh(*TORUS, *choice, "--size", "0.1", "-o", "t.vtu")
+                self.assertGreaterEqual(report["dihedral"]["min"], low - 1e-6)
+                self.assertEqual(report["method"]["name"], method)
+                if method != "midpoint":
+                    self.assertEqual(report["guarantee"]["asked"], used)
+
+    def test_methods_that_contradict(self):
+        for choice in (("--method", "embedded", "--cuts", "midpoint"),
+                       ("--method", "embedded", "--guarantee", "angles"),
+                       ("--method", "midpoint", "--cuts", "bisect"),
+                       ("--method", "paper", "--cuts", "midpoint")):
+            run = self.run_certet("mesh", *TORUS, *choice, "-o", "t.vtu")
+            self.assertEqual((run.returncode, self.files()), (2, []), run.stderr)
+            self.assertIn("exclude each other", run.stderr)
 
     def test_medit(self):
         report = self.mesh(*TORUS, "--size", "0.2", "-o", "t.mesh")

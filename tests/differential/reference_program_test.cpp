@@ -51,7 +51,7 @@ class ReferenceProgram : public testing::Test {
 
 /// In lattice units, in which the program writes.
 PlacedTets engine(const certet::Domain& domain, const Lattice& lattice,
-                  const certet::StuffingOptions& options = {}) {
+                  const certet::StuffingOptions& options) {
   certet::Frame units;
   units.size = 2;
   certet::Context context;
@@ -68,12 +68,14 @@ PlacedTets engine(const certet::Domain& domain, const Lattice& lattice,
 }
 
 TEST_F(ReferenceProgram, MeshesASphere) {
-  const PlacedTets theirs = reference("--solid 'sphere 7.1 7.2 6.9 5.3' --lattice '0 0 0 8 9 8'");
+  const PlacedTets theirs = reference(
+      "--guarantee angles --solid 'sphere 7.1 7.2 6.9 5.3' --lattice '0 0 0 8 9 8'");
   EXPECT_GT(theirs.size(), 500U);
   const Lattice lattice{{0, 0, 0}, {8, 9, 8}};
   const auto ball = [](double r) { return domains::of_level(domains::sphere(7.1, 7.2, 6.9, r)); };
-  EXPECT_TRUE(engine(ball(5.3), lattice) == theirs);
-  EXPECT_FALSE(engine(ball(5.3001), lattice) == theirs);
+  const certet::StuffingOptions options{certet::Cuts::bisect, certet::Guarantee::angles};
+  EXPECT_TRUE(engine(ball(5.3), lattice, options) == theirs);
+  EXPECT_FALSE(engine(ball(5.3001), lattice, options) == theirs);
 }
 
 TEST_F(ReferenceProgram, MeshesATorusForAnEmbedding) {
@@ -132,9 +134,11 @@ TEST_F(ReferenceProgram, MeshesASampledDomain) {
   const domains::Positional domain =
       domains::random_cuts(5, 30, {10000, 20000, 33333, 50000, 60000});
   write_signs(folder / "noise.signs", domain, lattice);
-  const PlacedTets theirs = reference("--signs " + (folder / "noise.signs").string());
+  const PlacedTets theirs =
+      reference("--guarantee angles --signs " + (folder / "noise.signs").string());
   EXPECT_GT(theirs.size(), 50U);
-  EXPECT_TRUE(engine(domain, lattice) == theirs);
+  EXPECT_TRUE(engine(domain, lattice, {certet::Cuts::bisect, certet::Guarantee::angles}) ==
+              theirs);
 }
 
 TEST_F(ReferenceProgram, SaysWhatIsWrong) {

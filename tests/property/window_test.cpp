@@ -12,6 +12,7 @@
 #include "certet/stuffing.hpp"
 #include "core/emit.hpp"
 #include "core/sample.hpp"
+#include "core/settle.hpp"
 #include "core/window.hpp"
 #include "domains.hpp"
 
@@ -23,25 +24,36 @@ struct Made {
   std::vector<Coord3> points;
   std::vector<std::uint8_t> on_surface;
   std::vector<Tet<std::uint32_t>> tets;
-  std::uint64_t inverted = 0;  ///< at the `angles` thresholds
+  std::uint64_t inverted = 0;
+  WarpFigures figures;
   friend bool operator==(const Made&, const Made&) = default;
 };
 
 /// How a mesh is made.
 struct Method {
   Cuts cuts;
-  Thresholds thresholds;
+  Guarantee guarantee;
+
+  [[nodiscard]] Thresholds thresholds() const {
+    return guarantee == Guarantee::embedding ? embedding_thresholds : angle_thresholds;
+  }
+  /// How many layers more it looks at.
+  [[nodiscard]] std::int32_t halo() const {
+    return cuts == Cuts::bisect && guarantee == Guarantee::pieces ? core::settling_halo : 0;
+  }
 };
 
+constexpr Method settling{Cuts::bisect, Guarantee::pieces};
+
 Method random_method() {
-  return *rc::gen::element(Method{Cuts::bisect, angle_thresholds},
-                           Method{Cuts::bisect, embedding_thresholds},
-                           Method{Cuts::midpoint, no_warp_thresholds});
+  return *rc::gen::element(settling, Method{Cuts::bisect, Guarantee::angles},
+                           Method{Cuts::bisect, Guarantee::embedding},
+                           Method{Cuts::midpoint, Guarantee::angles});
 }
 
-/// Adds the mesh of one window; `signs` is where it is sampled.
+/// Adds the mesh of one window; `halo` is the method's, or less.
 void add_window(const Domain& domain, const Lattice& lattice, core::Window window,
-                core::Window signs, const Method& method, Made& made) {
+                core::Window signs, std::int32_t halo, const Method& method, Made& made) {
   Context context;
   context.threads = 1;
   core::SignPlanes planes = core::sample(domain, lattice, signs, method.cuts, context);
@@ -51,11 +63,21 @@ void add_window(const Domain& domain, const Lattice& lattice, core::Window windo
   const auto warped = [&] {
     if (method.cuts == Cuts::midpoint)
       return core::unwarped(std::move(planes), cuts_of(window), window);
-    const auto cuts = cuts_of(core::cut_window(window, lattice));
-    const core::Violations violations(planes, cuts, lattice, window, method.thresholds, context);
-    made.inverted += violations.inverted_tets(context);
-    return violations.apply(context);
+    const auto cuts = cuts_of(core::cut_window(window, lattice, halo));
+    core::Violations violations =
+        core::find_violations(planes, cuts, core::violation_window(window, lattice, halo),
+                              method.thresholds(), context);
+    const bool settles = method.guarantee == Guarantee::pieces;
+    core::Settling settled =
+        settles ? core::settle(planes, violations, lattice, window, context)
+                : core::Settling{core::move_all(planes, violations, context)};
+    made.inverted += core::inverted_tets(settled.planes, violations, lattice, window, context);
+    made.figures.add(settled.figures);
+    return core::warp_lattice({planes, std::move(settled.planes)}, violations, cuts,
+                              settles ? method.thresholds() : no_warp_thresholds, lattice, window,
+                              context);
   }();
+  made.figures.add(warped.figures);
   core::RowNumbers numbers(warped.planes, lattice, window, context);
   const std::size_t points = made.points.size();
   const std::size_t tets = made.tets.size();
@@ -75,16 +97,19 @@ Made in_windows(const Domain& domain, const Lattice& lattice, const std::vector<
   Made made;
   for (std::size_t n = 0; n + 1 < bounds.size(); ++n) {
     const core::Window window{bounds[n], bounds[n + 1]};
-    add_window(domain, lattice, window, core::sampled_window(window, lattice), method, made);
+    add_window(domain, lattice, window, core::sampled_window(window, lattice, method.halo()),
+               method.halo(), method, made);
   }
   return made;
 }
 
-/// A lattice of at least five layers; some rows are longer than a word.
-Lattice random_lattice() {
+/// A lattice of at least five layers, and of many where the method looks far; some rows
+/// are longer than a word.
+Lattice random_lattice(const Method& method) {
   const auto cells = [](int low, int high) { return *rc::gen::inRange(low, high + 1); };
   Lattice lattice;
-  lattice.cells = {*rc::gen::element(3, 6, 66), cells(3, 7), cells(5, 24)};
+  lattice.cells = {*rc::gen::element(3, 6, 66), cells(3, 7),
+                   cells(5, method.halo() == 0 ? 24 : 96)};
   lattice.origin = {-lattice.cells[0] / 2 * 2, 0, 2 * cells(-20, 20)};
   return lattice;
 }
@@ -106,9 +131,9 @@ std::vector<int> random_bounds(int layers) {
 }
 
 RC_GTEST_PROP(Window, WindowsMakeTheWhole, ()) {
-  const Lattice lattice = random_lattice();
-  const auto domain = random_domain();
   const Method method = random_method();
+  const Lattice lattice = random_lattice(method);
+  const auto domain = random_domain();
   const auto layers = lattice.cells[2];
   const Made whole = in_windows(domain, lattice, {0, layers}, method);
   RC_ASSERT(in_windows(domain, lattice, random_bounds(layers), method) == whole);
@@ -119,10 +144,11 @@ TEST(Window, OneLayerAtATime) {
   const auto domain = domains::of_level(domains::gyroid(11, 0.8));
   std::vector<int> bounds(13);
   for (int k = 0; k < 13; ++k) bounds[static_cast<std::size_t>(k)] = k;
-  const Method method{Cuts::bisect, embedding_thresholds};
-  const Made whole = in_windows(domain, lattice, {0, 12}, method);
-  EXPECT_GT(whole.tets.size(), 500u);
-  EXPECT_EQ(in_windows(domain, lattice, bounds, method), whole);
+  for (const Method& method : {settling, Method{Cuts::bisect, Guarantee::embedding}}) {
+    const Made whole = in_windows(domain, lattice, {0, 12}, method);
+    EXPECT_GT(whole.tets.size(), 500u);
+    EXPECT_EQ(in_windows(domain, lattice, bounds, method), whole);
+  }
 }
 
 /// What `Stuffing` makes is what the stages make of the whole.
@@ -130,26 +156,31 @@ TEST(Window, TheWholeIsTheEnginesMesh) {
   const Lattice lattice{{0, 0, 0}, {9, 9, 12}};
   const auto domain = domains::of_level(domains::gyroid(11, 0.8));
   Context context;
-  const Stuffing stuffing(domain, lattice, {Cuts::bisect, Guarantee::embedding}, context);
-  const Mesh mesh = emit(stuffing, {}, context);
-  const Made made = in_windows(domain, lattice, {0, 12}, {Cuts::bisect, embedding_thresholds});
-  EXPECT_TRUE(std::ranges::equal(mesh.points, made.points));
-  EXPECT_TRUE(std::ranges::equal(std::get<0>(mesh.tets), made.tets));
+  for (const Method& method : {settling, Method{Cuts::bisect, Guarantee::embedding}}) {
+    const Stuffing stuffing(domain, lattice, {method.cuts, method.guarantee}, context);
+    const Mesh mesh = emit(stuffing, {}, context);
+    const Made made = in_windows(domain, lattice, {0, 12}, method);
+    EXPECT_TRUE(std::ranges::equal(mesh.points, made.points));
+    EXPECT_TRUE(std::ranges::equal(std::get<0>(mesh.tets), made.tets));
+    if (method.guarantee == Guarantee::pieces) {
+      EXPECT_EQ(stuffing.warp_figures(), made.figures);
+    }
+  }
 }
 
-/// A halo with a layer less on either side makes another mesh of some domains.
-TEST(Window, NoLayerOfTheHaloIsIdle) {
+/// A window with a layer less on either side makes another mesh of some domains.
+TEST(Window, NoLayerAroundIsIdle) {
   const Lattice lattice{{0, 0, 0}, {12, 12, 16}};
   const core::Window window{6, 8};
-  const core::Window needed = core::sampled_window(window, lattice);
-  const Method method{Cuts::bisect, angle_thresholds};
+  const core::Window needed = core::sampled_window(window, lattice, 0);
+  const Method method{Cuts::bisect, Guarantee::angles};
   const auto differs = [&](core::Window signs) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
       const auto domain = domains::random_cuts(seed, 0, {1000, 30000, 64000});
       Made right;
       Made wrong;
-      add_window(domain, lattice, window, needed, method, right);
-      add_window(domain, lattice, window, signs, method, wrong);
+      add_window(domain, lattice, window, needed, 0, method, right);
+      add_window(domain, lattice, window, signs, 0, method, wrong);
       if (wrong != right) return true;
     }
     return false;
@@ -157,6 +188,28 @@ TEST(Window, NoLayerOfTheHaloIsIdle) {
   EXPECT_FALSE(differs(needed));
   EXPECT_TRUE(differs({needed.begin + 1, needed.end}));
   EXPECT_TRUE(differs({needed.begin, needed.end - 1}));
+}
+
+/// Vertices that settle look farther than those that just move: by chance a few layers, and
+/// at most one for each turn.
+TEST(Window, SettlingNeedsAHalo) {
+  const Lattice lattice{{0, 0, 0}, {8, 8, 80}};
+  const core::Window window{39, 41};
+  const auto with_halo = [&](const Domain& domain, std::int32_t halo) {
+    Made made;
+    add_window(domain, lattice, window, core::sampled_window(window, lattice, halo), halo, settling,
+               made);
+    return made;
+  };
+  int needed = 0;
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const auto domain = domains::random_cuts(seed, 0, {100, 7000, 15000, 24000, 40000, 65000});
+    const Made right = with_halo(domain, core::settling_halo);
+    EXPECT_EQ(with_halo(domain, core::settling_halo + 5), right);
+    for (int halo = needed; halo < 4; ++halo)
+      if (with_halo(domain, halo) != right) needed = halo + 1;
+  }
+  EXPECT_GE(needed, 2);
 }
 
 TEST(Window, RoomIsChecked) {

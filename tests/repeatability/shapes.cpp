@@ -118,7 +118,8 @@ std::vector<Shape> shapes() {
 std::vector<Manner> manners() {
   using certet::Cuts;
   using certet::Guarantee;
-  return {{"bisect-angles", {Cuts::bisect, Guarantee::angles}},
+  return {{"bisect-pieces", {Cuts::bisect, Guarantee::pieces}},
+          {"bisect-angles", {Cuts::bisect, Guarantee::angles}},
           {"bisect-embedding", {Cuts::bisect, Guarantee::embedding}},
           {"midpoint", {Cuts::midpoint, Guarantee::angles}}};
 }

@@ -248,8 +248,9 @@ Trial make_trial(std::uint64_t seed, std::uint64_t number) {
   trial.frame.origin = place(random, 100 * trial.frame.size);
   trial.frame.axes = axes(random, false);
   trial.options.cuts = chance(random, 3) ? certet::Cuts::midpoint : certet::Cuts::bisect;
-  trial.options.guarantee =
-      chance(random, 2) ? certet::Guarantee::angles : certet::Guarantee::embedding;
+  trial.options.guarantee = chance(random, 2)   ? certet::Guarantee::pieces
+                            : chance(random, 2) ? certet::Guarantee::angles
+                                                : certet::Guarantee::embedding;
   trial.threads = between(random, 1, 2);
   make_domain(trial, random);
   if (trial.image != nullptr) {

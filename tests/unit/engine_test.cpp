@@ -376,7 +376,7 @@ TEST(Engine, NothingIsAssumedThatWasNotSaid) {
   EXPECT_EQ(Lattice{}.origin, (Coord3{0, 0, 0}));
   EXPECT_EQ(Lattice{}.cells, (std::array<std::int32_t, 3>{0, 0, 0}));
   EXPECT_EQ(StuffingOptions{}.cuts, Cuts::bisect);
-  EXPECT_EQ(StuffingOptions{}.guarantee, Guarantee::angles);
+  EXPECT_EQ(StuffingOptions{}.guarantee, Guarantee::pieces);
 }
 
 TEST(Engine, WithMidpointCutsTheSurfaceCountsAsInside) {

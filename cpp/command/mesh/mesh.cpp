@@ -229,6 +229,7 @@ void describe(const MeshOptions& options, const Source& source, MeshReport& repo
   report.format = name(options.format);
   report.target_tets = options.target_tets;
   report.cuts = options.stuffing.cuts;
+  report.method = method_of(options.stuffing);
   report.asked = options.stuffing.guarantee;
 }
 
@@ -240,6 +241,7 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
   if (options.origin == OutputOrigin::lattice) report.output_origin = source.frame.origin;
   report.used = stuffing.guarantee();
   report.inverted_tets = stuffing.inverted_tets();
+  report.warp = stuffing.warp_figures();
   report.bounds = proven_bounds(options.stuffing.cuts, report.used);
   report.points = stuffing.point_count();
   report.tets = stuffing.tet_count();

@@ -20,6 +20,23 @@ Json guarantee(const MeshReport& report) {
   return json;
 }
 
+Json method(const MeshReport& report) {
+  Json json{{"name", name(report.method)}};
+  if (report.method != Method::embedded) return json;
+  const WarpFigures& warp = report.warp;
+  const ShiftLengths edges = shift_in_edges(warp);
+  const ShiftLengths world = shift_in_world(warp, report.size);
+  json["violated"] = warp.violated;
+  json["stayed"] = warp.stayed;
+  json["shortened"] = warp.shortened;
+  json["clamped"] = {{"cuts", world.cuts},
+                     {"greatest", world.greatest},
+                     {"rms", world.rms},
+                     {"greatest_edges", edges.greatest},
+                     {"rms_edges", edges.rms}};
+  return json;
+}
+
 Json seconds(const MeshReport& report) {
   Json json{{"read", report.read_seconds},
             {"sample", report.sample_seconds},
@@ -80,6 +97,7 @@ std::string json(const MeshReport& report) {
     json["lattice"]["target_tets"] = report.target_tets;
     json["lattice"]["tries"] = report.tries;
   }
+  json["method"] = method(report);
   json["mesh"] = {{"points", report.points}, {"tets", report.tets}};
   if (!report.dry_run) {
     json["mesh"]["volume"] = written.world.volume;

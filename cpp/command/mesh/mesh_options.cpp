@@ -2,13 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <map>
 #include <memory>
 
 #include "certet/error.hpp"
 #include "certet/surface.hpp"
 #include "certet/volume.hpp"
 #include "format_choice.hpp"
+#include "method.hpp"
 #include "option_values.hpp"
 
 namespace certet::command {
@@ -66,9 +66,16 @@ single precision, where points would fall together or triangles lose their area 
 turn by more than 4.5 degrees; elsewhere, where points would fall together, or
 tetrahedra turn over, or angles leave their bounds by what tables show of them.
 
+With --method embedded a vertex that a cut is too close to (violated) moves onto the
+surface only where that keeps the shape, and not past a neighbour (shortened);
+otherwise it stays, and the cuts around it are moved away from it (clamped), by at
+most 0.4 of an edge.  Pieces, tunnels and cavities of the mesh are those of the
+samples, which are + where the lattice's points are inside.
+
 Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file,
 format, bytes, origin}, lattice {cells, size, cuts, and with --target-tets:
-target_tets, tries}, mesh {points, tets, volume, checksum, file_checksum}, dihedral
+target_tets, tries}, method {name, and of embedded: violated, stayed, shortened, clamped {cuts,
+greatest, rms, greatest_edges, rms_edges}}, mesh {points, tets, volume, checksum, file_checksum}, dihedral
 {min, max, lattice_min, lattice_max, rounding, histogram}, guarantee {asked, used,
 theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
 cut, warp, count, emit, measure, write, total}, memory {limit, needed, least,
@@ -90,6 +97,7 @@ a dry run leaves out what it does not know.)";
 struct RawMesh {
   std::string volume, nan, size, relative_size, target_tets, iso, labels, spacing, smooth, crop,
       bounds, format, origin;
+  MethodChoice method;
   bool compress = false;
 };
 
@@ -153,17 +161,7 @@ void declare_lattice(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("--margin", options.margin, "Lattice cells around the solid (default: 2)")
       ->check(CLI::Range(1, 1000))
       ->option_text("N");
-  mesh.add_option("--cuts", options.stuffing.cuts,
-                  "bisect: on the surface (default); midpoint: in the middle of edges")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Cuts>{
-          {"bisect", Cuts::bisect}, {"midpoint", Cuts::midpoint}}))
-      ->option_text("WHERE");
-  mesh.add_option("--guarantee", options.stuffing.guarantee,
-                  "angles: the widest dihedral angles (default); embedding: the warped "
-                  "lattice never folds")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Guarantee>{
-          {"angles", Guarantee::angles}, {"embedding", Guarantee::embedding}}))
-      ->option_text("WHICH");
+  declare_method(mesh, raw.method);
 }
 
 void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
@@ -254,6 +252,7 @@ double parse_nan(const MeshOptions& options, const std::string& text) {
 MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   judge_source(options, raw);
   read_size(options, raw);
+  options.stuffing = stuffing_options(raw.method);
   if (!raw.iso.empty()) options.iso = parse_number("--iso", raw.iso);
   if (!raw.labels.empty()) options.labels = parse_labels(raw.labels);
   if (!raw.smooth.empty()) options.smooth = positive("--smooth", raw.smooth);

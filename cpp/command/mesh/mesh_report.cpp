@@ -7,10 +7,4 @@ Standing standing(const MeshReport& report) {
   return judge(report.written, report.bounds);
 }
 
-std::string name(Cuts cuts) { return cuts == Cuts::bisect ? "bisect" : "midpoint"; }
-
-std::string name(Guarantee guarantee) {
-  return guarantee == Guarantee::angles ? "angles" : "embedding";
-}
-
 }  // namespace certet::command

@@ -11,6 +11,7 @@
 #include "certet/quality.hpp"
 #include "certet/stuffing.hpp"
 #include "certet/write_mesh.hpp"
+#include "method.hpp"
 #include "regions.hpp"
 #include "report.hpp"
 
@@ -36,7 +37,9 @@ struct MeshReport {
   int tries = 1;
   Cuts cuts{};
   Guarantee asked{}, used{};
+  Method method{};
   std::uint64_t inverted_tets = 0;
+  WarpFigures warp;
   AngleBounds bounds{};
 
   std::uint64_t points = 0, tets = 0;
@@ -52,9 +55,6 @@ struct MeshReport {
 
 /// How the mesh that was measured stands to its theorem.
 Standing standing(const MeshReport& report);
-
-std::string name(Cuts cuts);
-std::string name(Guarantee guarantee);
 
 /// For people.
 std::string table(const MeshReport& report);

@@ -11,12 +11,26 @@ void add_guarantee(Lines& lines, const MeshReport& report) {
   lines.add(report.dry_run ? "bounds" : "proven", "{:.3f}° to {:.3f}°, theorem {}{}",
             report.bounds.min_dihedral, report.bounds.max_dihedral, report.bounds.theorem,
             report.dry_run ? "; no angle was measured" : "");
-  if (report.cuts == Cuts::midpoint) return;
+  if (report.method != Method::paper) return;
   lines.add("thresholds", "{}{}", name(report.used),
             report.used == report.asked
                 ? ""
                 : fmt::format(" (those of {} inverted {} dropped tetrahedra)",
                               name(report.asked), grouped(report.inverted_tets)));
+}
+
+/// What settling did to the surface.
+void add_method(Lines& lines, const MeshReport& report) {
+  if (report.method != Method::embedded) return;
+  const WarpFigures& warp = report.warp;
+  const ShiftLengths edges = shift_in_edges(warp);
+  const ShiftLengths world = shift_in_world(warp, report.size);
+  lines.add("method", "embedded, manifold, pieces kept");
+  lines.add("", "{} of {} vertices too close to the surface stayed, {} moves shortened",
+            grouped(warp.stayed), grouped(warp.violated), grouped(warp.shortened));
+  if (world.cuts != 0)
+    lines.add("", "{} cuts moved by at most {:.3f} edges ({:.4g}), rms {:.3f} ({:.4g})",
+              grouped(world.cuts), edges.greatest, world.greatest, edges.rms, world.rms);
 }
 
 void add_regions(Lines& lines, const MeshReport& report) {
@@ -59,6 +73,7 @@ std::string table(const MeshReport& report) {
     add_histogram(lines, report.written.lattice);
   }
   add_guarantee(lines, report);
+  add_method(lines, report);
   lines.add("seconds", "read {:.2f}, sample {:.2f}, cut {:.2f}, warp {:.2f}, count {:.2f}",
             report.read_seconds, report.sample_seconds, report.cut_seconds,
             report.warp_seconds, report.count_seconds);

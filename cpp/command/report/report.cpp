@@ -101,9 +101,9 @@ Run declare_report(CLI::App& app) {
   app.add_option("--run", options->run, "What `certet mesh --json` told of this mesh")
       ->option_text("FILE");
   app.add_option("--guarantee", options->guarantee,
-                 "Of the run, where there is no --run: angles or embedding")
+                 "Of the run, where there is no --run: pieces, angles or embedding")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Guarantee>{
-          {"angles", Guarantee::angles}, {"embedding", Guarantee::embedding}}))
+          {"pieces", Guarantee::pieces}, {"angles", Guarantee::angles}, {"embedding", Guarantee::embedding}}))
       ->option_text("WHICH");
   app.add_option("--cuts", options->cuts, "Of the run, where there is no --run: bisect or midpoint")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Cuts>{

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "certet/context.hpp"
 #include "certet/domain.hpp"
@@ -12,6 +13,7 @@
 #include "certet/mesh.hpp"
 #include "certet/structured_tet.hpp"
 #include "certet/warp.hpp"
+#include "certet/warp_figures.hpp"
 
 namespace certet {
 
@@ -32,16 +34,21 @@ enum class Cuts {
              ///< lies on the surface counts as inside
 };
 
-/// Which theorem shall cover the mesh.
+/// Which theorems shall cover the mesh.
 enum class Guarantee {
-  angles,     ///< thresholds 73/256, 102/256: the widest angles
-  embedding,  ///< thresholds 64/256, 105/256: the warped lattice never folds
+  pieces,     ///< violated vertices settle: angles as below, the mesh embeds, is a manifold,
+              ///< and keeps the pieces, cavities and tunnels of the samples
+  angles,     ///< the paper's rule, thresholds 73/256, 102/256: the same angles
+  embedding,  ///< the paper's rule, thresholds 64/256, 105/256: the warped lattice never folds
 };
+
+/// "pieces", "angles" or "embedding".
+std::string_view name(Guarantee guarantee);
 
 /// What the caller chooses.
 struct StuffingOptions {
   Cuts cuts = Cuts::bisect;
-  Guarantee guarantee = Guarantee::angles;
+  Guarantee guarantee = Guarantee::pieces;
 };
 
 /// A mesh that is decided and counted, but not yet written out: signs, cuts
@@ -69,6 +76,8 @@ class Stuffing {
   /// All-zero tetrahedra that the `angles` thresholds had inverted; if there
   /// were any, the mesh was warped anew with those of `embedding`.
   [[nodiscard]] std::uint64_t inverted_tets() const;
+  /// What became of the violated vertices, if they settled (`pieces`); else all is 0.
+  [[nodiscard]] const WarpFigures& warp_figures() const;
 
   /// Number of layers; layers are numbered from 0.
   [[nodiscard]] std::int32_t layers() const;

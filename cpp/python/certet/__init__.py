@@ -25,7 +25,7 @@ __all__ = ["Mesh", "Quality", "mesh_function", "mesh_image", "mesh_surface"]
 __version__: str = _certet.version
 
 Cuts = Literal["bisect", "midpoint"]
-Guarantee = Literal["angles", "embedding"]
+Guarantee = Literal["pieces", "angles", "embedding"]
 
 
 class Quality(NamedTuple):
@@ -135,7 +135,7 @@ def mesh_image(
     size: float | None = None,
     margin: int = 2,
     cuts: Cuts = "bisect",
-    guarantee: Guarantee = "angles",
+    guarantee: Guarantee = "pieces",
     threads: int = 0,
 ) -> Mesh:
     """Meshes voxels: chosen labels, or where a grayscale image is above `iso`.
@@ -154,7 +154,9 @@ def mesh_image(
     margin : cells of the lattice around the solid, at least 1
     cuts : "bisect" finds the surface along every edge, "midpoint" cuts edges in the middle
         (angles between 30 and 135 degrees)
-    guarantee : thresholds of warping; see the README
+    guarantee : "pieces": no tetrahedra overlap, the surface is a manifold, and no piece of the
+        samples is lost, cut or joined to another; "angles" and "embedding": the paper's rule
+        with either of its thresholds; see the README
     threads : 0 takes all cores; the mesh does not depend on it
 
     Raises
@@ -180,7 +182,7 @@ def mesh_function(
     *,
     margin: int = 2,
     cuts: Cuts = "bisect",
-    guarantee: Guarantee = "angles",
+    guarantee: Guarantee = "pieces",
     threads: int = 0,
 ) -> Mesh:
     """Meshes where a function is negative.
@@ -211,7 +213,7 @@ def mesh_surface(
     repair: bool = False,
     margin: int = 2,
     cuts: Cuts = "bisect",
-    guarantee: Guarantee = "angles",
+    guarantee: Guarantee = "pieces",
     threads: int = 0,
 ) -> Mesh:
     """Meshes the inside of a closed surface.
@@ -255,6 +257,6 @@ def _size(size: float | None) -> float:
 def _options(cuts: str, guarantee: str, threads: int) -> _certet.Options:
     if cuts not in ("bisect", "midpoint"):
         raise ValueError(f"cuts is 'bisect' or 'midpoint', not {cuts!r}")
-    if guarantee not in ("angles", "embedding"):
-        raise ValueError(f"guarantee is 'angles' or 'embedding', not {guarantee!r}")
-    return _certet.Options(cuts == "midpoint", guarantee == "embedding", threads)
+    if guarantee not in ("pieces", "angles", "embedding"):
+        raise ValueError(f"guarantee is 'pieces', 'angles' or 'embedding', not {guarantee!r}")
+    return _certet.Options(cuts == "midpoint", guarantee, threads)

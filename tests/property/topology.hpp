@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// Pieces, tunnels and cavities, counted twice: of samples, and of a mesh.
+
+#include <cstdint>
+#include <ostream>
+#include <string>
+
+#include "settling_model.hpp"
+
+namespace topology {
+
+/// Betti numbers of a solid in space.
+struct Shape {
+  std::int64_t pieces = 0, tunnels = 0, cavities = 0;
+  friend bool operator==(const Shape&, const Shape&) = default;
+  friend std::ostream& operator<<(std::ostream& out, const Shape& s) {
+    return out << s.pieces << " pieces, " << s.tunnels << " tunnels, " << s.cavities << " cavities";
+  }
+};
+
+/// Of the + samples, joined along the edges of the lattice, with its triangles and
+/// tetrahedra between them.
+Shape of_samples(const settling::Model& model);
+
+/// Of a mesh whose surface is a manifold.
+Shape of_mesh(const settling::Tets& mesh);
+
+/// Pieces of a mesh that hang together by faces.
+std::int64_t pieces_by_faces(const settling::Tets& mesh);
+
+/// What keeps the surface of a mesh from being a closed manifold, in words: an edge that is
+/// not in two of its triangles, or a vertex with several fans.
+std::string surface_fault(const settling::Tets& mesh);
+
+}  // namespace topology
