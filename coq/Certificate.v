@@ -28,6 +28,7 @@ From Certet Require Export Stencil.TriangleSpec Stuffing.MeshSpec.
 From Certet Require Export Warp.WarpSpec.
 From Certet Require Export Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
 From Certet Require Export Embedding.EmbeddingSpec Embedding.PiecesSpec.
+From Certet Require Export Topology.SurfaceSpec.
 From Certet Require Export Range.RangeSpec.
 
 (** Why it holds. *)
@@ -52,6 +53,7 @@ From Certet Require Embedding.MeshApartProof Embedding.FoldWitness.
 From Certet Require Embedding.WarpOrClampProof Embedding.RuledMeshProof.
 From Certet Require Embedding.RuledDegreesProof.
 From Certet Require Embedding.PiecesProof Embedding.DiskPiecesProof.
+From Certet Require Topology.EdgeProof.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
@@ -845,6 +847,31 @@ Theorem OneMeshHasItAll :
        Joined (InMesh sign warping) ShareFace t u <->
        Joined (PlusBefore sign) Adjacent p q).
 Proof. exact DiskPiecesProof.OneMeshHasItAll. Qed.
+
+(** ** Beyond the paper: the surface is a manifold
+
+    Read [Topology/SurfaceSpec.v]: the surface are the triangles that belong to
+    exactly one tetrahedron. *)
+
+(** Whatever the domain and the warp, the surface is closed: every edge of it lies
+    in an even number of its triangles. *)
+Theorem BoundaryClosed :
+  forall before warping a b c,
+    SurfaceTriangle before warping a b c ->
+    exists thirds : list MeshVertex, NoDup thirds /\
+      (forall d, In d thirds <-> SurfaceTriangle before warping a b d) /\
+      Nat.Even (length thirds).
+Proof. exact EdgeProof.BoundaryClosed. Qed.
+
+(** If every vertex on the surface that has an inner neighbour has a strict disk,
+    every edge of the surface lies in exactly two of its triangles. *)
+Theorem SurfaceEdgesInTwo :
+  forall before warping a b c,
+    DiskLinks (SignAfter before warping) ->
+    SurfaceTriangle before warping a b c ->
+    exists d, d <> c /\ SurfaceTriangle before warping a b d /\
+      forall e, SurfaceTriangle before warping a b e -> e = c \/ e = d.
+Proof. exact EdgeProof.EdgesInTwo. Qed.
 
 (** ** Beyond the paper: no overflow
 
