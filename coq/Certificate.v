@@ -53,7 +53,8 @@ From Certet Require Embedding.MeshApartProof Embedding.FoldWitness.
 From Certet Require Embedding.WarpOrClampProof Embedding.RuledMeshProof.
 From Certet Require Embedding.RuledDegreesProof.
 From Certet Require Embedding.PiecesProof Embedding.DiskPiecesProof.
-From Certet Require Topology.EdgeProof.
+From Certet Require Topology.EdgeProof Topology.DiskKeptProof.
+From Certet Require Topology.DiskManifoldProof.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
@@ -863,15 +864,64 @@ Theorem BoundaryClosed :
       Nat.Even (length thirds).
 Proof. exact EdgeProof.BoundaryClosed. Qed.
 
+(** At a cut it is a manifold, whatever the domain and the warp: an edge there lies
+    in exactly two triangles, and all triangles there are one fan.  So it may touch
+    itself at 0 corners alone. *)
+Theorem CutsManifold :
+  forall before warping p m b c,
+    SurfaceTriangle before warping (Cut p m) b c ->
+    (exists d, d <> c /\ SurfaceTriangle before warping (Cut p m) b d /\
+       forall e, SurfaceTriangle before warping (Cut p m) b e -> e = c \/ e = d) /\
+    (forall x, InFan before warping (Cut p m) x ->
+       JoinedInFan before warping (Cut p m) b x).
+Proof. exact DiskManifoldProof.CutsManifold. Qed.
+
 (** If every vertex on the surface that has an inner neighbour has a strict disk,
-    every edge of the surface lies in exactly two of its triangles. *)
-Theorem SurfaceEdgesInTwo :
+    whatever rule has seen to that, it is a manifold everywhere: every edge of it
+    lies in exactly two of its triangles, and the triangles at every vertex are one
+    fan, in which each has an edge in common with the next. *)
+Theorem SurfaceManifold :
   forall before warping a b c,
     DiskLinks (SignAfter before warping) ->
     SurfaceTriangle before warping a b c ->
-    exists d, d <> c /\ SurfaceTriangle before warping a b d /\
-      forall e, SurfaceTriangle before warping a b e -> e = c \/ e = d.
-Proof. exact EdgeProof.EdgesInTwo. Qed.
+    (exists d, d <> c /\ SurfaceTriangle before warping a b d /\
+       forall e, SurfaceTriangle before warping a b e -> e = c \/ e = d) /\
+    (forall x, InFan before warping a x -> JoinedInFan before warping a b x).
+Proof. exact DiskManifoldProof.SurfaceManifold. Qed.
+
+(** Vertices that become 0 because they have strict disks, no two of them adjacent,
+    leave the others theirs, *)
+Theorem DiskLinksKept :
+  forall sign sign' : SignField,
+    DiskLinks sign ->
+    (forall v, sign' v = sign v \/
+       sign' v = OnSurface /\ sign v <> OnSurface /\
+       StrictDisk (fun d => sign (Translate v (Offset d))) = true) ->
+    (forall u v, sign' u <> sign u -> sign' v <> sign v -> ~ Adjacent u v) ->
+    DiskLinks sign'.
+Proof. exact DiskKeptProof.AllKept. Qed.
+
+(** so that the rule of the strict disk gives a manifold; *)
+Theorem DiskSurfaceManifold :
+  forall th sign cut limit a b c,
+    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+    (forall v, sign v <> OnSurface) ->
+    SurfaceTriangle sign warping a b c ->
+    (exists d, d <> c /\ SurfaceTriangle sign warping a b d /\
+       forall e, SurfaceTriangle sign warping a b e -> e = c \/ e = d) /\
+    (forall x, InFan sign warping a x -> JoinedInFan sign warping a b x).
+Proof. exact DiskManifoldProof.DiskSurfaceManifold. Qed.
+
+(** and so do cuts in the middle, which leave no 0 corners. *)
+Theorem MidpointSurfaceManifold :
+  forall sign a b c,
+    let decided v := InOrOut (sign v) in
+    let warping := WarpVertex NoWarpThresholds decided (fun _ _ => MidpointCut) in
+    SurfaceTriangle decided warping a b c ->
+    (exists d, d <> c /\ SurfaceTriangle decided warping a b d /\
+       forall e, SurfaceTriangle decided warping a b e -> e = c \/ e = d) /\
+    (forall x, InFan decided warping a x -> JoinedInFan decided warping a b x).
+Proof. exact DiskManifoldProof.MidpointSurfaceManifold. Qed.
 
 (** ** Beyond the paper: no overflow
 
