@@ -28,7 +28,7 @@ From Certet Require Export Stencil.TriangleSpec Stuffing.MeshSpec.
 From Certet Require Export Warp.WarpSpec.
 From Certet Require Export Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
 From Certet Require Export Embedding.EmbeddingSpec Embedding.PiecesSpec.
-From Certet Require Export Topology.SurfaceSpec.
+From Certet Require Export Topology.SurfaceSpec Topology.VoxelSpec.
 From Certet Require Export Range.RangeSpec.
 
 (** Why it holds. *)
@@ -55,6 +55,7 @@ From Certet Require Embedding.RuledDegreesProof.
 From Certet Require Embedding.PiecesProof Embedding.DiskPiecesProof.
 From Certet Require Topology.EdgeProof Topology.DiskKeptProof.
 From Certet Require Topology.DiskManifoldProof.
+From Certet Require Topology.VoxelProof Topology.VoxelMeshProof.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
@@ -922,6 +923,53 @@ Theorem MidpointSurfaceManifold :
        forall e, SurfaceTriangle decided warping a b e -> e = c \/ e = d) /\
     (forall x, InFan decided warping a x -> JoinedInFan decided warping a b x).
 Proof. exact DiskManifoldProof.MidpointSurfaceManifold. Qed.
+
+(** ** Beyond the paper: the pieces of a label image
+
+    Read [Topology/VoxelSpec.v]: which voxel a lattice point lies in, and how it is
+    sampled. *)
+
+(** If no voxel is narrower than the lattice's long edge, wherever the lattice lies,
+    the pieces of the samples by edges are the pieces of the image by faces, *)
+Theorem VoxelPiecesKept :
+  forall grid image p q,
+    let sign := VoxelSigns grid image in
+    FineEnough grid -> OfLattice p -> OfLattice q ->
+    sign p = Plus -> sign q = Plus ->
+    Joined (fun v => sign v = Plus) Adjacent p q <->
+    Joined (fun x => image x = true) Beside (Owner grid p) (Owner grid q).
+Proof. exact VoxelProof.VoxelPiecesKept. Qed.
+
+(** every voxel of the image has a sample, *)
+Theorem VoxelsSampled :
+  forall grid image x,
+    FineEnough grid -> image x = true ->
+    exists p, OfLattice p /\ VoxelSigns grid image p = Plus /\ Owner grid p = x.
+Proof. exact VoxelProof.VoxelsSampled. Qed.
+
+(** and so the pieces of the mesh of the strict disk by faces are the pieces of the
+    image by faces: none is cut or joined to another, *)
+Theorem VoxelMeshPieces :
+  forall grid image voxels th cut limit p q t u,
+    let sign := VoxelSigns grid image in
+    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+    FineEnough grid -> (forall x, image x = true -> In x voxels) ->
+    PlusAfter sign warping p -> PlusAfter sign warping q ->
+    MadeAt sign warping p t -> MadeAt sign warping q u ->
+    Joined (InMesh sign warping) ShareFace t u <->
+    Joined (fun x => image x = true) Beside (Owner grid p) (Owner grid q).
+Proof. exact VoxelMeshProof.VoxelMeshPieces. Qed.
+
+(** and none is lost. *)
+Theorem VoxelNoPieceLost :
+  forall grid image voxels th cut limit x,
+    let sign := VoxelSigns grid image in
+    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+    FineEnough grid -> (forall y, image y = true -> In y voxels) ->
+    image x = true ->
+    exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
+      Joined (fun y => image y = true) Beside x (Owner grid q).
+Proof. exact VoxelMeshProof.VoxelNoPieceLost. Qed.
 
 (** ** Beyond the paper: no overflow
 

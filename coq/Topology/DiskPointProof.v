@@ -325,9 +325,10 @@ Section Vertex.
   Proof.
     unfold StrictDisk, PointDisk. rewrite !andb_true_iff.
     rewrite (WholeIff (IsInner now) (fun x => s x = Plus)) by apply InnerAt.
-    rewrite (WholeIff (fun d => negb (IsInner now d)) (fun x => s x <> Plus)).
-    2: { intros e. rewrite negb_true_iff, <- InnerAt. destruct (IsInner now e);
-         intuition congruence. }
+    assert (Outer : forall e, negb (IsInner now e) = true <-> s (at_ e) <> Plus).
+    { intros e. rewrite negb_true_iff, <- InnerAt.
+      destruct (IsInner now e); intuition congruence. }
+    rewrite (WholeIff (fun d => negb (IsInner now d)) (fun x => s x <> Plus)) by exact Outer.
     assert (Zero : forall e, IsZero now e = true <-> s (at_ e) = OnSurface).
     { intros e. unfold IsZero, now. destruct (s (at_ e)); intuition congruence. }
     rewrite forallb_forall. split.
