@@ -59,6 +59,7 @@ From Certet Require Export Warp.WarpSpec.
 From Certet Require Export Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
 From Certet Require Export Embedding.EmbeddingSpec Embedding.PiecesSpec.
 From Certet Require Export Embedding.SettleSpec.
+From Certet Require Export Topology.SurfaceSpec Topology.VoxelSpec.
 From Certet Require Export Range.RangeSpec.
 
 (** Why it holds. *)
@@ -85,6 +86,9 @@ From Certet Require Embedding.PiecesProof Embedding.DiskPiecesProof.
 From Certet Require Embedding.DiskTablesProof Embedding.SettleProof.
 From Certet Require Embedding.SettledMeshProof Embedding.SettleOrderProof.
 From Certet Require Embedding.DisksAroundProof.
+From Certet Require Topology.EdgeProof Topology.DiskKeptProof.
+From Certet Require Topology.DiskManifoldProof.
+From Certet Require Topology.VoxelProof Topology.VoxelMeshProof.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
@@ -936,6 +940,127 @@ Theorem SettledMeshEmbeds :
     MeetInSharedVertices
       (PlacedPosition warping (ClampedCut AngleThresholds cut)) t t'.
 Proof. exact SettledMeshProof.StrictMeshEmbeds. Qed.
+
+(** ** Beyond the paper: the surface is a manifold
+
+    Read [Topology/SurfaceSpec.v]: the surface are the triangles that belong to
+    exactly one tetrahedron. *)
+
+(** Whatever the domain and the warp, the surface is closed: every edge of it lies
+    in an even number of its triangles. *)
+Theorem BoundaryClosed :
+  forall before warping a b c,
+    SurfaceTriangle before warping a b c ->
+    exists thirds : list MeshVertex, NoDup thirds /\
+      (forall d, In d thirds <-> SurfaceTriangle before warping a b d) /\
+      Nat.Even (length thirds).
+Proof. exact EdgeProof.BoundaryClosed. Qed.
+
+(** At a cut it is a manifold, whatever the domain and the warp: an edge there lies
+    in exactly two triangles, and all triangles there are one fan.  So it may touch
+    itself at 0 corners alone. *)
+Theorem CutsManifold :
+  forall before warping p m b c,
+    SurfaceTriangle before warping (Cut p m) b c ->
+    (exists d, d <> c /\ SurfaceTriangle before warping (Cut p m) b d /\
+       forall e, SurfaceTriangle before warping (Cut p m) b e -> e = c \/ e = d) /\
+    (forall x, InFan before warping (Cut p m) x ->
+       JoinedInFan before warping (Cut p m) b x).
+Proof. exact DiskManifoldProof.CutsManifold. Qed.
+
+(** If every vertex on the surface that has an inner neighbour has a strict disk,
+    whatever rule has seen to that, it is a manifold everywhere: every edge of it
+    lies in exactly two of its triangles, and the triangles at every vertex are one
+    fan, in which each has an edge in common with the next. *)
+Theorem SurfaceManifold :
+  forall before warping a b c,
+    DiskLinks (SignAfter before warping) ->
+    SurfaceTriangle before warping a b c ->
+    (exists d, d <> c /\ SurfaceTriangle before warping a b d /\
+       forall e, SurfaceTriangle before warping a b e -> e = c \/ e = d) /\
+    (forall x, InFan before warping a x -> JoinedInFan before warping a b x).
+Proof. exact DiskManifoldProof.SurfaceManifold. Qed.
+
+(** Vertices that become 0 because they have strict disks, no two of them adjacent,
+    leave the others theirs, *)
+Theorem DiskLinksKept :
+  forall sign sign' : SignField,
+    DiskLinks sign ->
+    (forall v, sign' v = sign v \/
+       sign' v = OnSurface /\ sign v <> OnSurface /\
+       StrictDisk (fun d => sign (Translate v (Offset d))) = true) ->
+    (forall u v, sign' u <> sign u -> sign' v <> sign v -> ~ Adjacent u v) ->
+    DiskLinks sign'.
+Proof. exact DiskKeptProof.AllKept. Qed.
+
+(** so that the rule of the strict disk gives a manifold; *)
+Theorem DiskSurfaceManifold :
+  forall th sign cut limit a b c,
+    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+    (forall v, sign v <> OnSurface) ->
+    SurfaceTriangle sign warping a b c ->
+    (exists d, d <> c /\ SurfaceTriangle sign warping a b d /\
+       forall e, SurfaceTriangle sign warping a b e -> e = c \/ e = d) /\
+    (forall x, InFan sign warping a x -> JoinedInFan sign warping a b x).
+Proof. exact DiskManifoldProof.DiskSurfaceManifold. Qed.
+
+(** and so do cuts in the middle, which leave no 0 corners. *)
+Theorem MidpointSurfaceManifold :
+  forall sign a b c,
+    let decided v := InOrOut (sign v) in
+    let warping := WarpVertex NoWarpThresholds decided (fun _ _ => MidpointCut) in
+    SurfaceTriangle decided warping a b c ->
+    (exists d, d <> c /\ SurfaceTriangle decided warping a b d /\
+       forall e, SurfaceTriangle decided warping a b e -> e = c \/ e = d) /\
+    (forall x, InFan decided warping a x -> JoinedInFan decided warping a b x).
+Proof. exact DiskManifoldProof.MidpointSurfaceManifold. Qed.
+
+(** ** Beyond the paper: the pieces of a label image
+
+    Read [Topology/VoxelSpec.v]: which voxel a lattice point lies in, and how it is
+    sampled. *)
+
+(** If no voxel is narrower than the lattice's long edge, wherever the lattice lies,
+    the pieces of the samples by edges are the pieces of the image by faces, *)
+Theorem VoxelPiecesKept :
+  forall grid image p q,
+    let sign := VoxelSigns grid image in
+    FineEnough grid -> OfLattice p -> OfLattice q ->
+    sign p = Plus -> sign q = Plus ->
+    Joined (fun v => sign v = Plus) Adjacent p q <->
+    Joined (fun x => image x = true) Beside (Owner grid p) (Owner grid q).
+Proof. exact VoxelProof.VoxelPiecesKept. Qed.
+
+(** every voxel of the image has a sample, *)
+Theorem VoxelsSampled :
+  forall grid image x,
+    FineEnough grid -> image x = true ->
+    exists p, OfLattice p /\ VoxelSigns grid image p = Plus /\ Owner grid p = x.
+Proof. exact VoxelProof.VoxelsSampled. Qed.
+
+(** and so the pieces of the mesh of the strict disk by faces are the pieces of the
+    image by faces: none is cut or joined to another, *)
+Theorem VoxelMeshPieces :
+  forall grid image voxels th cut limit p q t u,
+    let sign := VoxelSigns grid image in
+    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+    FineEnough grid -> (forall x, image x = true -> In x voxels) ->
+    PlusAfter sign warping p -> PlusAfter sign warping q ->
+    MadeAt sign warping p t -> MadeAt sign warping q u ->
+    Joined (InMesh sign warping) ShareFace t u <->
+    Joined (fun x => image x = true) Beside (Owner grid p) (Owner grid q).
+Proof. exact VoxelMeshProof.VoxelMeshPieces. Qed.
+
+(** and none is lost. *)
+Theorem VoxelNoPieceLost :
+  forall grid image voxels th cut limit x,
+    let sign := VoxelSigns grid image in
+    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+    FineEnough grid -> (forall y, image y = true -> In y voxels) ->
+    image x = true ->
+    exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
+      Joined (fun y => image y = true) Beside x (Owner grid q).
+Proof. exact VoxelMeshProof.VoxelNoPieceLost. Qed.
 
 (** ** Beyond the paper: no overflow
 
