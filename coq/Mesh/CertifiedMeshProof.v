@@ -49,19 +49,21 @@ Qed.
 
 (** ** A warp with a rule of who stays *)
 
+Lemma ClampedOnEdge cut p q : 0 <= ClampedCut AngleThresholds cut p q <= Steps.
+Proof.
+  unfold ClampedCut. pose proof (AngleThresholdsAtMostHalf (KindBetween p q)).
+  assert (0 <= ThresholdSteps AngleThresholds (KindBetween p q))
+    by (destruct (KindBetween p q); vm_compute; discriminate).
+  lia.
+Qed.
+
 Lemma RuledModerate sign cut stays limit corners : CutsOnEdges sign cut ->
   Moderate sign (RuledWarping AngleThresholds sign cut stays limit)
     (ClampedCut AngleThresholds cut) corners.
 Proof.
-  intros on. split.
-  - intros v d t _ W.
-    pose proof (RuledMovesAtMost AngleThresholds sign cut stays limit on v d t W).
-    pose proof (AngleThresholdsAtMostHalf (DirectionKind d)). lia.
-  - intros p q _. unfold ClampedCut.
-    pose proof (AngleThresholdsAtMostHalf (KindBetween p q)).
-    assert (0 <= ThresholdSteps AngleThresholds (KindBetween p q))
-      by (destruct (KindBetween p q); vm_compute; discriminate).
-    lia.
+  intros on. split; [intros v d t _ W | intros p q _; apply ClampedOnEdge].
+  pose proof (RuledMovesAtMost AngleThresholds sign cut stays limit on v d t W).
+  pose proof (AngleThresholdsAtMostHalf (DirectionKind d)). lia.
 Qed.
 
 Theorem CertifiedRuledMesh :
@@ -74,8 +76,7 @@ Theorem CertifiedRuledMesh :
     NothingOverflows mesh AngleThresholds.
 Proof.
   intros sign cut stays limit on.
-  apply (PlacedCertified sign (RuledWarping AngleThresholds sign cut stays limit)
-    (ClampedCut AngleThresholds cut)); [| intros tid; apply RuledModerate, on | tauto].
+  apply PlacedCertified; [| intros tid; apply RuledModerate, on | tauto].
   intros tid t I. apply (RuledBoundsInDegrees sign cut stays limit tid t on).
   unfold WarpOrClamp. rewrite PlacedByName. exact I.
 Qed.

@@ -53,13 +53,17 @@ Definition StuffedMesh (th : Thresholds) (sign : SignField) (cut : CutField)
   MakeMesh (StuffTet th sign cut) (MeshVertexSign th sign cut)
            (MeshPosition th sign cut).
 
-(** that of a warp with a rule of who stays and how far the others move, which
-    no method uses yet; *)
+(** that of any warp and any cuts; *)
+Definition PlacedMesh (before : SignField) (warping : Coord3 -> Warping)
+  (cut : CutField) : Mesh :=
+  MakeMesh (PlacedNames before warping) (PlacedSign before warping)
+           (PlacedPosition warping cut).
+
+(** that of a rule of who stays and how far the others move, which no method uses
+    yet; *)
 Definition RuledMesh (th : Thresholds) (sign : SignField) (cut : CutField)
   (stays : Coord3 -> bool) (limit : Coord3 -> Z) : Mesh :=
-  let warping := RuledWarping th sign cut stays limit in
-  MakeMesh (PlacedNames sign warping) (PlacedSign sign warping)
-           (PlacedPosition warping (ClampedCut th cut)).
+  PlacedMesh sign (RuledWarping th sign cut stays limit) (ClampedCut th cut).
 
 (** and so that of a method.  Which lattice points count as inside is told
     beside the domain: the mesher takes the outermost points of its lattice as

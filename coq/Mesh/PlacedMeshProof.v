@@ -21,11 +21,6 @@ Open Scope Z_scope.
 
 Local Strategy 1000 [WarpVertex].
 
-Definition PlacedMesh (before : SignField) (warping : Coord3 -> Warping)
-  (cut : CutField) : Mesh :=
-  MakeMesh (PlacedNames before warping) (PlacedSign before warping)
-           (PlacedPosition warping cut).
-
 Section Placed.
   Variables (before : SignField) (warping : Coord3 -> Warping) (cut : CutField).
   Local Notation mesh := (PlacedMesh before warping cut).
