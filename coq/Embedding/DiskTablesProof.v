@@ -13,7 +13,7 @@ Proof. destruct d; reflexivity. Qed.
 
 Lemma GatherSame {A} (f g : Direction -> A) : (forall d, f d = g d) ->
   Gather f = Gather g.
-Proof. intros E. unfold Gather. f_equal; apply E. Qed.
+Proof. intros E. unfold Gather. rewrite !E. reflexivity. Qed.
 
 Lemma SameDirectionRefl d : SameDirection d d = true.
 Proof. destruct d; reflexivity. Qed.
@@ -214,4 +214,7 @@ Section Disk.
 End Disk.
 
 Lemma StrictDiskSame f g : (forall d, f d = g d) -> StrictDisk f = StrictDisk g.
-Proof. intros E. rewrite <- !IsDiskCorrect, (GatherSame f g E). reflexivity. Qed.
+Proof.
+  intros E. exact (eq_trans (eq_sym (IsDiskCorrect f))
+    (eq_trans (f_equal IsDisk (GatherSame f g E)) (IsDiskCorrect g))).
+Qed.

@@ -30,19 +30,22 @@ inline constexpr std::array<std::uint16_t, direction_count> link_ring = [] {
 
 /// A bit for each set of neighbours: whether it is not empty, and in one piece.
 inline constexpr std::array<std::uint64_t, (whole_link + 1) / 64> connected_sets = [] {
-  std::array<std::uint16_t, whole_link + 1> next_to{};  // a set
+  // Plain arrays: compilers count the steps that a constant takes.
+  std::uint16_t next_to[whole_link + 1]{};  // the sets
   for (LinkSet set = 1; set <= whole_link; ++set)
     next_to[set] = static_cast<std::uint16_t>(
         next_to[set & (set - 1)] | link_ring[static_cast<std::size_t>(std::countr_zero(set))]);
   std::array<std::uint64_t, (whole_link + 1) / 64> connected{};
-  for (LinkSet set = 1; set <= whole_link; ++set) {
-    LinkSet piece = set & -set;
-    for (LinkSet before = 0; piece != before;) {
-      before = piece;
-      piece |= next_to[piece] & set;
+  LinkSet set = 0;
+  for (std::uint64_t& word : connected)
+    for (std::uint64_t bit = 1; bit != 0; bit <<= 1, ++set) {
+      LinkSet piece = set & -set;
+      for (LinkSet before = 0; piece != before;) {
+        before = piece;
+        piece |= next_to[piece] & set;
+      }
+      if (set != 0 && piece == set) word |= bit;
     }
-    if (piece == set) connected[set >> 6] |= std::uint64_t{1} << (set & 63);
-  }
   return connected;
 }();
 

@@ -173,10 +173,11 @@ TEST(Mesh, OfALatticeThatFoldsIsTheSame) {
       domains::random_cuts(4, 0, {near, certet::steps - near, middle, middle});
   const Lattice lattice{{0, 0, 0}, {12, 12, 12}};
   certet::Context context;
-  const certet::Stuffing stuffing(domain, lattice, {}, context);
+  const certet::StuffingOptions angles{certet::Cuts::bisect, Guarantee::angles};
+  const certet::Stuffing stuffing(domain, lattice, angles, context);
   EXPECT_GT(stuffing.inverted_tets(), 0U);
   EXPECT_EQ(stuffing.guarantee(), Guarantee::embedding);
-  const Differences differences = compare(engine, domain, lattice, {});
+  const Differences differences = compare(engine, domain, lattice, angles);
   EXPECT_TRUE(differences.empty()) << differences;
 }
 
@@ -211,7 +212,7 @@ Engine spoiled(const std::function<void(PlacedMesh&)>& spoil) {
 
 bool caught(const Engine& broken) {
   return !compare(broken, domains::of_level(domains::sphere(0.3, 0.2, 0.1, 3.1)),
-                  {{-4, -4, -4}, {5, 5, 5}}, {})
+                  {{-4, -4, -4}, {5, 5, 5}}, {certet::Cuts::bisect, Guarantee::angles})
               .empty();
 }
 

@@ -23,6 +23,8 @@ PROGRAMS = {
     "engine": ("tests/unit/engine_test.cpp", "core"),
     "faces": ("tests/property/face_test.cpp", ""),
     "soundness": ("tests/property/mesh_test.cpp", "core"),
+    "link": ("tests/property/link_test.cpp", "settling"),
+    "settling": ("tests/property/settling_test.cpp", "core settling"),
     "numbers": ("tests/unit/numbers_test.cpp", ""),
     "bounds": ("tests/unit/bounds_test.cpp", "core"),
     "limits": ("tests/unit/lattice_limits_test.cpp", "core"),
@@ -37,9 +39,10 @@ FIRST = {
     "cuts.cpp": ["mesh", "bisect"], "parallel.hpp": ["engine"], "stuffing.cpp": ["engine", "mesh"],
     "stuffing.hpp": ["engine"], "lattice_around.cpp": ["bounds"],
     "lattice_limits.cpp": ["limits"], "inverted_tets.cpp": ["mesh", "conformance"],
+    "link.hpp": ["link"], "settle.cpp": ["settling"],
 }
 OTHERWISE = ["mesh", "engine", "bisect", "soundness", "numbers", "constants", "lattice", "stencil", "warp", "faces",
-             "bounds", "limits", "conformance"]
+             "bounds", "limits", "settling", "link", "conformance"]
 
 
 def programs_for(file):
@@ -71,6 +74,8 @@ class Workshop:
         sources = [test]
         if "core" in needs:
             sources += sorted(str(p.relative_to(self.tree)) for p in (self.tree / "cpp/core").glob("*.cpp"))
+        if "settling" in needs:
+            sources += [f"tests/property/{n}.cpp" for n in ("settling_model", "topology")]
         if "bridge" in needs:
             sources += ["tests/differential/main.cpp"]
             sources += [f"bridge/{n}.cpp" for n in ("certified", "runtime", "stubs")]
