@@ -28,7 +28,8 @@ From Certet Require Export Stencil.TriangleSpec Stuffing.MeshSpec.
 From Certet Require Export Warp.WarpSpec.
 From Certet Require Export Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
 From Certet Require Export Embedding.EmbeddingSpec Embedding.PiecesSpec.
-From Certet Require Export Topology.SurfaceSpec Topology.VoxelSpec.
+From Certet Require Export Topology.SurfaceSpec Topology.TwoSidesSpec.
+From Certet Require Export Topology.VoxelSpec.
 From Certet Require Export Range.RangeSpec.
 
 (** Why it holds. *)
@@ -55,6 +56,7 @@ From Certet Require Embedding.RuledDegreesProof.
 From Certet Require Embedding.PiecesProof Embedding.DiskPiecesProof.
 From Certet Require Topology.EdgeProof Topology.DiskKeptProof.
 From Certet Require Topology.DiskManifoldProof.
+From Certet Require Topology.TwoSidesFillProof Topology.TwoSidesMeetProof.
 From Certet Require Topology.VoxelProof Topology.VoxelMeshProof.
 From Certet Require Range.RangeProof.
 
@@ -853,7 +855,9 @@ Proof. exact DiskPiecesProof.OneMeshHasItAll. Qed.
 (** ** Beyond the paper: the surface is a manifold
 
     Read [Topology/SurfaceSpec.v]: the surface are the triangles that belong to
-    exactly one tetrahedron. *)
+    exactly one tetrahedron.  Not proved is that tunnels are kept as pieces and
+    cavities are: that a vertex with a strict disk takes away, or adds, a ball along
+    a disk. *)
 
 (** Whatever the domain and the warp, the surface is closed: every edge of it lies
     in an even number of its triangles. *)
@@ -923,6 +927,60 @@ Theorem MidpointSurfaceManifold :
        forall e, SurfaceTriangle decided warping a b e -> e = c \/ e = d) /\
     (forall x, InFan decided warping a x -> JoinedInFan decided warping a b x).
 Proof. exact DiskManifoldProof.MidpointSurfaceManifold. Qed.
+
+(** ** Beyond the paper: inside and outside fill space
+
+    Read [Topology/TwoSidesSpec.v]: the mesh of the other side.  Where ends of short
+    edges come level, as [UncrossedOrLevel] lets them, this is not proved. *)
+
+(** Every rational point, [x] over [n], is in a tetrahedron of the mesh, in one of
+    the mesh of the other side, or in a structured tetrahedron that both drop because
+    all its corners are on the surface. *)
+Theorem TwoSidesFill :
+  forall before warping cut,
+    CutsInside before warping cut ->
+    forall n x,
+      MovesAtMost AngleThresholds warping -> Uncrossed warping -> 0 < n ->
+      exists tid t w, InLattice tid /\
+        (In t (PlacedNames before warping tid) \/
+         In t (OtherNames before warping tid) \/
+         t = MapTet Corner (LatticeTet tid) /\
+           forall c, In c (Corners tid) -> SignAfter before warping c = OnSurface) /\
+        NonNegative w /\ 0 < Total w /\
+        Scale n (PointOf w (MapTet (PlacedPosition warping cut) t))
+        = Scale (Total w) x.
+Proof. exact TwoSidesFillProof.TwoSidesFill. Qed.
+
+(** A point of both meshes is a mean of vertices that they share, with the same
+    weights seen from either side; *)
+Theorem TwoSidesMeet :
+  forall before warping cut,
+    CutsInside before warping cut ->
+    forall tid tid' t t',
+      MovesAtMost AngleThresholds warping -> Uncrossed warping ->
+      InLattice tid -> InLattice tid' ->
+      In t (PlacedNames before warping tid) ->
+      In t' (OtherNames before warping tid') ->
+      MeetInSharedVertices (PlacedPosition warping cut) t t'.
+Proof. exact TwoSidesMeetProof.TwoSidesMeet. Qed.
+
+(** these are on the surface. *)
+Theorem TwoSidesShare :
+  forall before warping tid tid' t t' v,
+    InLattice tid -> InLattice tid' ->
+    In t (PlacedNames before warping tid) ->
+    In t' (OtherNames before warping tid') ->
+    In v (TetCorners t) -> In v (TetCorners t') ->
+    PlacedSign before warping v = OnSurface.
+Proof. exact TwoSidesMeetProof.TwoSidesShare. Qed.
+
+(** By the names it has when it is made, the mesh of the other side lies where it
+    does by these. *)
+Theorem OtherSidePlaced :
+  forall warping cut t,
+    MapTet (PlacedPosition warping cut) (MapTet NameHere t)
+    = MapTet (PlacedPosition warping (OtherCuts cut)) t.
+Proof. exact TwoSidesFillProof.OtherSidePlaced. Qed.
 
 (** ** Beyond the paper: the pieces of a label image
 

@@ -166,7 +166,8 @@ Section One.
           - intros (Zw & Yw & P). apply PlusStays in P. tauto.
           - intros [(Zw & Yw & P) N]. rewrite Others; auto. }
         assert (Here : here v \/ ~ here v).
-        { unfold here. destruct (s v) eqn:Sv; [|congruence|right; intros (_ & _ & F); discriminate F].
+        { unfold here.
+          destruct (s v) eqn:Sv; [|congruence|right; intros (_ & _ & F); discriminate F].
           destruct (in_dec SamePoint3 v (map (fun d => Translate y (Offset d)) AllDirections))
             as [I|O].
           - left. apply in_map_iff in I. destruct I as (d & E & _).

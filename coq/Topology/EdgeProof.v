@@ -235,7 +235,8 @@ Section Mesh.
     destruct (LocalFaceEdge before warping tid' x y E' X' Y' N) as (z' & T' & U');
       [apply (Off' tid' c'); [exact F3|apply F'; cbn; tauto|apply Fresh, Ac']|exact B|].
     assert (z0 = z) by (symmetry; apply U0, T). subst z0.
-    assert (Rz : forall own w, InLattice own -> triangle own x y w -> Reach (Corners own) [x; y; w]).
+    assert (Rz : forall own w, InLattice own -> triangle own x y w ->
+      Reach (Corners own) [x; y; w]).
     { intros own w Eo [(t & J & H) S].
       destruct (LocalOnIt before warping own x y w Eo
         (conj (ex_intro _ t (conj J H)) S)) as (Xo & Yo & Wo).
