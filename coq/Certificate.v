@@ -59,7 +59,8 @@ From Certet Require Export Warp.WarpSpec.
 From Certet Require Export Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
 From Certet Require Export Embedding.EmbeddingSpec Embedding.PiecesSpec.
 From Certet Require Export Embedding.SettleSpec.
-From Certet Require Export Topology.SurfaceSpec Topology.VoxelSpec.
+From Certet Require Export Topology.SurfaceSpec Topology.TwoSidesSpec.
+From Certet Require Export Topology.VoxelSpec.
 From Certet Require Export Range.RangeSpec.
 
 (** Why it holds. *)
@@ -85,10 +86,12 @@ From Certet Require Embedding.RuledDegreesProof.
 From Certet Require Embedding.PiecesProof Embedding.DiskPiecesProof.
 From Certet Require Embedding.DiskTablesProof Embedding.SettleProof.
 From Certet Require Embedding.SettledMeshProof Embedding.SettleOrderProof.
-From Certet Require Embedding.DisksAroundProof.
 From Certet Require Topology.EdgeProof Topology.DiskKeptProof.
-From Certet Require Topology.DiskManifoldProof.
+From Certet Require Topology.DiskManifoldProof Topology.SettledSurfaceProof.
+From Certet Require Topology.TwoSidesFillProof Topology.TwoSidesMeetProof.
+From Certet Require Topology.SettledTwoSidesProof.
 From Certet Require Topology.VoxelProof Topology.VoxelMeshProof.
+From Certet Require Topology.SettledVoxelProof.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
@@ -842,7 +845,7 @@ Proof. exact DiskTablesProof.IsDiskCorrect. Qed.
     and no edge from 0 to 0 has + on both sides. *)
 Theorem StrictDiskIff :
   forall now v, StrictDisk (LinkOf now v) = true <-> DiskAround now v.
-Proof. exact DisksAroundProof.StrictDiskIff. Qed.
+Proof. exact SettledSurfaceProof.StrictDiskIff. Qed.
 
 (** Signs change only as they may: one vertex after the other becomes 0, each when
     its link is a strict disk. *)
@@ -857,7 +860,7 @@ Theorem SettledDisksAround :
   forall th sample cut gap vs,
     let sign := OpenSigns sample in
     DisksAround (SignAmong sign (Settle th sign cut gap vs)).
-Proof. exact DisksAroundProof.SettledDisksAround. Qed.
+Proof. exact SettledSurfaceProof.SettledDisksAround. Qed.
 
 (** Within a colour the order is free: those of one colour may have their turns at
     once. *)
@@ -893,7 +896,7 @@ Theorem SettledBoundsInDegrees :
     In t (SettledMesh AngleThresholds (OpenSigns sample) (OpenCuts sample cut)
             LevelGap vs tids) ->
     WithinDegrees (1077 / 100) (16476 / 100) t.
-Proof. exact RuledDegreesProof.SettledBounds. Qed.
+Proof. exact RuledDegreesProof.SettledBoundsInDegrees. Qed.
 
 (** And all at once, whatever the samples: the angles (as integers tell it); no
     point is inside two tetrahedra; the pieces of the mesh by faces are those of
@@ -939,12 +942,14 @@ Theorem SettledMeshEmbeds :
     In t' (PlacedNames sign warping tid') ->
     MeetInSharedVertices
       (PlacedPosition warping (ClampedCut AngleThresholds cut)) t t'.
-Proof. exact SettledMeshProof.StrictMeshEmbeds. Qed.
+Proof. exact SettledMeshProof.SettledMeshEmbeds. Qed.
 
 (** ** Beyond the paper: the surface is a manifold
 
     Read [Topology/SurfaceSpec.v]: the surface are the triangles that belong to
-    exactly one tetrahedron. *)
+    exactly one tetrahedron.  Not proved is that tunnels are kept as pieces and
+    cavities are: that a vertex with a strict disk takes away, or adds, a ball along
+    a disk. *)
 
 (** Whatever the domain and the warp, the surface is closed: every edge of it lies
     in an even number of its triangles. *)
@@ -974,7 +979,7 @@ Proof. exact DiskManifoldProof.CutsManifold. Qed.
     fan, in which each has an edge in common with the next. *)
 Theorem SurfaceManifold :
   forall before warping a b c,
-    DiskLinks (SignAfter before warping) ->
+    DisksAround (SignAfter before warping) ->
     SurfaceTriangle before warping a b c ->
     (exists d, d <> c /\ SurfaceTriangle before warping a b d /\
        forall e, SurfaceTriangle before warping a b e -> e = c \/ e = d) /\
@@ -983,15 +988,15 @@ Proof. exact DiskManifoldProof.SurfaceManifold. Qed.
 
 (** Vertices that become 0 because they have strict disks, no two of them adjacent,
     leave the others theirs, *)
-Theorem DiskLinksKept :
+Theorem DisksAroundKept :
   forall sign sign' : SignField,
-    DiskLinks sign ->
+    DisksAround sign ->
     (forall v, sign' v = sign v \/
        sign' v = OnSurface /\ sign v <> OnSurface /\
-       StrictDisk (fun d => sign (Translate v (Offset d))) = true) ->
+       StrictDisk (LinkOf sign v) = true) ->
     (forall u v, sign' u <> sign u -> sign' v <> sign v -> ~ Adjacent u v) ->
-    DiskLinks sign'.
-Proof. exact DiskKeptProof.AllKept. Qed.
+    DisksAround sign'.
+Proof. exact DiskKeptProof.DisksAroundKept. Qed.
 
 (** so that the rule of the strict disk gives a manifold; *)
 Theorem DiskSurfaceManifold :
@@ -1004,6 +1009,18 @@ Theorem DiskSurfaceManifold :
     (forall x, InFan sign warping a x -> JoinedInFan sign warping a b x).
 Proof. exact DiskManifoldProof.DiskSurfaceManifold. Qed.
 
+(** so does the warp that keeps the shape, as it runs, whatever the samples, whoever
+    is in the list and in what order; *)
+Theorem SettledSurfaceManifold :
+  forall th sample cut gap vs a b c,
+    let sign := OpenSigns sample in
+    let warping := PlaceIn (Settle th sign cut gap vs) in
+    SurfaceTriangle sign warping a b c ->
+    (exists d, d <> c /\ SurfaceTriangle sign warping a b d /\
+       forall e, SurfaceTriangle sign warping a b e -> e = c \/ e = d) /\
+    (forall x, InFan sign warping a x -> JoinedInFan sign warping a b x).
+Proof. exact SettledSurfaceProof.SettledSurfaceManifold. Qed.
+
 (** and so do cuts in the middle, which leave no 0 corners. *)
 Theorem MidpointSurfaceManifold :
   forall sign a b c,
@@ -1014,6 +1031,86 @@ Theorem MidpointSurfaceManifold :
        forall e, SurfaceTriangle decided warping a b e -> e = c \/ e = d) /\
     (forall x, InFan decided warping a x -> JoinedInFan decided warping a b x).
 Proof. exact DiskManifoldProof.MidpointSurfaceManifold. Qed.
+
+(** ** Beyond the paper: inside and outside fill space
+
+    Read [Topology/TwoSidesSpec.v]: the mesh of the other side.  Where ends of short
+    edges come level, as [UncrossedOrLevel] lets them, this is not proved. *)
+
+(** Every rational point, [x] over [n], is in a tetrahedron of the mesh, in one of
+    the mesh of the other side, or in a structured tetrahedron that both drop because
+    all its corners are on the surface. *)
+Theorem TwoSidesFill :
+  forall before warping cut,
+    CutsInside before warping cut ->
+    forall n x,
+      MovesAtMost AngleThresholds warping -> Uncrossed warping -> 0 < n ->
+      exists tid t w, InLattice tid /\
+        (In t (PlacedNames before warping tid) \/
+         In t (OtherNames before warping tid) \/
+         t = MapTet Corner (LatticeTet tid) /\
+           forall c, In c (Corners tid) -> SignAfter before warping c = OnSurface) /\
+        NonNegative w /\ 0 < Total w /\
+        Scale n (PointOf w (MapTet (PlacedPosition warping cut) t))
+        = Scale (Total w) x.
+Proof. exact TwoSidesFillProof.TwoSidesFill. Qed.
+
+(** A point of both meshes is a mean of vertices that they share, with the same
+    weights seen from either side; *)
+Theorem TwoSidesMeet :
+  forall before warping cut,
+    CutsInside before warping cut ->
+    forall tid tid' t t',
+      MovesAtMost AngleThresholds warping -> Uncrossed warping ->
+      InLattice tid -> InLattice tid' ->
+      In t (PlacedNames before warping tid) ->
+      In t' (OtherNames before warping tid') ->
+      MeetInSharedVertices (PlacedPosition warping cut) t t'.
+Proof. exact TwoSidesMeetProof.TwoSidesMeet. Qed.
+
+(** these are on the surface. *)
+Theorem TwoSidesShare :
+  forall before warping tid tid' t t' v,
+    InLattice tid -> InLattice tid' ->
+    In t (PlacedNames before warping tid) ->
+    In t' (OtherNames before warping tid') ->
+    In v (TetCorners t) -> In v (TetCorners t') ->
+    PlacedSign before warping v = OnSurface.
+Proof. exact TwoSidesMeetProof.TwoSidesShare. Qed.
+
+(** The warp that keeps the shape fills space and meets so if a step is left between
+    any two vertices, as in [SettledMeshEmbeds]; *)
+Theorem SettledTwoSidesFill :
+  forall sign cut vs, CutsOnEdges sign cut ->
+    let warping := PlaceIn (Settle AngleThresholds sign cut StrictGap vs) in
+    let place := PlacedPosition warping (ClampedCut AngleThresholds cut) in
+    forall n x, 0 < n ->
+      exists tid t w, InLattice tid /\
+        (In t (PlacedNames sign warping tid) \/
+         In t (OtherNames sign warping tid) \/
+         t = MapTet Corner (LatticeTet tid) /\
+           forall c, In c (Corners tid) -> SignAfter sign warping c = OnSurface) /\
+        NonNegative w /\ 0 < Total w /\
+        Scale n (PointOf w (MapTet place t)) = Scale (Total w) x.
+Proof. exact SettledTwoSidesProof.SettledTwoSidesFill. Qed.
+
+Theorem SettledTwoSidesMeet :
+  forall sign cut vs, CutsOnEdges sign cut ->
+    let warping := PlaceIn (Settle AngleThresholds sign cut StrictGap vs) in
+    let place := PlacedPosition warping (ClampedCut AngleThresholds cut) in
+    forall tid tid' t t', InLattice tid -> InLattice tid' ->
+      In t (PlacedNames sign warping tid) ->
+      In t' (OtherNames sign warping tid') ->
+      MeetInSharedVertices place t t'.
+Proof. exact SettledTwoSidesProof.SettledTwoSidesMeet. Qed.
+
+(** By the names it has when it is made, the mesh of the other side lies where it
+    does by these. *)
+Theorem OtherSidePlaced :
+  forall warping cut t,
+    MapTet (PlacedPosition warping cut) (MapTet NameHere t)
+    = MapTet (PlacedPosition warping (OtherCuts cut)) t.
+Proof. exact TwoSidesFillProof.OtherSidePlaced. Qed.
 
 (** ** Beyond the paper: the pieces of a label image
 
@@ -1061,6 +1158,29 @@ Theorem VoxelNoPieceLost :
     exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
       Joined (fun y => image y = true) Beside x (Owner grid q).
 Proof. exact VoxelMeshProof.VoxelNoPieceLost. Qed.
+
+(** The same of the warp that keeps the shape, as it runs, and of any image: the
+    pieces of the mesh by faces are the pieces of the image by faces, *)
+Theorem SettledVoxelPieces :
+  forall grid image th cut gap vs p q t u,
+    let sign := OpenSigns (VoxelSigns grid image) in
+    let warping := PlaceIn (Settle th sign cut gap vs) in
+    FineEnough grid ->
+    PlusAfter sign warping p -> PlusAfter sign warping q ->
+    MadeAt sign warping p t -> MadeAt sign warping q u ->
+    Joined (InMesh sign warping) ShareFace t u <->
+    Joined (fun x => image x = true) Beside (Owner grid p) (Owner grid q).
+Proof. exact SettledVoxelProof.SettledVoxelPieces. Qed.
+
+(** and none is lost. *)
+Theorem SettledVoxelNoPieceLost :
+  forall grid image th cut gap vs x,
+    let sign := OpenSigns (VoxelSigns grid image) in
+    let warping := PlaceIn (Settle th sign cut gap vs) in
+    FineEnough grid -> image x = true ->
+    exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
+      Joined (fun y => image y = true) Beside x (Owner grid q).
+Proof. exact SettledVoxelProof.SettledVoxelNoPieceLost. Qed.
 
 (** ** Beyond the paper: no overflow
 

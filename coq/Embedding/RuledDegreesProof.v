@@ -17,7 +17,7 @@ Proof.
            (RuledBounds sign cut stays limit C tid t I)).
 Qed.
 
-Theorem SettledBounds sample cut vs tids t : CutsOnEdges sample cut ->
+Theorem SettledBoundsInDegrees sample cut vs tids t : CutsOnEdges sample cut ->
   In t (SettledMesh AngleThresholds (OpenSigns sample) (OpenCuts sample cut)
           LevelGap vs tids) ->
   WithinDegrees (1077 / 100) (16476 / 100) t.

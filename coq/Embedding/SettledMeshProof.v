@@ -88,7 +88,7 @@ Section Embeds.
     fold th in R. lia.
   Qed.
 
-  Theorem SettledMeshEmbeds tid tid' t t' : (forall s s', 1 <= gap s s') ->
+  Theorem SettledGapEmbeds tid tid' t t' : (forall s s', 1 <= gap s s') ->
     InLattice tid -> InLattice tid' ->
     In t (PlacedNames sign warping tid) -> In t' (PlacedNames sign warping tid') ->
     MeetInSharedVertices place t t'.
@@ -115,7 +115,7 @@ Section Embeds.
   Qed.
 End Embeds.
 
-Theorem StrictMeshEmbeds sign cut vs tid tid' t t' :
+Theorem SettledMeshEmbeds sign cut vs tid tid' t t' :
   let warping := PlaceIn (Settle AngleThresholds sign cut StrictGap vs) in
   CutsOnEdges sign cut -> InLattice tid -> InLattice tid' ->
   In t (PlacedNames sign warping tid) -> In t' (PlacedNames sign warping tid') ->
@@ -125,7 +125,7 @@ Proof.
   intros warping C.
   assert (L : forall s s', StrictGap s s' <= 1) by (intros s s'; discriminate).
   assert (M : forall s s', 1 <= StrictGap s s') by (intros s s'; discriminate).
-  exact (SettledMeshEmbeds sign cut StrictGap vs C L tid tid' t t' M).
+  exact (SettledGapEmbeds sign cut StrictGap vs C L tid tid' t t' M).
 Qed.
 
 (** ** Pieces *)

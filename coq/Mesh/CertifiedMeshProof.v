@@ -15,12 +15,14 @@ From Certet Require Import Angles.Degrees.DomainDegreesProof.
 From Certet Require Import Embedding.EmbeddingSpec Embedding.WarpOrClamp.
 From Certet Require Import Embedding.WarpOrClampProof.
 From Certet Require Import Embedding.RuledDegreesProof.
+From Certet Require Import Embedding.Settle Embedding.SettleProof.
+From Certet Require Import Embedding.SettledMeshProof.
 From Certet Require Import Range.RangeSpec Range.RangeProof.
 From Certet Require Import Mesh.Method Mesh.CertifiedSpec.
 From Certet Require Import Mesh.PlacedMeshProof.
 Open Scope Z_scope.
 
-Local Strategy 1000 [WarpVertex Bisect].
+Local Strategy 1000 [WarpVertex Bisect Settle].
 
 (** [StuffTet] makes the mesh of the placement that [Warp] leaves. *)
 Lemma StuffedIsPlaced th sign cut :
@@ -81,6 +83,36 @@ Proof.
   unfold WarpOrClamp. rewrite PlacedByName. exact I.
 Qed.
 
+(** ** One sweep that keeps the shape *)
+
+Lemma SweptModerate sample cut vs corners : CutsOnEdges sample cut ->
+  Moderate (OpenSigns sample)
+    (PlaceIn (Settle AngleThresholds (OpenSigns sample) (OpenCuts sample cut)
+                LevelGap vs))
+    (ClampedCut AngleThresholds (OpenCuts sample cut)) corners.
+Proof.
+  intros on. split; [intros v d t _ W | intros p q _; apply ClampedOnEdge].
+  pose proof (SettledMovesAtMost AngleThresholds (OpenSigns sample)
+    (OpenCuts sample cut) LevelGap AngleThresholdsAtMostHalf
+    (OpenCutsOnEdges sample cut on) LevelGapSmall vs v d t W).
+  pose proof (AngleThresholdsAtMostHalf (DirectionKind d)). lia.
+Qed.
+
+Lemma SweptCertified sample cut turns : CutsOnEdges sample cut ->
+  let mesh := SweptMesh (OpenSigns sample) (OpenCuts sample cut) turns in
+  TetsPositive mesh /\
+  AnglesBetween mesh 1077 16476 /\
+  FacesConform mesh /\
+  BoundaryIsSurface mesh /\
+  NothingOverflows mesh AngleThresholds.
+Proof.
+  intros on. apply PlacedCertified; [| intros tid; apply SweptModerate, on | tauto].
+  intros tid t I.
+  apply (SettledBoundsInDegrees sample cut turns (tid :: nil)%list t on).
+  unfold SettledMesh. cbn [flat_map]. rewrite app_nil_r.
+  unfold SettledTets. rewrite PlacedByName. exact I.
+Qed.
+
 (** ** The product's methods *)
 
 Theorem CertifiedMesh :
@@ -92,7 +124,7 @@ Theorem CertifiedMesh :
     BoundaryIsSurface mesh /\
     NothingOverflows mesh (MethodThresholds method).
 Proof.
-  intros [] sign domain.
+  intros [| | | turns] sign domain.
   - apply StuffedCertified; [apply AngleThresholdsAtMostHalf | apply BisectedOnEdges
       | apply BisectedBoundsInDegrees | tauto].
   - apply StuffedCertified; [apply EmbeddingThresholdsAtMostHalf | apply BisectedOnEdges
@@ -103,4 +135,5 @@ Proof.
     replace (IZR 3000 / 100)%R with 30%R by lra.
     replace (IZR 13500 / 100)%R with 135%R by lra.
     exact (MidpointBoundsInDegrees sign tid t I).
+  - apply SweptCertified, BisectedOnEdges.
 Qed.

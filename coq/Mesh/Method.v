@@ -10,14 +10,16 @@ From Certet Require Import Stencil.UnstructuredTet Warp.Warp.
 From Certet Require Import Stuffing.Stuffing Stuffing.Domain.
 From Certet Require Import Angles.AnglesSpec.
 From Certet Require Import Embedding.EmbeddingSpec Embedding.WarpOrClamp.
+From Certet Require Import Embedding.Settle.
 Open Scope Z_scope.
 
 (** Cuts found by bisection, and the widest angles; cuts found by bisection, and
-    a mesh that embeds; or cuts in the middle, and nothing warped. *)
-Inductive Method := AngleMethod | EmbeddingMethod | MidpointMethod.
-
-Definition AllMethods : list Method :=
-  (AngleMethod :: EmbeddingMethod :: MidpointMethod :: nil)%list.
+    a mesh that embeds; cuts in the middle, and nothing warped; or cuts found by
+    bisection, and the shape kept, where vertices have their turns in the order of
+    a list. *)
+Inductive Method :=
+| AngleMethod | EmbeddingMethod | MidpointMethod
+| SettledMethod : list Coord3 -> Method.
 
 (** Alpha of long and of short edges, in 256ths. *)
 Definition MethodThresholds (m : Method) : Thresholds :=
@@ -25,17 +27,20 @@ Definition MethodThresholds (m : Method) : Thresholds :=
   | AngleMethod => AngleThresholds
   | EmbeddingMethod => EmbeddingThresholds
   | MidpointMethod => NoWarpThresholds
+  | SettledMethod _ => AngleThresholds
   end.
 
 (** The least and the greatest dihedral angle, in hundredths of a degree. *)
 Definition LeastAngle (m : Method) : Z :=
   match m with
   | AngleMethod => 1077 | EmbeddingMethod => 927 | MidpointMethod => 3000
+  | SettledMethod _ => 1077
   end.
 
 Definition GreatestAngle (m : Method) : Z :=
   match m with
   | AngleMethod => 16476 | EmbeddingMethod => 16146 | MidpointMethod => 13500
+  | SettledMethod _ => 16476
   end.
 
 (** A mesh: the tetrahedra that are made within each structured tetrahedron, by
@@ -59,11 +64,16 @@ Definition PlacedMesh (before : SignField) (warping : Coord3 -> Warping)
   MakeMesh (PlacedNames before warping) (PlacedSign before warping)
            (PlacedPosition warping cut).
 
-(** that of a rule of who stays and how far the others move, which no method uses
-    yet; *)
+(** that of a rule of who stays and how far the others move; that of one sweep in
+    the order of a list, which is such a rule; *)
 Definition RuledMesh (th : Thresholds) (sign : SignField) (cut : CutField)
   (stays : Coord3 -> bool) (limit : Coord3 -> Z) : Mesh :=
   PlacedMesh sign (RuledWarping th sign cut stays limit) (ClampedCut th cut).
+
+Definition SweptMesh (sign : SignField) (cut : CutField) (turns : list Coord3)
+  : Mesh :=
+  PlacedMesh sign (PlaceIn (Settle AngleThresholds sign cut LevelGap turns))
+             (ClampedCut AngleThresholds cut).
 
 (** and so that of a method.  Which lattice points count as inside is told
     beside the domain: the mesher takes the outermost points of its lattice as
@@ -72,5 +82,7 @@ Definition MeshOf (m : Method) (sign : SignField) (domain : PositionSigns)
   : Mesh :=
   match m with
   | MidpointMethod => StuffedMesh NoWarpThresholds (Decided sign) MidpointCuts
+  | SettledMethod turns =>
+      SweptMesh (OpenSigns sign) (OpenCuts sign (BisectedCuts domain)) turns
   | _ => StuffedMesh (MethodThresholds m) sign (BisectedCuts domain)
   end.

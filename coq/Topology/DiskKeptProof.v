@@ -8,6 +8,7 @@ From Certet Require Import Angles.Cases.Isometry.
 From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
 From Certet Require Import Embedding.GreedyProof.
 From Certet Require Import Embedding.LeavingProof Embedding.LinkProof.
+From Certet Require Import Embedding.SettleSpec.
 From Certet Require Import Topology.SurfaceSpec Topology.CliqueProof.
 From Certet Require Import Topology.DiskPointProof.
 Import ListNotations.
@@ -166,7 +167,8 @@ Section One.
           - intros (Zw & Yw & P). apply PlusStays in P. tauto.
           - intros [(Zw & Yw & P) N]. rewrite Others; auto. }
         assert (Here : here v \/ ~ here v).
-        { unfold here. destruct (s v) eqn:Sv; [|congruence|right; intros (_ & _ & F); discriminate F].
+        { unfold here.
+          destruct (s v) eqn:Sv; [|congruence|right; intros (_ & _ & F); discriminate F].
           destruct (in_dec SamePoint3 v (map (fun d => Translate y (Offset d)) AllDirections))
             as [I|O].
           - left. apply in_map_iff in I. destruct I as (d & E & _).
@@ -210,15 +212,15 @@ Section One.
     Qed.
   End Neighbor.
 
-  Theorem DiskKept : DiskLinks s -> DiskLinks s'.
+  Theorem DiskKept : DisksAround s -> DisksAround s'.
   Proof.
-    intros D z Zero [d P]. apply (StrictDiskIff s' z).
+    intros D z Zero [d P]. apply (PointDiskIff s' z).
     assert (Far : ~ Adjacent z v -> PointDisk s z -> PointDisk s' z).
     { intros F. apply PointDiskSame. intros x Zx. apply Others. intros ->. contradiction. }
     destruct (ZeroWas z Zero) as [->|[ZeroZ Nz]].
     - apply Far; [apply NeverAdjacent|exact Disk].
     - assert (DiskZ : PointDisk s z).
-      { apply StrictDiskIff, D; [exact ZeroZ|]. exists d. apply PlusStays, P. }
+      { apply PointDiskIff, D; [exact ZeroZ|]. exists d. apply PlusStays, P. }
       destruct (in_dec SamePoint3 v (map (fun d => Translate z (Offset d)) AllDirections))
         as [I|O].
       + apply in_map_iff in I. destruct I as (e & E & _).
@@ -237,26 +239,26 @@ Section Many.
   Definition Zeroed (vs : list Coord3) : SignField :=
     fun x => if in_dec SamePoint3 x vs then OnSurface else s x.
 
-  Lemma ManyKept vs : DiskLinks s ->
+  Lemma ManyKept vs : DisksAround s ->
     (forall v, In v vs -> s v <> OnSurface /\
        StrictDisk (fun d => s (Translate v (Offset d))) = true) ->
     (forall u v, In u vs -> In v vs -> ~ Adjacent u v) ->
-    DiskLinks (Zeroed vs).
+    DisksAround (Zeroed vs).
   Proof.
     intros D. induction vs as [|v vs IH]; intros V A.
-    - intros z Z E. apply (StrictDiskIff (Zeroed []) z).
-      apply (PointDiskSame s); [reflexivity|]. apply StrictDiskIff. apply D; assumption.
-    - assert (D' : DiskLinks (Zeroed vs))
+    - intros z Z E. apply (PointDiskIff (Zeroed []) z).
+      apply (PointDiskSame s); [reflexivity|]. apply PointDiskIff. apply D; assumption.
+    - assert (D' : DisksAround (Zeroed vs))
         by (apply IH; intros; [apply V|apply A]; right; assumption).
       destruct (V v (or_introl eq_refl)) as [Nv Disk].
       destruct (in_dec SamePoint3 v vs) as [I|O].
-      + intros z Z E. apply (StrictDiskIff (Zeroed (v :: vs)) z).
+      + intros z Z E. apply (PointDiskIff (Zeroed (v :: vs)) z).
         assert (Same : forall x, Zeroed (v :: vs) x = Zeroed vs x).
         { intros x. unfold Zeroed. destruct (in_dec SamePoint3 x (v :: vs)) as [X|X],
             (in_dec SamePoint3 x vs) as [Y|Y]; try reflexivity; exfalso; cbn [In] in X;
             [destruct X as [<-|X]; contradiction|tauto]. }
         apply (PointDiskSame (Zeroed vs)); [intros x _; apply Same|].
-        apply StrictDiskIff. apply D'; [rewrite <- Same; exact Z|].
+        apply PointDiskIff. apply D'; [rewrite <- Same; exact Z|].
         destruct E as [d E]. exists d. rewrite <- Same. exact E.
       + apply (DiskKept (Zeroed vs) _ v).
         * intros x N. unfold Zeroed. destruct (in_dec SamePoint3 x (v :: vs)) as [X|X],
@@ -265,7 +267,7 @@ Section Many.
         * unfold Zeroed. destruct (in_dec SamePoint3 v (v :: vs)) as [|N]; [reflexivity|].
           destruct N. left. reflexivity.
         * unfold Zeroed. destruct (in_dec SamePoint3 v vs); [contradiction|exact Nv].
-        * apply (PointDiskSame s); [|apply StrictDiskIff, Disk].
+        * apply (PointDiskSame s); [|apply PointDiskIff, Disk].
           intros x X. unfold Zeroed. destruct (in_dec SamePoint3 x vs) as [Y|Y]; [|reflexivity].
           destruct (A v x); cbn [In]; auto.
         * exact D'.
@@ -273,11 +275,11 @@ Section Many.
 End Many.
 
 (** Any number of vertices, no two adjacent, may become 0 at once. *)
-Theorem AllKept (s s' : SignField) : DiskLinks s ->
+Theorem DisksAroundKept (s s' : SignField) : DisksAround s ->
   (forall v, s' v = s v \/ s' v = OnSurface /\ s v <> OnSurface /\
      StrictDisk (fun d => s (Translate v (Offset d))) = true) ->
   (forall u v, s' u <> s u -> s' v <> s v -> ~ Adjacent u v) ->
-  DiskLinks s'.
+  DisksAround s'.
 Proof.
   intros D C A z Zero Inner.
   assert (Sign : forall a b : Sign, {a = b} + {a <> b}) by decide equality.
@@ -285,7 +287,7 @@ Proof.
   set (vs := filter (fun x => if Sign (s' x) (s x) then false else true) star).
   assert (Vs : forall x, In x vs <-> In x star /\ s' x <> s x).
   { intros x. unfold vs. rewrite filter_In. destruct (Sign (s' x) (s x)); intuition congruence. }
-  assert (K : DiskLinks (Zeroed s vs)).
+  assert (K : DisksAround (Zeroed s vs)).
   { apply ManyKept; [exact D| |].
     - intros v I. apply Vs in I. destruct (C v) as [E|(_ & N & S)]; [tauto|auto].
     - intros u v U V. apply Vs in U, V. apply A; tauto. }
@@ -295,8 +297,8 @@ Proof.
     - destruct (Sign (s' x) (s x)) as [E|N]; [exact E|]. destruct O. apply Vs. auto. }
   assert (Star : forall d, In (Translate z (Offset d)) star).
   { intros d. right. apply (in_map (fun d => Translate z (Offset d))), InAllDirections. }
-  apply (StrictDiskIff s' z). apply (PointDiskSame (Zeroed s vs)).
+  apply (PointDiskIff s' z). apply (PointDiskSame (Zeroed s vs)).
   - intros x [d ->]. apply Same, Star.
-  - apply StrictDiskIff. apply K; [rewrite <- Same; [exact Zero|left; reflexivity]|].
+  - apply PointDiskIff. apply K; [rewrite <- Same; [exact Zero|left; reflexivity]|].
     destruct Inner as [d P]. exists d. rewrite <- Same; [exact P|apply Star].
 Qed.

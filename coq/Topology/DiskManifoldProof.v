@@ -8,6 +8,7 @@ From Certet Require Import Angles.AnglesSpec Angles.AngleTheorems.
 From Certet Require Import Embedding.PiecesSpec.
 From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
 From Certet Require Import Embedding.DiskRuleProof Embedding.DiskPiecesProof.
+From Certet Require Import Embedding.SettleSpec.
 From Certet Require Import Topology.SurfaceSpec Topology.LocalSurfaceProof.
 From Certet Require Import Topology.SurfaceProof.
 From Certet Require Import Topology.EdgeProof Topology.FanProof.
@@ -16,14 +17,14 @@ From Certet Require Import Topology.DiskPointProof Topology.DiskKeptProof.
 (** Checking a proof needs their names, never what they are. *)
 Local Strategy 1000 [WarpVertex Settled StrictDisk].
 
-Lemma DiskLinksSame s s' : (forall x, s' x = s x) -> DiskLinks s -> DiskLinks s'.
+Lemma DisksAroundSame s s' : (forall x, s' x = s x) -> DisksAround s -> DisksAround s'.
 Proof.
-  intros E D z Z [d P]. apply (StrictDiskIff s' z).
-  apply (PointDiskSame s); [intros x _; apply E|]. apply StrictDiskIff.
+  intros E D z Z [d P]. apply (PointDiskIff s' z).
+  apply (PointDiskSame s); [intros x _; apply E|]. apply PointDiskIff.
   rewrite E in Z, P. apply D; [exact Z|]. exists d. exact P.
 Qed.
 
-Lemma NoZeroDiskLinks s : (forall v, s v <> OnSurface) -> DiskLinks s.
+Lemma NoZeroDiskLinks s : (forall v, s v <> OnSurface) -> DisksAround s.
 Proof. intros N z Z. destruct (N z Z). Qed.
 
 (** ** Turn by turn *)
@@ -48,11 +49,11 @@ Section Rule.
     destruct (settled (Datatypes.S n) v); [auto|congruence].
   Qed.
 
-  Lemma DiskLinksNow n : DiskLinks (now n).
+  Lemma DisksAroundNow n : DisksAround (now n).
   Proof.
     induction n as [|n IH].
     - apply NoZeroDiskLinks. intros v. exact (Decided v).
-    - apply (AllKept (now n)); [exact IH| |].
+    - apply (DisksAroundKept (now n)); [exact IH| |].
       + intros v. destruct (settled (S n) v) eqn:S.
         * destruct (settled n v) eqn:S'.
           -- left. unfold SignNow. rewrite S, S'. reflexivity.
@@ -66,10 +67,10 @@ Section Rule.
         exact (NotAdjacent th sign cut turn Turns n u v U U' V V').
   Qed.
 
-  Lemma DiskLinksAfter turns limit : DiskLinks (SignAfter sign
+  Lemma DisksAroundAfter turns limit : DisksAround (SignAfter sign
     (RuledWarping th sign cut (DiskStays th sign cut turn turns) limit)).
   Proof.
-    apply (DiskLinksSame (now turns)); [|apply DiskLinksNow].
+    apply (DisksAroundSame (now turns)); [|apply DisksAroundNow].
     intros v. apply AfterDisk.
   Qed.
 End Rule.
@@ -77,11 +78,11 @@ End Rule.
 (** ** The mesh *)
 
 Theorem DiskRuleLinks th sign cut limit : (forall v, sign v <> OnSurface) ->
-  DiskLinks (SignAfter sign (RuledWarping th sign cut (DiskRule th sign cut) limit)).
-Proof. intros D. apply DiskLinksAfter; [exact D|apply TurnsDiffer]. Qed.
+  DisksAround (SignAfter sign (RuledWarping th sign cut (DiskRule th sign cut) limit)).
+Proof. intros D. apply DisksAroundAfter; [exact D|apply TurnsDiffer]. Qed.
 
 Theorem SurfaceManifold before warping a b c :
-  DiskLinks (SignAfter before warping) -> SurfaceTriangle before warping a b c ->
+  DisksAround (SignAfter before warping) -> SurfaceTriangle before warping a b c ->
   (exists d, d <> c /\ SurfaceTriangle before warping a b d /\
      forall e, SurfaceTriangle before warping a b e -> e = c \/ e = d) /\
   (forall x, InFan before warping a x -> JoinedInFan before warping a b x).

@@ -50,7 +50,8 @@ Section Flood.
     incl (Flood steps part r) l.
   Proof.
     intros C steps. induction steps as [|steps IH]; intros r I; [exact I|].
-    rewrite FloodMore. apply IH. intros d D. apply InFloodStep in D. destruct D as (P & e & E & [->|N]).
+    rewrite FloodMore. apply IH. intros d D. apply InFloodStep in D.
+    destruct D as (P & e & E & [->|N]).
     - exact (I d E).
     - exact (C e d (I e E) P N).
   Qed.
@@ -321,7 +322,7 @@ Section Vertex.
       apply P in U, W. apply J; tauto.
   Qed.
 
-  Theorem StrictDiskIff : StrictDisk now = true <-> PointDisk.
+  Theorem PointDiskIff : StrictDisk now = true <-> PointDisk.
   Proof.
     unfold StrictDisk, PointDisk. rewrite !andb_true_iff.
     rewrite (WholeIff (IsInner now) (fun x => s x = Plus)) by apply InnerAt.

@@ -18,6 +18,7 @@ From Certet Require Import Embedding.DiskRule.
 From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
 From Certet Require Import Embedding.MeshApartProof.
 From Certet Require Import Embedding.LinkProof.
+From Certet Require Import Embedding.SettleSpec.
 From Certet Require Import Topology.SurfaceSpec Topology.CliqueProof.
 From Certet Require Import Topology.LocalSurfaceProof Topology.SurfaceProof.
 From Certet Require Import Topology.RingProof.
@@ -235,7 +236,8 @@ Section Mesh.
     destruct (LocalFaceEdge before warping tid' x y E' X' Y' N) as (z' & T' & U');
       [apply (Off' tid' c'); [exact F3|apply F'; cbn; tauto|apply Fresh, Ac']|exact B|].
     assert (z0 = z) by (symmetry; apply U0, T). subst z0.
-    assert (Rz : forall own w, InLattice own -> triangle own x y w -> Reach (Corners own) [x; y; w]).
+    assert (Rz : forall own w, InLattice own -> triangle own x y w ->
+      Reach (Corners own) [x; y; w]).
     { intros own w Eo [(t & J & H) S].
       destruct (LocalOnIt before warping own x y w Eo
         (conj (ex_intro _ t (conj J H)) S)) as (Xo & Yo & Wo).
@@ -466,7 +468,7 @@ Section Mesh.
     - rewrite map_length. apply BoundaryEven.
   Qed.
 
-  Theorem EdgesInTwo x y z : DiskLinks after -> surface x y z ->
+  Theorem EdgesInTwo x y z : DisksAround after -> surface x y z ->
     exists z', z' <> z /\ surface x y z' /\
       forall z'', surface x y z'' -> z'' = z \/ z'' = z'.
   Proof.

@@ -14,6 +14,7 @@ From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
 From Certet Require Import Embedding.DiskRule.
 From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
 From Certet Require Import Embedding.LeavingProof Embedding.LinkProof.
+From Certet Require Import Embedding.SettleSpec.
 From Certet Require Import Topology.SurfaceSpec Topology.CliqueProof.
 From Certet Require Import Topology.LocalSurfaceProof Topology.SurfaceProof.
 From Certet Require Import Topology.RingProof Topology.EdgeProof.
@@ -130,7 +131,8 @@ Section Mesh.
         joined s (third (Translate p (Offset e))) (third (Translate p (Offset f)))) R _ _)).
       - intros e Ne.
         apply On in Ne. destruct (ApexesOfFace p m (Translate p (Offset e)))
-          as (a & b & _ & (Pa & Ma & Ea) & _ & _); [exists dm; exact Em|exists e; reflexivity|exact Ne|].
+          as (a & b & _ & (Pa & Ma & Ea) & _ & _);
+          [exists dm; exact Em|exists e; reflexivity|exact Ne|].
         destruct (CliqueIsTet p m (Translate p (Offset e)) a) as (tid & E & I);
           try assumption; [exists dm; exact Em|exists e; reflexivity|].
         destruct (Apart e Ne) as [Npe Nme].
@@ -221,7 +223,8 @@ Section Mesh.
         apply SameDirectionMeans in S; subst; apply (NextInLinkMeans z) in N.
       - (* from + to + *)
         destruct (PointsApart e f' e' Ef N (AdjacentMutual _ _ Ef')) as (tid & E & I & D).
-        destruct (after (at_ f')) eqn:S; [congruence|left; unfold CrossingAt; rewrite S; reflexivity|].
+        destruct (after (at_ f')) eqn:S;
+          [congruence|left; unfold CrossingAt; rewrite S; reflexivity|].
         destruct (LocalZeroFan before warping tid z (at_ e') (at_ e) (at_ f')) as [G _];
           try assumption; try (apply I; cbn; tauto); [congruence|].
         destruct (G Pe') as [G'|G']; [left; exact G'|right].
@@ -278,7 +281,7 @@ Section Mesh.
     Qed.
   End ZeroVertex.
 
-  Theorem OneFan a x y : DiskLinks after -> fan a x -> fan a y -> joined a x y.
+  Theorem OneFan a x y : DisksAround after -> fan a x -> fan a y -> joined a x y.
   Proof.
     intros Disks X Y. destruct X as [x' T].
     destruct (SurfaceWhere before warping _ _ _ T) as (tid & E & L).

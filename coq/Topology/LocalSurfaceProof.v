@@ -246,9 +246,9 @@ Section Mesh.
     Qed.
 
     Lemma ThirdNamed a m c : In c Four ->
-      name (Third sign a m c) = ThirdAt after (at_ a) (at_ m) (at_ c).
+      name (FaceThird sign a m c) = ThirdAt after (at_ a) (at_ m) (at_ c).
     Proof.
-      intros C. unfold Third, ThirdAt, name. pose proof (AtIs Minus c C) as M.
+      intros C. unfold FaceThird, ThirdAt, name. pose proof (AtIs Minus c C) as M.
       pose proof (AtIs Plus c C) as Q'.
       destruct (Is sign Plus c); [rewrite (proj1 Q' eq_refl); apply NameCut|].
       destruct (Is sign Minus c); [rewrite (proj1 M eq_refl); apply NameCut|].
@@ -267,9 +267,9 @@ Section Mesh.
 
     Lemma ThirdValid a m c : In a Four -> In m Four -> In c Four ->
       Is sign Plus a = true -> Is sign Minus m = true ->
-      In (Third sign a m c) (Valids sign).
+      In (FaceThird sign a m c) (Valids sign).
     Proof.
-      intros A M C Pa Mm. unfold Valids, Third. rewrite filter_In, InAll.
+      intros A M C Pa Mm. unfold Valids, FaceThird. rewrite filter_In, InAll.
       destruct (Is sign Plus c) eqn:Pc.
       - split; [auto|]. cbn [Valid]. rewrite Pc, Mm. reflexivity.
       - destruct (Is sign Minus c) eqn:Mc.

@@ -171,7 +171,8 @@ Proof.
         intros d e [<-|D] [<-|E] N.
         * destruct w; discriminate N.
         * rewrite SameDirectionRefl, (NextDiffers w e N). exact (New e E N).
-        * rewrite SameDirectionRefl, (NextDiffers w d (NextMutual _ _ N)), M, (New d D (NextMutual _ _ N)).
+        * rewrite SameDirectionRefl, (NextDiffers w d (NextMutual _ _ N)), M,
+            (New d D (NextMutual _ _ N)).
           apply xorb_comm.
         * destruct (SameDirection w d) eqn:Wd.
           -- apply SameDirectionMeans in Wd. subst d. rewrite (NextDiffers w e N).
@@ -238,12 +239,14 @@ Section Parts.
       assert (Tf : forall a b c, NextInLink a c = true -> NextInLink b c = true ->
         NextInLink a b = true -> inner a = true -> inner b = true -> inner c = false ->
         m (a, c) = m (b, c)).
-      { intros a b c Ac Bc Ab A B Cc. apply Same; [apply InAllCrossings; auto|apply InAllCrossings; auto|].
+      { intros a b c Ac Bc Ab A B Cc.
+        apply Same; [apply InAllCrossings; auto|apply InAllCrossings; auto|].
         unfold Turns. rewrite SameDirectionRefl, Ab. reflexivity. }
       assert (Te : forall a b c, NextInLink a b = true -> NextInLink a c = true ->
         NextInLink b c = true -> inner a = true -> inner b = false -> inner c = false ->
         m (a, b) = m (a, c)).
-      { intros a b c Ab Ac Bc A B Cc. apply Same; [apply InAllCrossings; auto|apply InAllCrossings; auto|].
+      { intros a b c Ab Ac Bc A B Cc.
+        apply Same; [apply InAllCrossings; auto|apply InAllCrossings; auto|].
         unfold Turns. rewrite SameDirectionRefl, Bc. apply orb_true_r. }
       pose proof (NextMutual _ _ De). pose proof (NextMutual _ _ Ef).
       pose proof (NextMutual _ _ Df).

@@ -48,7 +48,7 @@ Section Signs.
     if Is Minus f then CutOf e f else Base f.
 
   (** On the face with the cut from [a] to [m]: the other vertex on the surface. *)
-  Definition Third (a m c : Label) : Symbol :=
+  Definition FaceThird (a m c : Label) : Symbol :=
     if Is Plus c then CutOf c m else if Is Minus c then CutOf a c else Base c.
 
   Definition ForAllTriangles3 (test : SymbolicTet -> Symbol -> Symbol -> Symbol -> bool)
@@ -125,7 +125,7 @@ Section Signs.
   Definition CheckCutFans : bool :=
     FourLabels (fun a m c d =>
       if Is Plus a && Is Minus m then
-        let s := CutOf a m in let r := Third a m c in let u := Third a m d in
+        let s := CutOf a m in let r := FaceThird a m c in let u := FaceThird a m d in
         (IsTriangle s r u ||
          existsb (fun w => IsTriangle s r w && IsTriangle s w u) Valids) &&
         forallb (fun w => forallb (fun x => negb (IsTriangle s w x) ||

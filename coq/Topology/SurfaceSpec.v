@@ -10,7 +10,7 @@ From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Stencil.UnstructuredTet Stencil.TriangleSpec.
 From Certet Require Import Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.AnglesSpec.
-From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
+From Certet Require Import Embedding.PiecesSpec.
 
 (** ** The surface *)
 
@@ -33,11 +33,3 @@ Section Mesh.
   (** The sign after warping. *)
   Definition SignAfter (c : Coord3) : Sign := PlacedSign before warping (Corner c).
 End Mesh.
-
-(** ** The strict disk, when all is over *)
-
-(** A vertex on the surface that has an inner neighbour has a strict disk. *)
-Definition DiskLinks (sign : SignField) : Prop :=
-  forall z, sign z = OnSurface ->
-    (exists d, sign (Translate z (Offset d)) = Plus) ->
-    StrictDisk (fun d => sign (Translate z (Offset d))) = true.
