@@ -1034,8 +1034,9 @@ Proof. exact DiskManifoldProof.MidpointSurfaceManifold. Qed.
 
 (** ** Beyond the paper: inside and outside fill space
 
-    Read [Topology/TwoSidesSpec.v]: the mesh of the other side.  Where ends of short
-    edges come level, as [UncrossedOrLevel] lets them, this is not proved. *)
+    Read [Topology/TwoSidesSpec.v]: the mesh of the other side.  For a warp that
+    lets ends of short edges come level, as [UncrossedOrLevel] does, this is not
+    proved. *)
 
 (** Every rational point, [x] over [n], is in a tetrahedron of the mesh, in one of
     the mesh of the other side, or in a structured tetrahedron that both drop because
@@ -1078,8 +1079,35 @@ Theorem TwoSidesShare :
     PlacedSign before warping v = OnSurface.
 Proof. exact TwoSidesMeetProof.TwoSidesShare. Qed.
 
+(** The same of the paper's warp, with thresholds that embed: its mesh and
+    that of the other side fill space, *)
+Theorem WarpedTwoSidesFill :
+  forall long short sign cut n x,
+    0 < long <= 64 -> 0 < short <= 128 -> CutsOnEdges sign cut -> 0 < n ->
+    let warping := WarpVertex (TH long short) sign cut in
+    exists tid t w, InLattice tid /\
+      (In t (PlacedNames sign warping tid) \/
+       In t (OtherNames sign warping tid) \/
+       t = MapTet Corner (LatticeTet tid) /\
+         forall c, In c (Corners tid) -> SignAfter sign warping c = OnSurface) /\
+      NonNegative w /\ 0 < Total w /\
+      Scale n (PointOf w (MapTet (PlacedPosition warping cut) t))
+      = Scale (Total w) x.
+Proof. exact TwoSidesFillProof.WarpedTwoSidesFill. Qed.
+
+(** and meet in what they share. *)
+Theorem WarpedTwoSidesMeet :
+  forall long short sign cut tid tid' t t',
+    0 < long <= 64 -> 0 < short <= 128 -> CutsOnEdges sign cut ->
+    let warping := WarpVertex (TH long short) sign cut in
+    InLattice tid -> InLattice tid' ->
+    In t (PlacedNames sign warping tid) ->
+    In t' (OtherNames sign warping tid') ->
+    MeetInSharedVertices (PlacedPosition warping cut) t t'.
+Proof. exact TwoSidesMeetProof.WarpedTwoSidesMeet. Qed.
+
 (** The warp that keeps the shape fills space and meets so if a step is left between
-    any two vertices, as in [SettledMeshEmbeds]; *)
+    any two vertices, as in [SettledMeshEmbeds]. *)
 Theorem SettledTwoSidesFill :
   forall sign cut vs, CutsOnEdges sign cut ->
     let warping := PlaceIn (Settle AngleThresholds sign cut StrictGap vs) in

@@ -176,8 +176,8 @@ Lemma GoodRingIs now d : GoodRing now d =
   existsb (fun e => negb (IsInner now e)) (Ring d) &&
   (length (Crossings now (RingPairs d)) <=? 2)%nat.
 Proof.
-  unfold GoodRing. cbv zeta. fold (Ring d). f_equal. f_equal. f_equal.
-  unfold Crossings, RingPairs. rewrite FilterTwice. apply filter_ext.
+  unfold GoodRing, Crossings, RingPairs, Ring. cbv zeta. rewrite FilterTwice.
+  f_equal. f_equal. f_equal. apply filter_ext.
   intros [e f]. cbn [Crosses]. rewrite andb_assoc. reflexivity.
 Qed.
 
@@ -283,7 +283,7 @@ Section Vertex.
         apply J; rewrite Same, RunPart; auto.
       + intros J. split.
         * exists (at_ e0). exists e0. split; [reflexivity|]. unfold RunOf.
-          rewrite P0. apply (InRing d e0), I0.
+          rewrite P0. exact (proj1 (InRing d e0) I0).
         * intros x y X Y. rewrite Same, RunPart in X, Y.
           apply (JoinedSame _ (fun w => Adjacent z w /\ Adjacent (at_ d) w /\ s w = Plus));
             [intros w; rewrite Same, RunPart; tauto|].

@@ -8,7 +8,7 @@ From Certet Require Import Stencil.Symbol Stencil.SymbolProof.
 From Certet Require Import Stencil.CompatibilityChecker Stencil.TriangleChecker.
 From Certet Require Import Warp.Cut Warp.Warp.
 From Certet Require Import Stuffing.Stuffing Stuffing.NameProof.
-From Certet Require Import Angles.AnglesSpec.
+From Certet Require Import Angles.AnglesSpec Angles.Cases.AdmissibleProof.
 From Certet Require Import Embedding.EmbeddingSpec.
 From Certet Require Import Embedding.LatticeEmbedsProof.
 From Certet Require Import Embedding.WarpedLatticeProof.
@@ -170,13 +170,15 @@ Section Mesh.
 
   (** ** Every point *)
 
-  Theorem TwoSidesFill n x : MovesAtMost AngleThresholds warping -> Uncrossed warping ->
-    0 < n ->
+  (** One that the placed lattice covers. *)
+  Lemma CoveredFills n x :
+    (exists tid w, InLattice tid /\ NonNegative w /\ 0 < Total w /\
+       Scale n (PointOf w (MapTet (fun v => WarpedPosition v (warping v)) (LatticeTet tid)))
+       = Scale (Total w) x) ->
     exists tid t w, InLattice tid /\ OneOf tid t /\ NonNegative w /\ 0 < Total w /\
       Scale n (PointOf w (MapTet place t)) = Scale (Total w) x.
   Proof.
-    intros M U Pn. destruct (UncrossedLatticeCovers warping n x M U Pn)
-      as (tid & w0 & E & W0 & T0 & X).
+    intros (tid & w0 & E & W0 & T0 & X).
     destruct (TetFills tid w0 W0) as (t & w & times & O & W & T & V).
     assert (Total_ : Total w = times * Total w0).
     { rewrite (TotalWeigh w t), (TotalWeigh w0 (LatticeTet tid)). apply (V _ OneStraight). }
@@ -188,7 +190,44 @@ Section Mesh.
     rewrite (PointByAxis (fun v => WarpedPosition v (warping v)) f w0 _ F) in Fx.
     cbn [PlacedPosition]. nia.
   Qed.
+
+  Theorem TwoSidesFill n x : MovesAtMost AngleThresholds warping -> Uncrossed warping ->
+    0 < n ->
+    exists tid t w, InLattice tid /\ OneOf tid t /\ NonNegative w /\ 0 < Total w /\
+      Scale n (PointOf w (MapTet place t)) = Scale (Total w) x.
+  Proof.
+    intros M U Pn. apply CoveredFills. exact (UncrossedLatticeCovers warping n x M U Pn).
+  Qed.
 End Mesh.
+
+(** With thresholds that embed. *)
+Lemma ThresholdsInside long short sign cut : let th := TH long short in
+  0 < long <= 64 -> 0 < short <= 128 -> CutsOnEdges sign cut ->
+  CutsInside sign (WarpVertex th sign cut) cut.
+Proof.
+  intros th L S C.
+  assert (T : forall k, 0 < ThresholdSteps th k <= 32768).
+  { intros k. unfold th, ThresholdSteps. change (Steps / 256) with 256.
+    destruct k; lia. }
+  apply CutsInsideWarped; try assumption; intros k; specialize (T k);
+    change Steps with 65536; lia.
+Qed.
+
+Theorem WarpedTwoSidesFill long short sign cut n x :
+  0 < long <= 64 -> 0 < short <= 128 -> CutsOnEdges sign cut -> 0 < n ->
+  let warping := WarpVertex (TH long short) sign cut in
+  exists tid t w, InLattice tid /\ OneOf sign warping tid t /\
+    NonNegative w /\ 0 < Total w /\
+    Scale n (PointOf w (MapTet (PlacedPosition warping cut) t)) = Scale (Total w) x.
+Proof.
+  intros L S C N warping. apply CoveredFills.
+  - exact (ThresholdsInside long short sign cut L S C).
+  - unfold warping. apply (LatticeCovers _ (5 * Steps)); [| |exact N].
+    + apply WarpKeepsShortEdges; [split; lia|exact C].
+    + intros v d. apply PlacedNoLonger. intros u e t E.
+      destruct (WarpedMeans _ sign cut u e t E) as (-> & O & _).
+      exact (CutFromInRange sign cut C u e O).
+Qed.
 
 (** By its own names the mesh of the other side lies where it does by these. *)
 Theorem OtherSidePlaced warping cut t :

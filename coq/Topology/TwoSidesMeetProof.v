@@ -291,15 +291,14 @@ Section Mesh.
     - intros a m b n V V' Nab Nmn. exact (J _ _ (C a m V) (C b n V') Nmn Nab).
   Qed.
 
-  Theorem TwoSidesMeet tid tid' t t' :
-    MovesAtMost AngleThresholds warping -> Uncrossed warping ->
+  Lemma KeptMeet tid tid' t t' :
+    KeepsShortEdges (fun v => WarpedPosition v (warping v)) ->
     InLattice tid -> InLattice tid' ->
     In t (PlacedNames before warping tid) -> In t' (OtherNames before warping tid') ->
     MeetInSharedVertices place t t'.
   Proof.
-    intros M U E E' I I' w w' W W' T X.
+    intros Keeps E E' I I' w w' W W' T X.
     unfold OtherNames in I'. apply in_map_iff in I'. destruct I' as (t0 & <- & I').
-    pose proof (UncrossedKeepsShortEdges warping M U) as Keeps.
     destruct (StuffedFollows before warping tid t E I) as [B J].
     destruct (StuffedFollows other warping tid' t0 E' I') as [B' _].
     destruct (OtherHas tid' t0 E' I') as [H' J'].
@@ -340,6 +339,13 @@ Section Mesh.
       rewrite <- OtherSidePlaced, X. reflexivity.
   Qed.
 
+  Theorem TwoSidesMeet tid tid' t t' :
+    MovesAtMost AngleThresholds warping -> Uncrossed warping ->
+    InLattice tid -> InLattice tid' ->
+    In t (PlacedNames before warping tid) -> In t' (OtherNames before warping tid') ->
+    MeetInSharedVertices place t t'.
+  Proof. intros M U. apply KeptMeet, UncrossedKeepsShortEdges; assumption. Qed.
+
   (** What they share is on the surface. *)
   Theorem TwoSidesShare tid tid' t t' v : InLattice tid -> InLattice tid' ->
     In t (PlacedNames before warping tid) -> In t' (OtherNames before warping tid') ->
@@ -353,3 +359,16 @@ Section Mesh.
     unfold SignAfter in N'. destruct (PlacedSign before warping (Corner c)); congruence.
   Qed.
 End Mesh.
+
+Theorem WarpedTwoSidesMeet long short sign cut tid tid' t t' :
+  0 < long <= 64 -> 0 < short <= 128 -> CutsOnEdges sign cut ->
+  let warping := WarpVertex (TH long short) sign cut in
+  InLattice tid -> InLattice tid' ->
+  In t (PlacedNames sign warping tid) -> In t' (OtherNames sign warping tid') ->
+  MeetInSharedVertices (PlacedPosition warping cut) t t'.
+Proof.
+  intros L S C warping. apply KeptMeet.
+  - exact (ThresholdsInside long short sign cut L S C).
+  - apply (WarpKeepsShortEdges (TH long short) sign cut); [|exact C].
+    cbn [MovesLittle]. lia.
+Qed.
