@@ -264,7 +264,7 @@ Definition AreOutwardFaces (t : Table) : bool :=
 
 Record Bounds := { least : Z; greatest : Z; theorem : string }.
 Definition SettledBounds :=
-  {| least := 1077; greatest := 16476; theorem := "RuledBoundsInDegrees" |}.
+  {| least := 1077; greatest := 16476; theorem := "SettledBoundsInDegrees" |}.
 Definition WidestBounds := {| least := 1077; greatest := 16476; theorem := "DihedralBounds" |}.
 Definition EmbeddingBounds :=
   {| least := 927; greatest := 16146; theorem := "DihedralBoundsEmbedding" |}.
@@ -290,6 +290,29 @@ Definition AreBounds (b : Bounds) (t : Table) : bool :=
 
 Definition AreProvenBounds : Table -> bool := Each (Each AreBounds) ProvenBounds.
 
+(** ** Links
+
+    A set of directions is a number, with a bit for each. *)
+
+Definition SetNumber (set : Link bool) : Z :=
+  fold_right (fun d n => (if At set d then 1 else 0) + 2 * n) 0 AllDirections.
+
+Definition LinkRings : Table :=
+  OfDirections (fun d => Number (SetNumber (Gather (NextInLink d)))).
+
+Definition PlaceInLink : Link Z :=
+  Gather (fun d => PlaceOf SameDirection d AllDirections).
+
+Definition NumberedSet (n : Z) : Link bool :=
+  Gather (fun d => Z.testbit n (At PlaceInLink d)).
+
+(** Sixty-four sets in a number. *)
+Definition ConnectedSets : Table :=
+  Numbers (map (fun word =>
+    fold_right (fun bit n =>
+      (if InOnePiece (NumberedSet (64 * word + bit)) then 1 else 0) + 2 * n)
+      0 (Upto 64)) (Upto 256)).
+
 (** ** All of them *)
 
 (** What makes a table right: that it is this one, or that it passes a test. *)
@@ -311,6 +334,9 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("angle_thresholds", Is (ThresholdsEntry AngleThresholds));
    ("embedding_thresholds", Is (ThresholdsEntry EmbeddingThresholds));
    ("no_warp_thresholds", Is (ThresholdsEntry NoWarpThresholds));
+   ("core::whole_link", Is (Number (SetNumber (Gather (fun _ => true)))));
+   ("core::link_ring", Is LinkRings);
+   ("core::connected_sets", Is ConnectedSets);
    ("core::grid_count", Is (Count Grids));
    ("core::corner_kinds", Is (Number CornerKinds));
    ("core::family_count", Is (Count Families));
