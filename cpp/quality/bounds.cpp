@@ -9,7 +9,7 @@ namespace {
 
 // The bounds as the theorems of coq/Certificate.v state them.
 constexpr AngleBounds midpoint_bounds{30, 135, "MidpointBounds"};
-constexpr AngleBounds settled_bounds{10.77, 164.76, "RuledBoundsInDegrees"};
+constexpr AngleBounds settled_bounds{10.77, 164.76, "SettledBoundsInDegrees"};
 constexpr AngleBounds dihedral_bounds{10.77, 164.76, "DihedralBounds"};
 constexpr AngleBounds embedding_bounds{9.27, 161.46, "DihedralBoundsEmbedding"};
 

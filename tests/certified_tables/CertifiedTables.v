@@ -67,7 +67,11 @@ Proof. vm_compute. reflexivity. Qed.
 
 Definition Proven (bounds : list (list Bounds)) : Prop :=
   match bounds with
-  | [[widest; embedding]; [middle; middle']] =>
+  | [[settled; widest; embedding]; [middle; middle'; middle'']] =>
+      (forall sample cut vs tids t, CutsOnEdges sample cut ->
+         In t (SettledMesh AngleThresholds (OpenSigns sample) (OpenCuts sample cut)
+                 LevelGap vs tids) ->
+         WithinDegrees (IZR (least settled) / 100) (IZR (greatest settled) / 100) t) /\
       (forall sign cut tid t, CutsOnEdges sign cut ->
          In t (map (MapTet (MeshPosition AngleThresholds sign cut))
                  (StuffTet AngleThresholds sign cut tid)) ->
@@ -82,17 +86,18 @@ Definition Proven (bounds : list (list Bounds)) : Prop :=
          In t (map (MapTet (MeshPosition NoWarpThresholds decided cut))
                  (StuffTet NoWarpThresholds decided cut tid)) ->
          WithinDegrees (IZR (least middle) / 100) (IZR (greatest middle) / 100) t) /\
-      middle' = middle
+      middle' = middle /\ middle'' = middle
   | _ => False
   end.
 
 Theorem CppBoundsProven : AreProvenBounds CppProvenBounds = true /\ Proven ProvenBounds.
 Proof.
   split; [vm_compute; reflexivity|].
+  split; [exact SettledBoundsInDegrees|].
   split; [exact DihedralBoundsInDegrees|].
   split; [exact DihedralBoundsEmbeddingInDegrees|].
-  split; [|reflexivity].
-  intros sign tid t decided cut I. cbn [least greatest MiddleBounds BoundsOf LeastAngle GreatestAngle].
+  split; [|split; reflexivity].
+  intros sign tid t decided cut I. cbn [least greatest MiddleBounds].
   replace (IZR 3000 / 100)%R with 30%R by lra.
   replace (IZR 13500 / 100)%R with 135%R by lra.
   exact (MidpointBoundsInDegrees sign tid t I).

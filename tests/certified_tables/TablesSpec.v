@@ -258,17 +258,17 @@ Definition AreOutwardFaces (t : Table) : bool :=
 
 (** ** The bounds that every mesh is held to
 
-    Those of the methods, with the theorem that promises them; for cuts on
-    the surface at either thresholds, and for cuts in the middle. *)
+    In hundredths of degrees, with the theorem that promises them; for cuts on
+    the surface where vertices settle, and at either thresholds where all move;
+    and for cuts in the middle. *)
 
 Record Bounds := { least : Z; greatest : Z; theorem : string }.
-Definition BoundsOf (m : Method) (promised_by : string) : Bounds :=
-  {| least := LeastAngle m; greatest := GreatestAngle m; theorem := promised_by |}.
 Definition SettledBounds :=
-  {| least := 1077; greatest := 16476; theorem := "RuledBoundsInDegrees" |}.
-Definition WidestBounds := BoundsOf AngleMethod "DihedralBounds".
-Definition EmbeddingBounds := BoundsOf EmbeddingMethod "DihedralBoundsEmbedding".
-Definition MiddleBounds := BoundsOf MidpointMethod "MidpointBounds".
+  {| least := 1077; greatest := 16476; theorem := "SettledBoundsInDegrees" |}.
+Definition WidestBounds := {| least := 1077; greatest := 16476; theorem := "DihedralBounds" |}.
+Definition EmbeddingBounds :=
+  {| least := 927; greatest := 16146; theorem := "DihedralBoundsEmbedding" |}.
+Definition MiddleBounds := {| least := 3000; greatest := 13500; theorem := "MidpointBounds" |}.
 Definition ProvenBounds : list (list Bounds) :=
   [[SettledBounds; WidestBounds; EmbeddingBounds];
    [MiddleBounds; MiddleBounds; MiddleBounds]].
@@ -289,6 +289,29 @@ Definition AreBounds (b : Bounds) (t : Table) : bool :=
   end.
 
 Definition AreProvenBounds : Table -> bool := Each (Each AreBounds) ProvenBounds.
+
+(** ** Links
+
+    A set of directions is a number, with a bit for each. *)
+
+Definition SetNumber (set : Link bool) : Z :=
+  fold_right (fun d n => (if At set d then 1 else 0) + 2 * n) 0 AllDirections.
+
+Definition LinkRings : Table :=
+  OfDirections (fun d => Number (SetNumber (Gather (NextInLink d)))).
+
+Definition PlaceInLink : Link Z :=
+  Gather (fun d => PlaceOf SameDirection d AllDirections).
+
+Definition NumberedSet (n : Z) : Link bool :=
+  Gather (fun d => Z.testbit n (At PlaceInLink d)).
+
+(** Sixty-four sets in a number. *)
+Definition ConnectedSets : Table :=
+  Numbers (map (fun word =>
+    fold_right (fun bit n =>
+      (if InOnePiece (NumberedSet (64 * word + bit)) then 1 else 0) + 2 * n)
+      0 (Upto 64)) (Upto 256)).
 
 (** ** All of them *)
 
@@ -311,6 +334,9 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("angle_thresholds", Is (ThresholdsEntry AngleThresholds));
    ("embedding_thresholds", Is (ThresholdsEntry EmbeddingThresholds));
    ("no_warp_thresholds", Is (ThresholdsEntry NoWarpThresholds));
+   ("core::whole_link", Is (Number (SetNumber (Gather (fun _ => true)))));
+   ("core::link_ring", Is LinkRings);
+   ("core::connected_sets", Is ConnectedSets);
    ("core::grid_count", Is (Count Grids));
    ("core::corner_kinds", Is (Number CornerKinds));
    ("core::family_count", Is (Count Families));

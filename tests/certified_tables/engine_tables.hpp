@@ -13,6 +13,7 @@
 #include "certet/structured_tet.hpp"
 #include "certet/warp.hpp"
 #include "cuts.hpp"
+#include "link.hpp"
 #include "quality/boundary.hpp"
 #include "quality/shape_counter.hpp"
 
@@ -50,6 +51,10 @@ void for_each_constant(const Visit& visit) {
   CERTET_CONSTANT(angle_thresholds);
   CERTET_CONSTANT(embedding_thresholds);
   CERTET_CONSTANT(no_warp_thresholds);
+
+  CERTET_CONSTANT(core::whole_link);
+  CERTET_CONSTANT(core::link_ring);
+  CERTET_CONSTANT(core::connected_sets);
 
   CERTET_CONSTANT(core::grid_count);
   CERTET_CONSTANT(core::corner_kinds);

@@ -22,16 +22,16 @@ using certet::Sign;
 using certet::StuffingOptions;
 using certified::PlacedTet;
 
-/// A mesh with the thresholds that it was made with.
+/// A mesh with the guarantee that it was made for in the end.
 struct PlacedMesh {
   std::vector<PlacedTet> tets;
-  certet::Thresholds thresholds;
+  Guarantee guarantee;
 };
 
 certet::Thresholds thresholds_of(certet::Cuts cuts, Guarantee guarantee) {
   if (cuts == certet::Cuts::midpoint) return certet::no_warp_thresholds;
-  return guarantee == Guarantee::angles ? certet::angle_thresholds
-                                        : certet::embedding_thresholds;
+  return guarantee == Guarantee::embedding ? certet::embedding_thresholds
+                                           : certet::angle_thresholds;
 }
 
 /// The production side of the comparison.
@@ -44,7 +44,7 @@ PlacedMesh engine(const domains::Positional& domain, const Lattice& lattice,
   context.threads = 1;
   const certet::Stuffing stuffing(domain, lattice, options, context);
   const certet::Mesh mesh = certet::emit(stuffing, {}, context);
-  PlacedMesh placed{{}, thresholds_of(options.cuts, stuffing.guarantee())};
+  PlacedMesh placed{{}, stuffing.guarantee()};
   std::visit(
       [&](const auto& tets) {
         for (const auto& [a, b, c, d] : tets)
@@ -55,7 +55,7 @@ PlacedMesh engine(const domains::Positional& domain, const Lattice& lattice,
 }
 
 std::vector<PlacedTet> reference(const domains::Positional& domain, const Lattice& lattice,
-                                 certet::Cuts cuts, certet::Thresholds thresholds) {
+                                 certet::Cuts cuts, Guarantee guarantee) {
   const auto bisected = [&](Coord3 plus, Coord3 minus) {
     return certified::bisect([&](std::int64_t t) {
       return domain.sign_at(certified::point_on_edge(plus, minus, t));
@@ -71,7 +71,11 @@ std::vector<PlacedTet> reference(const domains::Positional& domain, const Lattic
       [&](Coord3 plus, Coord3 minus) {
         return cuts == certet::Cuts::midpoint ? midpoint : bisected(plus, minus);
       }};
-  return certified::stuff({thresholds.long_edge, thresholds.short_edge}, lattice, seen);
+  const certet::Thresholds steps = thresholds_of(cuts, guarantee);
+  const certified::Thresholds thresholds{steps.long_edge, steps.short_edge};
+  return cuts == certet::Cuts::bisect && guarantee == Guarantee::pieces
+             ? certified::settle(thresholds, certified::Gap::level, lattice, seen)
+             : certified::stuff(thresholds, lattice, seen);
 }
 
 Differences compare(const Engine& production, const domains::Positional& domain,
@@ -79,7 +83,7 @@ Differences compare(const Engine& production, const domains::Positional& domain,
   Differences differences;
   const PlacedMesh ours = production(domain, lattice, options);
   const std::vector<PlacedTet> theirs =
-      reference(domain, lattice, options.cuts, ours.thresholds);
+      reference(domain, lattice, options.cuts, ours.guarantee);
   differences.expect(ours.tets.size() == theirs.size(), [&] {
     std::ostringstream out;
     out << ours.tets.size() << " tetrahedra instead of " << theirs.size();
@@ -99,6 +103,7 @@ Differences compare(const Engine& production, const domains::Positional& domain,
 }
 
 constexpr StuffingOptions all_options[] = {
+    {certet::Cuts::bisect, Guarantee::pieces},
     {certet::Cuts::bisect, Guarantee::angles},
     {certet::Cuts::bisect, Guarantee::embedding},
     {certet::Cuts::midpoint, Guarantee::angles},
@@ -246,15 +251,14 @@ TEST(Mesh, CatchesABisectionThatIsOneStepOff) {
   EXPECT_FALSE(survives_random_domains(broken));
 }
 
-/// The mesh was not warped with the thresholds that it names.
-TEST(Mesh, CatchesThresholdsOfTheOtherGuarantee) {
+/// The mesh was not made for the guarantee that it names.
+TEST(Mesh, CatchesTheOtherGuarantee) {
   const Engine broken = [](const auto& domain, const Lattice& lattice, StuffingOptions options) {
-    options.guarantee = options.guarantee == Guarantee::angles ? Guarantee::embedding
-                                                               : Guarantee::angles;
+    const Guarantee named = options.guarantee;
+    options.guarantee =
+        named == Guarantee::embedding ? Guarantee::angles : Guarantee::embedding;
     PlacedMesh mesh = engine(domain, lattice, options);
-    options.guarantee = options.guarantee == Guarantee::angles ? Guarantee::embedding
-                                                               : Guarantee::angles;
-    mesh.thresholds = thresholds_of(options.cuts, options.guarantee);
+    mesh.guarantee = named;
     return mesh;
   };
   EXPECT_TRUE(caught(broken));

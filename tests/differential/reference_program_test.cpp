@@ -78,6 +78,16 @@ TEST_F(ReferenceProgram, MeshesASphere) {
   EXPECT_FALSE(engine(ball(5.3001), lattice, options) == theirs);
 }
 
+/// A thin torus, of which some vertices stay.
+TEST_F(ReferenceProgram, KeepsTheShapeByDefault) {
+  const Lattice lattice{{-8, -8, -8}, {9, 9, 9}};
+  const auto thin = domains::of_level(domains::torus(0.3, 0.2, 0.1, 4.1, 1.2));
+  const PlacedTets kept = reference("--solid 'torus 0.3 0.2 0.1 4.1 1.2' --lattice '-8 -8 -8 9 9 9'");
+  EXPECT_GT(kept.size(), 100U);
+  EXPECT_TRUE(engine(thin, lattice, {}) == kept);
+  EXPECT_FALSE(engine(thin, lattice, {certet::Cuts::bisect, certet::Guarantee::angles}) == kept);
+}
+
 TEST_F(ReferenceProgram, MeshesATorusForAnEmbedding) {
   EXPECT_TRUE(engine(domains::of_level(domains::torus(0.5, 0.25, 0.125, 5.5, 2.25)),
                      {{-10, -10, -6}, {11, 11, 7}},

@@ -71,9 +71,9 @@ class Stuffing {
   [[nodiscard]] std::uint64_t tet_count() const;
 
   [[nodiscard]] const Lattice& lattice() const;
-  /// The thresholds that were used in the end.
+  /// What holds in the end: `embedding` where `angles` was asked for and inverted something.
   [[nodiscard]] Guarantee guarantee() const;
-  /// All-zero tetrahedra that the `angles` thresholds had inverted; if there
+  /// All-zero tetrahedra that the thresholds of `angles` had inverted; if there
   /// were any, the mesh was warped anew with those of `embedding`.
   [[nodiscard]] std::uint64_t inverted_tets() const;
   /// What became of the violated vertices, if they settled (`pieces`); else all is 0.
