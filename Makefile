@@ -38,16 +38,16 @@ JOBS ?= $(shell nproc)
 BUILD := build
 
 # What each target needs, by name; each installs its own.
-BUILD_PACKAGES := \
+COMMAND_PACKAGES := \
   g++ cmake ninja-build make git \
   libtbb-dev libinsighttoolkit5-dev libtiff-dev libmuparser-dev libboost-dev \
   libassimp-dev libopenvdb-dev libblosc-dev libimath-dev zlib1g-dev libpng-dev libjs-three \
-  libcli11-dev nlohmann-json3-dev libfmt-dev \
-  pybind11-dev python3-dev python3-numpy
-DEMO_PACKAGES := $(BUILD_PACKAGES) mricron-data
+  libcli11-dev nlohmann-json3-dev libfmt-dev
+BUILD_PACKAGES := $(COMMAND_PACKAGES) pybind11-dev python3-dev python3-numpy
+DEMO_PACKAGES := $(COMMAND_PACKAGES) mricron-data
 PROOF_PACKAGES := make coq ocaml-nox ocaml-findlib
 TEST_PACKAGES := \
-  $(DEMO_PACKAGES) $(PROOF_PACKAGES) \
+  $(BUILD_PACKAGES) $(DEMO_PACKAGES) $(PROOF_PACKAGES) \
   libgtest-dev libgmock-dev librapidcheck-dev \
   python3 python3-meshio python3-gmsh python3-vtk9 python3-tifffile python3-pydicom \
   python3-nibabel \
@@ -58,7 +58,7 @@ PACKAGES := $(sort $(BENCH_PACKAGES) clang-tidy)
 
 # $(call install,PACKAGES) installs those that are missing.
 define install
-@missing=$$(for p in $(1); do \
+@missing=$$(for p in $(sort $(1)); do \
     dpkg-query -W -f '$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || echo $$p; done); \
 if [ -n "$$missing" ]; then \
   sudo=; [ "$$(id -u)" = 0 ] || sudo="sudo -E"; \
@@ -82,7 +82,7 @@ bench-deps:
 	$(call install,$(BENCH_PACKAGES))
 
 # The product alone: a folder that is configured for the tests too stays so.
-CONFIGURE := cmake -S . -B $(BUILD) -G Ninja -DCERTET_WERROR=ON
+CONFIGURE := cmake -S . -B $(BUILD) -G Ninja -DCERTET_WERROR=ON -DCERTET_UNITY=ON
 configured:
 	$(CONFIGURE) $(if $(wildcard $(BUILD)/CMakeCache.txt),,-DCERTET_TESTS=OFF -DCERTET_BENCH=OFF)
 

@@ -14,12 +14,12 @@
 #include <stdexcept>
 #include <vector>
 
-#include "certet/coord3.hpp"
-#include "certet/direction.hpp"
-#include "certet/sign.hpp"
-#include "certet/structured_tet.hpp"
+#include "certet/lattice/coord3.hpp"
+#include "certet/lattice/direction.hpp"
+#include "certet/lattice/sign.hpp"
+#include "certet/lattice/structured_tet.hpp"
 #include "certet/stuffing.hpp"
-#include "certet/warp.hpp"
+#include "certet/lattice/warp.hpp"
 
 namespace certified {
 

@@ -44,7 +44,7 @@ inline std::int64_t bisect(int direction, const SignOnEdge& sign) {
   certet::Context context;
   context.threads = 1;  // the mesh is tiny
   const certet::Mesh mesh =
-      certet::stuff(domain, lattice, {}, {certet::Cuts::bisect, certet::Guarantee::embedding},
+      certet::stuff(domain, lattice, {}, certet::Method::embedding,
                     context);
   std::int64_t last = -1;
   for (const Coord3 point : mesh.points) {

@@ -24,7 +24,7 @@ Proof.
   rewrite E in Z, P. apply D; [exact Z|]. exists d. exact P.
 Qed.
 
-Lemma NoZeroDiskLinks s : (forall v, s v <> OnSurface) -> DisksAround s.
+Lemma NoZeroDisksAround s : (forall v, s v <> OnSurface) -> DisksAround s.
 Proof. intros N z Z. destruct (N z Z). Qed.
 
 (** ** Turn by turn *)
@@ -52,7 +52,7 @@ Section Rule.
   Lemma DisksAroundNow n : DisksAround (now n).
   Proof.
     induction n as [|n IH].
-    - apply NoZeroDiskLinks. intros v. exact (Decided v).
+    - apply NoZeroDisksAround. intros v. exact (Decided v).
     - apply (DisksAroundKept (now n)); [exact IH| |].
       + intros v. destruct (settled (S n) v) eqn:S.
         * destruct (settled n v) eqn:S'.
@@ -110,7 +110,7 @@ Theorem MidpointSurfaceManifold sign a b c :
      forall e, SurfaceTriangle decided warping a b e -> e = c \/ e = d) /\
   (forall x, InFan decided warping a x -> JoinedInFan decided warping a b x).
 Proof.
-  intros decided warping. apply SurfaceManifold. apply NoZeroDiskLinks.
+  intros decided warping. apply SurfaceManifold. apply NoZeroDisksAround.
   intros v. unfold SignAfter, warping. cbn [PlacedSign].
   rewrite AngleTheorems.NeverWarped.
   - unfold decided. cbn [WarpedSign]. destruct (sign v); discriminate.

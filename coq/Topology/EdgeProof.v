@@ -486,7 +486,8 @@ Section Mesh.
     assert (Short : (length (Boundary now (RingPairs d)) <= 2)%nat).
     { apply GoodRingBounds. apply in_map_iff in I. destruct I as ([e f] & _ & I).
       apply InEnds in I. destruct I as (_ & _ & _ & P & _).
-      pose proof (Disks a Sa (ex_intro _ e P)) as D. fold now in D.
+      pose proof (Disks a Sa (ex_intro _ e P)) as D.
+      change (StrictDisk now = true) in D.
       unfold StrictDisk in D. apply andb_prop in D. destruct D as [_ D].
       rewrite forallb_forall in D. specialize (D d (InAllDirections d)).
       apply orb_prop in D. destruct D as [D|D].

@@ -3,7 +3,7 @@
 From Coq Require Import ZArith List.
 From Certet Require Import Lattice.Coord3 Lattice.NeighborSpec.
 From Certet Require Import Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet.
+From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.AnglesSpec Angles.AngleTheorems.
 From Certet Require Import Embedding.EmbeddingSpec Embedding.WarpOrClamp.

@@ -70,6 +70,6 @@ Proof.
   destruct (SettledNoPieceLost th sign cut gap vs (EvenPoint a b c) P
     (EvenInLattice a b c)) as (q & t & Q & T & J).
   exists q, t. split; [exact Q|]. split; [exact T|].
-  rewrite <- O. apply OpenJoined in J.
+  rewrite <- O. apply (proj1 (OpenJoined _ _ _)) in J.
   exact (SamplesThenVoxels half sx sy sz ox oy oz image H Fx Fy Fz _ _ J).
 Qed.

@@ -38,10 +38,10 @@ class EngineRun {
   explicit EngineRun(int threads) : clock_(context_) { context_.threads = threads; }
 
   /// Meshes once, everything from sampling to the mesh in memory.
-  Mesh run(const Domain& domain, const Lattice& lattice, const StuffingOptions& options) {
+  Mesh run(const Domain& domain, const Lattice& lattice, Method method) {
     clock_.start();
     const double start = now();
-    Mesh mesh = stuff(domain, lattice, {}, options, context_);
+    Mesh mesh = stuff(domain, lattice, {}, method, context_);
     const double seconds = now() - start;
     const StageSeconds& stages = clock_.stop();
     if (seconds < best_) {

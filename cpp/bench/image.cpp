@@ -19,7 +19,7 @@ namespace {
 using namespace certet;
 using namespace certet::bench;
 
-nlohmann::json measure(const char* file, double size, Cuts cuts, int threads, int repeats) {
+nlohmann::json measure(const char* file, double size, Method method, int threads, int repeats) {
   const double start = now();
   const auto domain = label_domain(
       read_image(file, std::numeric_limits<std::uint64_t>::max()), {}, {.size = size});
@@ -27,7 +27,7 @@ nlohmann::json measure(const char* file, double size, Cuts cuts, int threads, in
   EngineRun engine(threads);
   nlohmann::json json;
   for (; repeats > 0; --repeats)
-    json = engine.report(engine.run(*domain, domain->lattice(), {.cuts = cuts}));
+    json = engine.report(engine.run(*domain, domain->lattice(), method));
   json["read_seconds"] = read_seconds;
   json["peak_bytes"] = peak_bytes();
   return json;
@@ -41,8 +41,9 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    const Cuts cuts = std::string_view(argv[3]) == "bisect" ? Cuts::bisect : Cuts::midpoint;
-    std::cout << measure(argv[1], std::atof(argv[2]), cuts, std::atoi(argv[4]),
+    const Method method =
+        std::string_view(argv[3]) == "midpoint" ? Method::midpoint : Method::embedded;
+    std::cout << measure(argv[1], std::atof(argv[2]), method, std::atoi(argv[4]),
                          std::atoi(argv[5]))
               << '\n';
   } catch (const Error& error) {

@@ -10,7 +10,7 @@
 namespace certet::command {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* program_notes = R"(
 Exit status: 0 all is well; 1 `check` or `report` found a defect; 2 wrong usage; 3 an
 input that cannot be read; 4 nothing is inside; 5 too large for the memory or the
 coordinate range; 6 an output cannot be written, or its numbers cannot hold the mesh;
@@ -24,7 +24,7 @@ std::string first_line(const CLI::ParseError& error) {
   return line.empty() ? "wrong usage" : line;
 }
 
-Run print(std::string text) {
+Run printing(std::string text) {
   return [text = std::move(text)] {
     write_text("-", text);
     return Status::ok;
@@ -37,7 +37,7 @@ CommandLine::CommandLine()
     : app_("Tetrahedral meshes with proven angles, by isosurface stuffing", "certet") {
   app_.set_version_flag("--version", "certet " CERTET_VERSION);
   app_.require_subcommand(1);
-  app_.footer(footer);
+  app_.footer(program_notes);
   for (const Subcommand& command : subcommands) {
     CLI::App* app = app_.add_subcommand(command.name, command.description);
     runs_.emplace_back(app, command.declare(*app));
@@ -51,9 +51,9 @@ Run CommandLine::parse(int argc, char** argv) {
   try {
     app_.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    return print(parsed() == runs_.end() ? app_.help() : parsed()->first->help());
+    return printing(parsed() == runs_.end() ? app_.help() : parsed()->first->help());
   } catch (const CLI::CallForVersion&) {
-    return print("certet " CERTET_VERSION "\n");
+    return printing("certet " CERTET_VERSION "\n");
   } catch (const CLI::ParseError& error) {
     throw Error(ErrorCode::bad_option, first_line(error));
   }

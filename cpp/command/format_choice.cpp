@@ -1,13 +1,9 @@
 #include "format_choice.hpp"
 
-#include "certet/error.hpp"
+#include "refusal.hpp"
 
 namespace certet::command {
 namespace {
-
-[[noreturn]] void refuse(const std::string& sentence) {
-  throw Error(ErrorCode::bad_option, sentence);
-}
 
 Format named(const std::string& name) {
   if (name == "mesh") return Format::medit;

@@ -4,14 +4,10 @@
 #include <cmath>
 #include <string_view>
 
-#include "certet/error.hpp"
+#include "refusal.hpp"
 
 namespace certet::command {
 namespace {
-
-[[noreturn]] void refuse(const std::string& sentence) {
-  throw Error(ErrorCode::bad_option, sentence);
-}
 
 /// Reads a whole number at the front of `text` and removes it.
 bool take_integer(std::string_view& text, std::int64_t& value) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "certet/expression.hpp"
+#include "certet/formula.hpp"
 #include "certet/image.hpp"
 
 namespace certet::command {

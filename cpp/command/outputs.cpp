@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& reason) {
+[[noreturn]] void refuse_output(const fs::path& file, const std::string& reason) {
   throw Error(ErrorCode::write_failed, "'" + file.string() + "' cannot be written: " + reason);
 }
 
@@ -28,19 +28,20 @@ void judge_output(const fs::path& file) {
                 "'-' is not a file: this output cannot go to the standard output");
   std::error_code failure;
   const fs::path folder = folder_of(file);
-  if (!fs::is_directory(folder, failure)) refuse(file, "there is no such folder");
-  if (!file.has_filename() || fs::is_directory(file, failure)) refuse(file, "it is a folder");
+  if (!fs::is_directory(folder, failure)) refuse_output(file, "there is no such folder");
+  if (!file.has_filename() || fs::is_directory(file, failure))
+    refuse_output(file, "it is a folder");
   if (fs::exists(file, failure) && !fs::is_regular_file(file, failure))
-    refuse(file, "it is not a regular file");
+    refuse_output(file, "it is not a regular file");
   if (access(folder.c_str(), W_OK | X_OK) != 0)
-    refuse(file, "no permission to write in its folder");
+    refuse_output(file, "no permission to write in its folder");
 }
 
 void judge_room(const fs::path& file, std::uint64_t bytes) {
   std::error_code failure;
   const fs::space_info space = fs::space(folder_of(file), failure);
   if (!failure && space.available < bytes)
-    refuse(file, "it needs " + std::to_string(bytes) + " bytes, but the disk has only " +
+    refuse_output(file, "it needs " + std::to_string(bytes) + " bytes, but the disk has only " +
                      std::to_string(space.available) + " left");
 }
 
@@ -66,7 +67,7 @@ void write_text(const std::string& target, const std::string& text) {
   if (file) fs::rename(temporary, target, failure);
   if (file && !failure) return;
   fs::remove(temporary, failure);
-  refuse(target, "the disk may be full");
+  refuse_output(target, "the disk may be full");
 }
 
 }  // namespace certet::command

@@ -6,16 +6,17 @@
 #include <fstream>
 
 #include "certet/error.hpp"
+#include "certet/method.hpp"
 #include "json.hpp"
-#include "mesh/method.hpp"
 #include "table.hpp"
 
 namespace certet::command {
 namespace {
 
 constexpr const char* not_a_run = "is not what `certet mesh --json` writes";
+constexpr const char* other_theorem = "names another theorem or other bounds than such a run has";
 
-[[noreturn]] void refuse(const char* reason) { throw Error(ErrorCode::bad_input, reason); }
+[[noreturn]] void refuse_run(const char* reason) { throw Error(ErrorCode::bad_input, reason); }
 
 std::string text(const Json& value) { return value.get<std::string>(); }
 
@@ -23,29 +24,36 @@ std::string text(const Json& value) { return value.get<std::string>(); }
 std::uint64_t hexadecimal(const std::string& digits) {
   std::uint64_t number = 0;
   const char* const end = digits.data() + digits.size();
-  if (digits.size() != 18 || !digits.starts_with("0x")) refuse(not_a_run);
+  if (digits.size() != 18 || !digits.starts_with("0x")) refuse_run(not_a_run);
   const auto [stop, failure] = std::from_chars(digits.data() + 2, end, number, 16);
-  if (failure != std::errc() || stop != end) refuse(not_a_run);
+  if (failure != std::errc() || stop != end) refuse_run(not_a_run);
   return number;
 }
 
-Guarantee guarantee_of(const std::string& used) {
-  for (const Guarantee guarantee : {Guarantee::pieces, Guarantee::angles, Guarantee::embedding})
-    if (used == name(guarantee)) return guarantee;
-  refuse(not_a_run);
+/// The method that the run used in the end.  Runs of older versions name a guarantee
+/// with cuts in the middle too, where it had no part in the mesh.
+Method method_of(const Json& json) {
+  const std::string cuts = text(json.at("lattice").at("cuts"));
+  const std::optional<Method> used = method_named(text(json.at("guarantee").at("used")));
+  if (!used) refuse_run(not_a_run);
+  const Method method = cuts == name(Cuts::midpoint) ? Method::midpoint : *used;
+  if (cuts != name(facts(method).cuts)) refuse_run(not_a_run);
+  return method;
 }
 
 /// The bounds are the product's own, never those that a file claims.
-AngleBounds bounds_of(const Json& lattice, const Json& guarantee) {
-  const std::string cuts = text(lattice.at("cuts"));
-  if (cuts != "bisect" && cuts != "midpoint") refuse(not_a_run);
-  const AngleBounds bounds = proven_bounds(cuts == "midpoint" ? Cuts::midpoint : Cuts::bisect,
-                                           guarantee_of(text(guarantee.at("used"))));
+AngleBounds bounds_of(const Json& json) {
+  const Method method = method_of(json);
+  const AngleBounds& bounds = facts(method).bounds;
+  const Json& guarantee = json.at("guarantee");
+  if (json.value("theorem", std::string(bounds.theorem)) != bounds.theorem) refuse_run(other_theorem);
+  if (json.contains("method") && text(json.at("method").at("name")) != name(method))
+    refuse_run(other_theorem);
   if (text(guarantee.at("theorem")) != bounds.theorem ||
       guarantee.at("min_dihedral").get<double>() != bounds.min_dihedral ||
       guarantee.at("max_dihedral").get<double>() != bounds.max_dihedral)
-    refuse("names another theorem or other bounds than such a run has");
-  if (!guarantee.at("holds").get<bool>()) refuse("does not tell of a mesh that was written");
+    refuse_run(other_theorem);
+  if (!guarantee.at("holds").get<bool>()) refuse_run("does not tell of a mesh that was written");
   return bounds;
 }
 
@@ -62,8 +70,9 @@ std::vector<PageRow> rows_of(const Json& json) {
   add("lattice", fmt::format("{} × {} × {} cells of size {:g}", cells[0], cells[1], cells[2],
                              lattice.at("size").get<double>()));
   add("cuts", text(lattice.at("cuts")));
-  const std::string used = text(guarantee.at("used")), asked = text(guarantee.at("asked"));
-  add("guarantee", used == asked ? used : used + ", instead of " + asked);
+  const std::string used{name(method_of(json))};
+  const bool fell_back = text(guarantee.at("used")) != text(guarantee.at("asked"));
+  add("method", fell_back ? used + ", instead of " + text(guarantee.at("asked")) : used);
   add("checksum", text(json.at("mesh").at("checksum")));
   add("time", fmt::format("{:.2f} s", json.at("seconds").at("total").get<double>()));
   add("memory", bytes(json.at("memory").at("peak").get<std::uint64_t>()));
@@ -76,14 +85,14 @@ std::vector<PageRow> rows_of(const Json& json) {
 RunFile understand(const Json& json) {
   RunFile run;
   if (text(json.at("command")) != "mesh" || json.at("dry_run").get<bool>())
-    refuse("does not tell of a mesh that was written");
+    refuse_run("does not tell of a mesh that was written");
   const Json& mesh = json.at("mesh");
   run.points = mesh.at("points").get<std::uint64_t>();
   run.tets = mesh.at("tets").get<std::uint64_t>();
-  run.bounds = bounds_of(json.at("lattice"), json.at("guarantee"));
+  run.bounds = bounds_of(json);
   run.rows = rows_of(json);
   if (!mesh.contains("file_checksum"))
-    refuse("does not tell what its output holds (mesh.file_checksum)");
+    refuse_run("does not tell what its output holds (mesh.file_checksum)");
   run.file_checksum = hexadecimal(text(mesh.at("file_checksum")));
   return run;
 }

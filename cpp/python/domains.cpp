@@ -7,32 +7,20 @@
 #include "certet/error.hpp"
 
 namespace certet::python {
-namespace {
-
-/// How far a point is beyond the bounds along one axis; negative within.
-double beyond(const Bounds& bounds, const double* point) {
-  double most = bounds.low[0] - point[0];
-  for (std::size_t a = 0; a < 3; ++a)
-    most = std::max({most, bounds.low[a] - point[a], point[a] - bounds.high[a]});
-  return most;
-}
-
-}  // namespace
-
 template <class Position>
 void PythonDomain::call(const Position& position, std::span<Sign> out) const {
   const py::gil_scoped_acquire locked;
   const auto count = static_cast<py::ssize_t>(out.size());
   py::array_t<double> points({count, py::ssize_t{3}});
   double* to = points.mutable_data();
-  for (std::size_t i = 0; i < out.size(); ++i) to = std::ranges::copy(frame_.world(position(i)), to).out;
+  for (std::size_t i = 0; i < out.size(); ++i) to = std::ranges::copy(frame().world(position(i)), to).out;
   const py::array_t<double, py::array::c_style | py::array::forcecast> values = function_(points);
   if (values.size() != count)
     throw Error(ErrorCode::bad_input, "the function gave " + std::to_string(values.size()) +
                                           " numbers for " + std::to_string(count) + " points");
   const double* point = points.data();
   for (std::size_t i = 0; i < out.size(); ++i, point += 3) {
-    const double outside = beyond(bounds_, point);
+    const double outside = beyond(bounds_, {point[0], point[1], point[2]});
     const double value = values.data()[i];
     out[i] = std::isnan(value) ? Sign::minus : sign_of_level(std::max(value, outside));
   }

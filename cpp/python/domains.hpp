@@ -4,11 +4,12 @@
 
 #include <pybind11/numpy.h>
 
+#include <array>
+#include <cstdint>
+#include <span>
 #include <utility>
 
-#include "certet/bounds.hpp"
-#include "certet/domain.hpp"
-#include "certet/frame.hpp"
+#include "certet/bounded_function.hpp"
 
 namespace certet::python {
 
@@ -17,11 +18,19 @@ namespace py = pybind11;
 /// Where a Python function of points is negative, within bounds that cut it off.  It is called with arrays of
 /// shape (n, 3) in world coordinates, by one thread at a time, and gives n
 /// numbers.  What it raises ends the run.
-class PythonDomain final : public Domain {
+class PythonDomain final : public PlacedDomain {
  public:
-  PythonDomain(py::object function, const Frame& frame, const Bounds& bounds)
-      : function_(std::move(function)), frame_(frame), bounds_(bounds) {}
+  /// `size` and `margin` are those of `lattice_around`.  \throws Error as that one.
+  PythonDomain(py::object function, const Bounds& bounds, double size, std::int32_t margin)
+      : function_(std::move(function)),
+        bounds_(bounds),
+        around_(lattice_around(bounds, size, margin)),
+        border_{BorderBox::along_frame(around_.frame, bounds.low, bounds.high)} {}
 
+  [[nodiscard]] const Frame& frame() const override { return around_.frame; }
+  [[nodiscard]] const Lattice& lattice() const override { return around_.lattice; }
+  [[nodiscard]] double longest_side() const override { return certet::longest_side(bounds_); }
+  [[nodiscard]] std::span<const BorderBox> border() const override { return border_; }
   void row(Coord3 first, std::span<Sign> out) const override;
   void at(std::span<const Coord3> positions, std::span<Sign> out) const override;
 
@@ -31,8 +40,9 @@ class PythonDomain final : public Domain {
   void call(const Position& position, std::span<Sign> out) const;
 
   py::object function_;
-  Frame frame_;
   Bounds bounds_;
+  PlacedLattice around_;
+  std::array<BorderBox, 1> border_;
 };
 
 }  // namespace certet::python

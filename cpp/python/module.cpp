@@ -9,97 +9,43 @@
 #include <utility>
 
 #include "arrays.hpp"
-#include "certet/bounds.hpp"
 #include "certet/checksum.hpp"
 #include "certet/error.hpp"
 #include "certet/image.hpp"
+#include "certet/method.hpp"
 #include "certet/placed_quality.hpp"
+#include "certet/stuffing.hpp"
 #include "certet/surface.hpp"
 #include "domains.hpp"
+#include "files.hpp"
+#include "python_mesh.hpp"
 #include "run.hpp"
 
 namespace certet::python {
 namespace {
 
-/// A finished mesh; arrays handed out share its memory.
-struct PythonMesh {
-  Mesh mesh;
-  Buffer<Point3> world;
-  Buffer<std::int32_t> labels;  ///< empty where there are none
-  Guarantee guarantee{};
-  Cuts cuts{};
-  std::uint64_t inverted_tets = 0;
-  std::vector<std::string> notes;
-};
-
 struct Options {
-  StuffingOptions stuffing;
+  Method method{};
   int threads = 0;
 };
 
-Guarantee guarantee_of(const std::string& wanted) {
-  for (const Guarantee guarantee : {Guarantee::angles, Guarantee::embedding})
-    if (wanted == name(guarantee)) return guarantee;
-  return Guarantee::pieces;
-}
-
-Buffer<Point3> world_points(const Mesh& mesh) {
-  Buffer<Point3> world(mesh.points.size());
-  for (std::size_t i = 0; i < world.size(); ++i) world[i] = mesh.frame.world(mesh.points[i]);
-  return world;
-}
-
-using Labels = std::function<void(std::span<const std::array<Coord3, 4>>, std::span<std::int32_t>)>;
-
-Buffer<std::int32_t> labels_of(const Mesh& mesh, const Labels& label) {
-  return std::visit(
-      [&](const auto& tets) {
-        Buffer<std::int32_t> labels(tets.size());
-        for (std::size_t i = 0; i < tets.size(); ++i) {
-          std::array<Coord3, 4> corners;
-          for (std::size_t v = 0; v < 4; ++v)
-            corners[v] = mesh.points[static_cast<std::size_t>(tets[i][v])];
-          label({&corners, 1}, {&labels[i], 1});
-        }
-        return labels;
-      },
-      mesh.tets);
-}
-
-/// `place` makes the domain; it runs, like all the rest, without Python's lock.
-struct Placed {
-  std::shared_ptr<const Domain> domain;
-  Lattice lattice;
-  Frame frame;
-  Labels label;  ///< empty where there are no labels
-  std::vector<std::string> notes = {};  ///< what is doubtful about the solid
+/// A shape, and what is doubtful about it.
+struct Shape {
+  std::shared_ptr<const PlacedDomain> domain;
+  std::vector<std::string> notes = {};
 };
 
-std::shared_ptr<PythonMesh> mesh_of(const std::function<Placed()>& place, const Options& options) {
+/// `make` makes the shape; it runs, like all the rest, without Python's lock.
+std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape()>& make, const Options& options) {
   auto result = std::make_shared<PythonMesh>();
   Context context;
   context.threads = options.threads;
   run(context, [&] {
-    const Placed placed = place();
-    const Stuffing stuffing(*placed.domain, placed.lattice, options.stuffing, context);
-    if (stuffing.tet_count() == 0)
-      throw Error(ErrorCode::empty_domain, "nothing is inside at this size, so there is no mesh");
-    result->mesh = emit(stuffing, placed.frame, context);
-    result->guarantee = stuffing.guarantee();
-    result->cuts = options.stuffing.cuts;
-    result->inverted_tets = stuffing.inverted_tets();
-    result->notes = placed.notes;
+    const Shape shape = make();
+    result->mesh = mesh(*shape.domain, options.method, context);
+    result->notes = shape.notes;
     result->world = world_points(result->mesh);
-    if (placed.label) result->labels = labels_of(result->mesh, placed.label);
   });
-  return result;
-}
-
-Placed placed(const std::shared_ptr<ImageDomain>& domain, bool labels) {
-  Placed result{domain, domain->lattice(), domain->frame(), {}};
-  if (labels)
-    result.label = [domain](std::span<const std::array<Coord3, 4>> tets,
-                            std::span<std::int32_t> out) { domain->label(tets, out); };
   return result;
 }
 
@@ -122,8 +68,8 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
   return mesh_of(
       [&] {
         const ImageLattice lattice{size, margin};
-        return iso ? placed(level_domain(std::move(image), *iso, lattice), false)
-                   : placed(label_domain(std::move(image), ranges, lattice), true);
+        return Shape{iso ? level_domain(std::move(image), *iso, lattice)
+                         : label_domain(std::move(image), ranges, lattice)};
       },
       options);
 }
@@ -131,14 +77,10 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
 std::shared_ptr<PythonMesh> mesh_function(py::object function, const Point3& low,
                                           const Point3& high, double size, int margin,
                                           const Options& options) {
-  const BoxLattice box = lattice_around({low, high}, size, margin);
   // Kept here, under Python's lock, for it has to be let go of under it too.
-  const PythonDomain domain(std::move(function), box.frame, {low, high});
+  const PythonDomain domain(std::move(function), {low, high}, size, margin);
   return mesh_of(
-      [&] {
-        return Placed{std::shared_ptr<const Domain>(std::shared_ptr<void>(), &domain), box.lattice,
-                      box.frame, {}};
-      },
+      [&] { return Shape{std::shared_ptr<const PlacedDomain>(std::shared_ptr<void>(), &domain)}; },
       options);
 }
 
@@ -170,14 +112,13 @@ std::shared_ptr<PythonMesh> mesh_surface(
         const SurfaceRepairs repairs = repair_surface(surface, {repair});
         if (!is_closed(surface))
           refuse_open(surface, inspect(surface), repair ? "" : "repair=True closes what is open");
-        std::shared_ptr<PlacedDomain> domain = surface_domain(surface, {size, margin});
-        return Placed{domain, domain->lattice(), domain->frame(), {}, sentences_on(repairs)};
+        return Shape{surface_domain(surface, {size, margin}), sentences_on(repairs)};
       },
       options);
 }
 
 py::dict quality_of(const PythonMesh& mesh) {
-  const AngleBounds bounds = proven_bounds(mesh.cuts, mesh.guarantee);
+  const AngleBounds& bounds = facts(mesh.mesh.method).bounds;
   PlacedQuality placed;
   {
     const py::gil_scoped_release unlocked;
@@ -220,7 +161,7 @@ py::object tets_of(const py::object& self) {
 }
 
 py::object labels_of(const py::object& self) {
-  const auto& labels = self.cast<const PythonMesh&>().labels;
+  const auto& labels = self.cast<const PythonMesh&>().mesh.labels;
   if (labels.empty()) return py::none();
   return py::array(py::dtype::of<std::int32_t>(),
                    {static_cast<py::ssize_t>(labels.size())},
@@ -251,11 +192,14 @@ void translate(std::exception_ptr pointer) {
 PYBIND11_MODULE(_certet, module) {
   py::register_exception_translator(translate);
   py::class_<Options>(module, "Options")
-      .def(py::init([](bool midpoint, const std::string& guarantee, int threads) {
-             return Options{{midpoint ? Cuts::midpoint : Cuts::bisect, guarantee_of(guarantee)},
-                            threads};
+      .def(py::init([](const std::string& method, int threads) {
+             const std::optional<Method> named = method_named(method);
+             if (!named)
+               throw Error(ErrorCode::bad_option,
+                           "method is one of " + method_names() + ", not '" + method + "'");
+             return Options{*named, threads};
            }),
-           py::arg("midpoint"), py::arg("guarantee"), py::arg("threads"));
+           py::arg("method"), py::arg("threads"));
   py::class_<PythonMesh, std::shared_ptr<PythonMesh>>(module, "Mesh")
       .def_property_readonly("points", [](const py::object& self) {
         const auto& world = self.cast<const PythonMesh&>().world;
@@ -267,14 +211,13 @@ PYBIND11_MODULE(_certet, module) {
       .def_property_readonly("size", [](const PythonMesh& mesh) { return mesh.mesh.frame.size; })
       .def_property_readonly("origin", [](const PythonMesh& mesh) { return mesh.mesh.frame.origin; })
       .def_property_readonly("axes", [](const PythonMesh& mesh) { return mesh.mesh.frame.axes; })
-      .def_property_readonly("guarantee", [](const PythonMesh& mesh) {
-        return name(mesh.guarantee);
+      .def_property_readonly("method", [](const PythonMesh& mesh) {
+        return std::string(name(mesh.mesh.method));
       })
-      .def_property_readonly("inverted_tets",
-                             [](const PythonMesh& mesh) { return mesh.inverted_tets; })
       .def_property_readonly("notes", [](const PythonMesh& mesh) { return mesh.notes; })
       .def("checksum", checksum_of)
       .def("quality", quality_of);
+  declare_files(module);
   module.def("mesh_image", mesh_image);
   module.def("mesh_function", mesh_function);
   module.def("mesh_surface", mesh_surface);

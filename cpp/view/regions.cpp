@@ -46,7 +46,7 @@ std::size_t Regions::place(const FileMesh& mesh, std::uint64_t tet) const {
 }
 
 std::size_t Regions::find(std::int32_t label) const {
-  const auto at = std::ranges::lower_bound(regions_, label, {}, &Region::label);
+  const auto at = std::ranges::lower_bound(regions_, label, {}, &MeasuredRegion::label);
   return static_cast<std::size_t>(at - regions_.begin());
 }
 

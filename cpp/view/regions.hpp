@@ -10,7 +10,7 @@
 
 namespace certet::view {
 
-struct Region {
+struct MeasuredRegion {
   std::int32_t label;
   std::uint64_t tets;
   double volume;  ///< signed sum, in world units cubed
@@ -21,14 +21,14 @@ class Regions {
  public:
   explicit Regions(const FileMesh& mesh);
 
-  [[nodiscard]] const std::vector<Region>& all() const { return regions_; }
+  [[nodiscard]] const std::vector<MeasuredRegion>& all() const { return regions_; }
   /// The place of a tetrahedron's region among all.
   [[nodiscard]] std::size_t place(const FileMesh& mesh, std::uint64_t tet) const;
 
  private:
   [[nodiscard]] std::size_t find(std::int32_t label) const;
 
-  std::vector<Region> regions_;
+  std::vector<MeasuredRegion> regions_;
 };
 
 }  // namespace certet::view

@@ -4,9 +4,9 @@
 #include <compare>
 
 #include "certet/tet_shape.hpp"
-#include "quality/boundary.hpp"
-#include "quality/faces.hpp"
-#include "quality/groups.hpp"
+#include "mesh/boundary.hpp"
+#include "mesh/faces.hpp"
+#include "mesh/groups.hpp"
 
 namespace certet::view {
 namespace {
@@ -31,7 +31,7 @@ std::uint64_t mixed(std::uint64_t a, std::uint64_t b, std::uint64_t sides) {
 /// The four faces of a tetrahedron as work(lowest, middle, highest).
 template <class Work>
 void for_faces(const Tet<std::uint64_t>& tet, Work work) {
-  const auto p = quality::sorted(tet).points;
+  const auto p = core::sorted(tet).points;
   work(p[0], p[1], p[2]);
   work(p[0], p[1], p[3]);
   work(p[0], p[2], p[3]);
@@ -87,8 +87,8 @@ class Search {
     const auto same = [](const FaceKey& a, const FaceKey& b) { return a.same_points(b); };
     for (std::size_t lowest = 0; lowest < by_lowest_.size(); ++lowest) {
       const std::span<FaceKey> group = by_lowest_[lowest];
-      quality::sort_group(group);
-      quality::for_runs(group, same, [&](std::span<FaceKey> run) {
+      core::sort_group(group);
+      core::for_runs(group, same, [&](std::span<FaceKey> run) {
         const std::uint64_t tet = run.front().tet;
         const std::uint64_t other = run.size() > 1 ? run[1].tet : no_tet;
         if (other != no_tet &&
@@ -109,14 +109,14 @@ class Search {
     };
     std::size_t across = 0;
     while (across < 3 && on_face(tet[across])) ++across;
-    const auto [a, b, c] = quality::outward_faces[across];
+    const auto [a, b, c] = core::outward_faces[across];
     return {tet[a], tet[b], tet[c]};
   }
 
   const FileMesh& mesh_;
   const Planes& planes_;
   std::vector<std::uint64_t> marks_;
-  quality::Groups<FaceKey> by_lowest_{mesh_.points.size()};
+  core::Groups<FaceKey> by_lowest_{mesh_.points.size()};
 };
 
 }  // namespace

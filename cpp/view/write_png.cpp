@@ -5,7 +5,7 @@
 
 #include "certet/error.hpp"
 #include "certet/picture.hpp"
-#include "formats/output_file.hpp"
+#include "files/formats/output_file.hpp"
 
 namespace certet {
 namespace {

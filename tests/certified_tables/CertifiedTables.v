@@ -63,42 +63,41 @@ Proof. vm_compute. reflexivity. Qed.
 
 (** ** The bounds that every mesh is held to
 
-    What the C++ side calls proven is proven. *)
+    What the C++ side calls proven is proven, of every method, wherever the cuts of
+    its edges are. *)
 
-Definition Proven (bounds : list (list Bounds)) : Prop :=
-  match bounds with
-  | [[settled; widest; embedding]; [middle; middle'; middle'']] =>
-      (forall sample cut vs tids t, CutsOnEdges sample cut ->
-         In t (SettledMesh AngleThresholds (OpenSigns sample) (OpenCuts sample cut)
-                 LevelGap vs tids) ->
-         WithinDegrees (IZR (least settled) / 100) (IZR (greatest settled) / 100) t) /\
-      (forall sign cut tid t, CutsOnEdges sign cut ->
-         In t (map (MapTet (MeshPosition AngleThresholds sign cut))
-                 (StuffTet AngleThresholds sign cut tid)) ->
-         WithinDegrees (IZR (least widest) / 100) (IZR (greatest widest) / 100) t) /\
-      (forall sign cut tid t, CutsOnEdges sign cut ->
-         In t (map (MapTet (MeshPosition EmbeddingThresholds sign cut))
-                 (StuffTet EmbeddingThresholds sign cut tid)) ->
-         WithinDegrees (IZR (least embedding) / 100) (IZR (greatest embedding) / 100) t) /\
-      (forall sign tid t,
-         let decided v := InOrOut (sign v) in
-         let cut (_ _ : Coord3) := MidpointCut in
-         In t (map (MapTet (MeshPosition NoWarpThresholds decided cut))
-                 (StuffTet NoWarpThresholds decided cut tid)) ->
-         WithinDegrees (IZR (least middle) / 100) (IZR (greatest middle) / 100) t) /\
-      middle' = middle /\ middle'' = middle
-  | _ => False
+Definition Promised (m : Method) (t : UnstructuredTet Coord3) : Prop :=
+  WithinDegrees (IZR (LeastAngle m) / 100) (IZR (GreatestAngle m) / 100) t.
+
+Definition Proven (m : Method) : Prop :=
+  match m with
+  | SettledMethod turns =>
+      forall sample cut tids t, CutsOnEdges sample cut ->
+        In t (SettledMesh (MethodThresholds m) (OpenSigns sample) (OpenCuts sample cut)
+                LevelGap turns tids) ->
+        Promised m t
+  | AngleMethod | EmbeddingMethod =>
+      forall sign cut tid t, CutsOnEdges sign cut ->
+        In t (map (MapTet (MeshPosition (MethodThresholds m) sign cut))
+                (StuffTet (MethodThresholds m) sign cut tid)) ->
+        Promised m t
+  | MidpointMethod =>
+      forall sign tid t,
+        let decided v := InOrOut (sign v) in
+        let cut (_ _ : Coord3) := MidpointCut in
+        In t (map (MapTet (MeshPosition (MethodThresholds m) decided cut))
+                (StuffTet (MethodThresholds m) decided cut tid)) ->
+        Promised m t
   end.
 
-Theorem CppBoundsProven : AreProvenBounds CppProvenBounds = true /\ Proven ProvenBounds.
+Theorem CppMethodsProven : AreMethods CppMethods = true /\ forall m, Proven m.
 Proof.
-  split; [vm_compute; reflexivity|].
-  split; [exact SettledBoundsInDegrees|].
-  split; [exact DihedralBoundsInDegrees|].
-  split; [exact DihedralBoundsEmbeddingInDegrees|].
-  split; [|split; reflexivity].
-  intros sign tid t decided cut I. cbn [least greatest MiddleBounds].
-  replace (IZR 3000 / 100)%R with 30%R by lra.
-  replace (IZR 13500 / 100)%R with 135%R by lra.
-  exact (MidpointBoundsInDegrees sign tid t I).
+  split; [vm_compute; reflexivity|]. intros [| | |turns].
+  - exact DihedralBoundsInDegrees.
+  - exact DihedralBoundsEmbeddingInDegrees.
+  - intros sign tid t decided cut I. unfold Promised. cbn [LeastAngle GreatestAngle].
+    replace (IZR 3000 / 100)%R with 30%R by lra.
+    replace (IZR 13500 / 100)%R with 135%R by lra.
+    exact (MidpointBoundsInDegrees sign tid t I).
+  - intros sample cut. exact (SettledBoundsInDegrees sample cut turns).
 Qed.

@@ -187,6 +187,14 @@ Definition EdgeEnds : Table :=
        Row (map (fun f => Numbers (map (fun v => PlaceOf Coord3Equal v EdgeEndsList) (Ends f)))
               Families)].
 
+(** The tiling as data: its vertices, tetrahedra, edges at a vertex, and edges of a
+    cell. *)
+Definition LatticeTilingTable : Table :=
+  Row [Row (map Point Grids);
+       StructuredTetTable;
+       OfDirections (fun d => Point (Offset d));
+       Row (map (fun f => Row (map Point (Ends f))) Families)].
+
 (** ** The cell: the twelve tetrahedra of an index *)
 
 Definition CellVertices : list Coord3 := FirstSeen (flat_map CornersOf AllCases).
@@ -256,22 +264,30 @@ Definition IsOutward (across : Z) (face : Table) : bool :=
 Definition AreOutwardFaces (t : Table) : bool :=
   Each IsOutward (Upto 4) t.
 
-(** ** The bounds that every mesh is held to
+(** ** The methods, and the bounds that every mesh is held to
 
-    In hundredths of degrees, with the theorem that promises them; for cuts on
-    the surface where vertices settle, and at either thresholds where all move;
-    and for cuts in the middle. *)
+    What a method is, where it warps and what it promises, in hundredths of degrees,
+    is told by [Mesh/Method.v].  The engine has besides a name for it, a number for
+    where it cuts edges and whether some violated vertices stay, and names the
+    theorem on its angles. *)
 
-Record Bounds := { least : Z; greatest : Z; theorem : string }.
-Definition SettledBounds :=
-  {| least := 1077; greatest := 16476; theorem := "SettledBoundsInDegrees" |}.
-Definition WidestBounds := {| least := 1077; greatest := 16476; theorem := "DihedralBounds" |}.
-Definition EmbeddingBounds :=
-  {| least := 927; greatest := 16146; theorem := "DihedralBoundsEmbedding" |}.
-Definition MiddleBounds := {| least := 3000; greatest := 13500; theorem := "MidpointBounds" |}.
-Definition ProvenBounds : list (list Bounds) :=
-  [[SettledBounds; WidestBounds; EmbeddingBounds];
-   [MiddleBounds; MiddleBounds; MiddleBounds]].
+Inductive Cuts := OnTheSurface | InTheMiddle.
+Definition CutsNumber (c : Cuts) : Z := match c with OnTheSurface => 0 | InTheMiddle => 1 end.
+
+Definition MethodCuts (m : Method) : Cuts :=
+  match m with MidpointMethod => InTheMiddle | _ => OnTheSurface end.
+
+Definition MethodSettles (m : Method) : bool :=
+  match m with SettledMethod _ => true | _ => false end.
+
+Record NamedMethod := { called : string; method : Method; theorem : string }.
+
+(** Whose turns come when makes no difference to what is told here. *)
+Definition Methods : list NamedMethod :=
+  [{| called := "embedded"; method := SettledMethod []; theorem := "SettledBoundsInDegrees" |};
+   {| called := "angles"; method := AngleMethod; theorem := "DihedralBounds" |};
+   {| called := "embedding"; method := EmbeddingMethod; theorem := "DihedralBoundsEmbedding" |};
+   {| called := "midpoint"; method := MidpointMethod; theorem := "MidpointBounds" |}]%string.
 
 (** The number of 53 bits, written in full, that is nearest to so many hundredths. *)
 Definition IsNearest (hundredths : Z) (t : Table) : bool :=
@@ -281,14 +297,22 @@ Definition IsNearest (hundredths : Z) (t : Table) : bool :=
       (2 * Z.abs (100 * m - hundredths * 2 ^ (- e)) <=? 100)
   | _ => false
   end.
-Definition AreBounds (b : Bounds) (t : Table) : bool :=
+(** A row has its number first, and what it promises last. *)
+Definition IsMethod (numbered : Z * NamedMethod) (t : Table) : bool :=
+  let (number, named) := numbered in
+  let m := method named in
   match t with
-  | Row [low; high; name] =>
-      IsNearest (least b) low && IsNearest (greatest b) high && Equal (Text (theorem b)) name
+  | Row [row; name; where_; alpha; rule; Row [low; high; promise]] =>
+      Equal (Number number) row && Equal (Text (called named)) name &&
+      Equal (Number (CutsNumber (MethodCuts m))) where_ &&
+      Equal (ThresholdsEntry (MethodThresholds m)) alpha &&
+      Equal (Truth (MethodSettles m)) rule &&
+      IsNearest (LeastAngle m) low && IsNearest (GreatestAngle m) high &&
+      Equal (Text (theorem named)) promise
   | _ => false
   end.
-
-Definition AreProvenBounds : Table -> bool := Each (Each AreBounds) ProvenBounds.
+Definition AreMethods : Table -> bool :=
+  Each IsMethod (combine (Upto (length Methods)) Methods).
 
 (** ** Links
 
@@ -325,6 +349,7 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("structured_tet_table", Is StructuredTetTable);
    ("direction_count", Is (Count AllDirections));
    ("direction_offset", Is (OfDirections (fun d => Point (Offset d))));
+   ("lattice_tiling", Is LatticeTilingTable);
    ("pattern_count", Is (Number (Z.of_nat PatternCount)));
    ("stencil_table", Is StencilTable);
    ("step_bits", Is (Number (Z.of_nat StepBits)));
@@ -334,10 +359,12 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("angle_thresholds", Is (ThresholdsEntry AngleThresholds));
    ("embedding_thresholds", Is (ThresholdsEntry EmbeddingThresholds));
    ("no_warp_thresholds", Is (ThresholdsEntry NoWarpThresholds));
+   ("methods", AreMethods);
    ("core::whole_link", Is (Number (SetNumber (Gather (fun _ => true)))));
    ("core::link_ring", Is LinkRings);
    ("core::connected_sets", Is ConnectedSets);
    ("core::grid_count", Is (Count Grids));
+   ("core::grids", Is (Numbers (Upto (length Grids))));
    ("core::corner_kinds", Is (Number CornerKinds));
    ("core::family_count", Is (Count Families));
    ("core::kind_count", Is (Number (CornerKinds + Z.of_nat (length Families))));
@@ -346,6 +373,7 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("core::family_directions", Is FamilyDirections);
    ("core::edge_end_count", Is (Count EdgeEndsList));
    ("core::edge_ends", Is EdgeEnds);
+   ("core::cell_tet_count", Is (Count AllCases));
    ("core::cell_vertex_count", Is (Count CellVertices));
    ("core::cell", Is CellTable);
    ("core::output_orders", Is (Row (map (fun c => Numbers (OutputOrder c)) AllCases)));
@@ -354,8 +382,8 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("coordinate_limit", Is (Number LatticeLimit));
    ("anchor_limit", Is (Number AnchorLimit));
    ("cells_limit", IsCellsLimit);
-   ("quality::edge_limit", Is (Number WidthLimit));
-   ("quality::outward_faces", AreOutwardFaces);
+   ("core::edge_limit", Is (Number WidthLimit));
+   ("core::outward_faces", AreOutwardFaces);
    ("signs", Is (Numbers (map SignNumber AllSigns)));
    ("sign_of_bits", Is (Numbers (map SignNumber AllSigns)));
    ("opposite", Is (Row (map (fun a => Row (map (fun b => Truth (Opposite a b)) AllSigns))
@@ -368,6 +396,4 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("length_squared", Is (OfDirections (fun d => Number (LengthSquared (DirectionKind d)))));
    ("thresholds_in_steps",
       Is (Row (map StepsEntry [AngleThresholds; EmbeddingThresholds; NoWarpThresholds])));
-   ("core::grids", Is (Numbers (Upto (length Grids))));
-   ("core::neighbor", Is Neighbors);
-   ("proven_bounds", AreProvenBounds)]%string.
+   ("core::neighbor", Is Neighbors)]%string.

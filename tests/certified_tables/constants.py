@@ -5,7 +5,7 @@ usage: constants.py DUMP_TABLES            compare what clang finds in the sourc
        constants.py DUMP_TABLES --list     print what clang finds
        constants.py DUMP_TABLES --self-test  constants planted in a copy of the sources must be missed
 
-The engine is cpp/core, cpp/include/certet and cpp/quality, headers and sources.  Its constants are
+The engine is cpp/lattice, cpp/engine, cpp/include/certet and cpp/mesh, headers and sources.  Its constants are
 all variables at namespace scope, all static ones, all that are constexpr, its enumerations, and its
 constexpr functions; clang's syntax tree tells which.  excused.txt says what they are that are not
 dumped under their own name.
@@ -21,7 +21,8 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 SOURCE = HERE.parent.parent
-FOLDERS = ("cpp/include/certet", "cpp/core", "cpp/quality")
+FOLDERS = ("cpp/include/certet/lattice", "cpp/include/certet", "cpp/lattice", "cpp/engine", "cpp/mesh",
+           "cpp/mesh/quality")
 FUNCTIONS = ("FunctionDecl", "CXXMethodDecl", "CXXConversionDecl", "CXXConstructorDecl",
              "CXXDestructorDecl")
 SCOPES = ("NamespaceDecl", "CXXRecordDecl", "ClassTemplateSpecializationDecl", "EnumDecl")
@@ -37,7 +38,7 @@ def syntax_tree(root, files):
     """The declarations in namespace certet, or None if the files do not compile as one unit."""
     unit = "".join(f'#include "{file}"\n' for file in files)
     clang = [os.environ.get("CLANGXX", "clang++"), "-std=c++20", "-fsyntax-only", "-x", "c++",
-             *(f"-I{root / folder}" for folder in ("cpp", "cpp/core", "cpp/quality", "cpp/include")),
+             *(f"-I{root / folder}" for folder in ("cpp", *FOLDERS[2:], "cpp/include")),
              "-Xclang", "-ast-dump=json", "-Xclang", "-ast-dump-filter=certet", "-"]
     run = subprocess.run(clang, input=unit, text=True, stdout=subprocess.PIPE,
                          stderr=subprocess.PIPE, check=False)
@@ -169,14 +170,14 @@ def complaints(constants, dump):
 
 
 PLANTED = {
-    "cpp/core/lattice_edges.hpp": ("/// An edge as one",
+    "cpp/lattice/lattice_edges.hpp": ("/// An edge as one",
                                    "inline constexpr std::array<int, 3> planted_a{1, 2, 3};\n"),
-    "cpp/core/emit_points.cpp": ("/// Cuts of one family.", "const int planted_b[] = {4, 5};\n"),
-    "cpp/quality/bounds.cpp": ("  // Midpoint cuts never",
+    "cpp/engine/emit_points.cpp": ("/// Cuts of one family.", "const int planted_b[] = {4, 5};\n"),
+    "cpp/mesh/quality/bounds.cpp": ("  // Midpoint cuts never",
                                "  static constexpr double planted_c = 0.5; (void)planted_c;\n"),
     "cpp/include/certet/frame.hpp": ("  double size = 1;",
                                      "  static constexpr int planted_d = 7;\n"),
-    "cpp/include/certet/direction.hpp": ("/// The square of an edge",
+    "cpp/include/certet/lattice/direction.hpp": ("/// The square of an edge",
                                          "constexpr /* a\n comment */ int planted_e(int d)"
                                          " { return d; }\n"),
     "cpp/include/certet/stuffing.hpp": ("  midpoint,  ///<", "  planted_f,\n"),

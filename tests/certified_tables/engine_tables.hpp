@@ -5,17 +5,18 @@
 #include <array>
 #include <cstddef>
 
-#include "cell_tables.hpp"
-#include "certet/lattice_limits.hpp"
-#include "certet/quality.hpp"
-#include "certet/sign.hpp"
-#include "certet/stencil.hpp"
-#include "certet/structured_tet.hpp"
-#include "certet/warp.hpp"
-#include "cuts.hpp"
-#include "link.hpp"
-#include "quality/boundary.hpp"
-#include "quality/shape_counter.hpp"
+#include "lattice/cell_tables.hpp"
+#include "certet/lattice/lattice_limits.hpp"
+#include "certet/method.hpp"
+#include "certet/lattice/sign.hpp"
+#include "certet/lattice/stencil.hpp"
+#include "certet/lattice/structured_tet.hpp"
+#include "certet/lattice/tiling.hpp"
+#include "certet/lattice/warp.hpp"
+#include "engine/cuts.hpp"
+#include "engine/link.hpp"
+#include "mesh/boundary.hpp"
+#include "mesh/quality/shape_counter.hpp"
 
 namespace certet::tables {
 
@@ -40,6 +41,7 @@ void for_each_constant(const Visit& visit) {
 
   CERTET_CONSTANT(direction_count);
   CERTET_CONSTANT(direction_offset);
+  CERTET_CONSTANT(lattice_tiling);
 
   CERTET_CONSTANT(pattern_count);
   CERTET_CONSTANT(stencil_table);
@@ -51,12 +53,14 @@ void for_each_constant(const Visit& visit) {
   CERTET_CONSTANT(angle_thresholds);
   CERTET_CONSTANT(embedding_thresholds);
   CERTET_CONSTANT(no_warp_thresholds);
+  CERTET_CONSTANT(methods);
 
   CERTET_CONSTANT(core::whole_link);
   CERTET_CONSTANT(core::link_ring);
   CERTET_CONSTANT(core::connected_sets);
 
   CERTET_CONSTANT(core::grid_count);
+  CERTET_CONSTANT(core::grids);
   CERTET_CONSTANT(core::corner_kinds);
   CERTET_CONSTANT(core::family_count);
   CERTET_CONSTANT(core::kind_count);
@@ -65,6 +69,7 @@ void for_each_constant(const Visit& visit) {
   CERTET_CONSTANT(core::family_directions);
   CERTET_CONSTANT(core::edge_end_count);
   CERTET_CONSTANT(core::edge_ends);
+  CERTET_CONSTANT(core::cell_tet_count);
   CERTET_CONSTANT(core::cell_vertex_count);
   CERTET_CONSTANT(core::cell);
   CERTET_CONSTANT(core::output_orders);
@@ -74,8 +79,8 @@ void for_each_constant(const Visit& visit) {
   CERTET_CONSTANT(coordinate_limit);
   CERTET_CONSTANT(anchor_limit);
   CERTET_CONSTANT(cells_limit);
-  CERTET_CONSTANT(quality::edge_limit);
-  CERTET_CONSTANT(quality::outward_faces);
+  CERTET_CONSTANT(core::edge_limit);
+  CERTET_CONSTANT(core::outward_faces);
 }
 
 #undef CERTET_CONSTANT
@@ -110,20 +115,11 @@ void for_each_function(const Visit& visit) {
       values<direction_count>([](int d) { return embedding_thresholds.in_steps(d); }),
       values<direction_count>([](int d) { return no_warp_thresholds.in_steps(d); })});
 
-  visit("core::grids", std::array{core::even, core::odd});
   visit("core::neighbor", values<core::grid_count>([](int grid) {
     return values<direction_count>([&](int d) {
       return core::neighbor(static_cast<core::Grid>(grid), static_cast<std::size_t>(d));
     });
   }));
-
-  visit("proven_bounds", std::array{
-      std::array{proven_bounds(Cuts::bisect, Guarantee::pieces),
-                 proven_bounds(Cuts::bisect, Guarantee::angles),
-                 proven_bounds(Cuts::bisect, Guarantee::embedding)},
-      std::array{proven_bounds(Cuts::midpoint, Guarantee::pieces),
-                 proven_bounds(Cuts::midpoint, Guarantee::angles),
-                 proven_bounds(Cuts::midpoint, Guarantee::embedding)}});
 }
 
 template <class Visit>

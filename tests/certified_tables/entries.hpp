@@ -10,12 +10,15 @@
 #include <tuple>
 #include <type_traits>
 
-#include "certet/quality.hpp"
-#include "certet/stencil.hpp"
-#include "cell_tables.hpp"
-#include "certet/warp.hpp"
+#include "certet/method.hpp"
+#include "certet/lattice/stencil.hpp"
+#include "certet/lattice/tiling.hpp"
+#include "lattice/cell_tables.hpp"
+#include "certet/lattice/warp.hpp"
 
 namespace certet::tables {
+
+using LatticeTiling = std::remove_const_t<decltype(lattice_tiling)>;
 
 template <class T, class... Types>
 concept OneOf = (std::is_same_v<std::remove_const_t<T>, Types> || ...);
@@ -26,10 +29,13 @@ concept Entry = std::is_arithmetic_v<T> || std::is_enum_v<T> || OneOf<T, std::st
 // A structured binding names all fields or does not compile, so that none is left out.
 template <class T>
 concept OfTwo = OneOf<T, core::VertexRef, core::Family, core::EdgeEnds, StructuredTetId,
-                      FaceNeighbor, StencilVertex, Stencil, Thresholds>;
+                      FaceNeighbor, StencilVertex, Stencil, Thresholds,
+                      LatticeTiling::Edge>;
 template <class T>
 concept OfThree = OneOf<T, Coord3, core::Shift, core::EdgeRef, core::CellTables,
                         StructuredTetShape, AngleBounds>;
+template <class T>
+concept OfFour = OneOf<T, LatticeTiling>;
 
 /// Calls visit(part) for each part of an array or a structure, in order.
 template <class T, std::size_t n, class Visit>
@@ -49,6 +55,18 @@ template <OfThree T, class Visit>
 void for_each_part(T& value, const Visit& visit) {
   auto& [a, b, c] = value;
   visit(a), visit(b), visit(c);
+}
+
+template <OfFour T, class Visit>
+void for_each_part(T& value, const Visit& visit) {
+  auto& [a, b, c, d] = value;
+  visit(a), visit(b), visit(c), visit(d);
+}
+/// All that a method does and promises, but for the sentence that tells people of it.
+template <OneOf<MethodFacts> T, class Visit>
+void for_each_part(T& value, const Visit& visit) {
+  auto& [method, name, cuts, thresholds, settles, bounds, sentence] = value;
+  visit(method), visit(name), visit(cuts), visit(thresholds), visit(settles), visit(bounds);
 }
 
 /// Calls visit(entry) for every entry, in order.

@@ -152,10 +152,20 @@ class Run(ProgramTest):
         refused(["other bounds"], lambda r: r["guarantee"].update(min_dihedral=30))
         refused(["theorem"], lambda r: r["guarantee"].update(theorem="MidpointBounds"))
         refused(["theorem"], lambda r: r["lattice"].update(cuts="midpoint"))
+        refused(["theorem"], lambda r: r.update(theorem="MidpointBounds"))
+        refused(["theorem"], lambda r: r["method"].update(name="embedding"))
         refused(["written"], lambda r: r["guarantee"].update(holds=False))
         refused(["file_checksum"], lambda r: r["mesh"].pop("file_checksum"))
         refused([], lambda r: r["mesh"].update(file_checksum="0x12"))
         refused(["another mesh"], lambda r: r["mesh"].update(tets=r["mesh"]["tets"] - 1))
+
+    def test_a_run_of_an_older_version(self):
+        """It named a guarantee where edges were cut in the middle, and no method."""
+        run = self.made("-o", "t.vtu", "--cuts", "midpoint")
+        del run["method"], run["theorem"]
+        run["guarantee"].update(asked="angles", used="angles")
+        (self.folder / "run.json").write_text(json.dumps(run))
+        self.assertEqual(self.against_run("t.vtu")[0], 0)
 
     def test_the_run_of_other_bounds(self):
         # The file of one run, and the JSON of another with the same content by its word.

@@ -16,6 +16,7 @@ KEYS = {
     "method": {"name", "violated", "stayed", "shortened", "clamped"},
     "mesh": {"points", "tets", "volume", "checksum", "file_checksum"},
     "dihedral": {"min", "max", "lattice_min", "lattice_max", "rounding", "histogram"},
+    "theorem": None,
     "guarantee": {"asked", "used", "theorem", "min_dihedral", "max_dihedral",
                   "inverted_tets", "holds"},
     "seconds": {"read", "sample", "cut", "warp", "count", "emit", "measure", "write",
@@ -89,21 +90,44 @@ class Formula(ProgramTest):
         self.assertLess(report["mesh"]["volume"], 4.1)
         self.check("root.vtu")
 
-    def test_methods(self):
-        for choice, method, used, low in (
-                ((), "embedded", "pieces", 10.77), (("--method", "embedded"), "embedded", "pieces", 10.77),
-                (("--method", "paper"), "paper", "angles", 10.77),
-                (("--guarantee", "angles"), "paper", "angles", 10.77),
-                (("--method", "paper", "--guarantee", "embedding"), "paper", "embedding", 9.27),
-                (("--guarantee", "embedding"), "paper", "embedding", 9.27),
-                (("--method", "midpoint"), "midpoint", "angles", 30),
-                (("--cuts", "midpoint"), "midpoint", "angles", 30)):
+    def test_every_method_says_so(self):
+        theorems = {"embedded": ("SettledBoundsInDegrees", 10.77), "angles": ("DihedralBounds", 10.77),
+                    "embedding": ("DihedralBoundsEmbedding", 9.27),
+                    "midpoint": ("MidpointBounds", 30)}
+        for choice, method in (
+                ((), "embedded"), (("--method", "embedded"), "embedded"),
+                (("--method", "paper"), "angles"), (("--guarantee", "angles"), "angles"),
+                (("--method", "paper", "--guarantee", "embedding"), "embedding"),
+                (("--guarantee", "embedding"), "embedding"),
+                (("--method", "midpoint"), "midpoint"), (("--cuts", "midpoint"), "midpoint"),
+                (("--cuts", "midpoint", "--guarantee", "embedding"), "midpoint")):
+            theorem, low = theorems[method]
             with self.subTest(choice):
                 report = self.mesh(*TORUS, *choice, "--size", "0.1", "-o", "t.vtu")
                 self.assertGreaterEqual(report["dihedral"]["min"], low - 1e-6)
-                self.assertEqual(report["method"]["name"], method)
-                if method != "midpoint":
-                    self.assertEqual(report["guarantee"]["asked"], used)
+                self.assertEqual((report["method"]["name"], report["theorem"]), (method, theorem))
+                self.assertEqual({key: report["guarantee"][key]
+                                  for key in ("asked", "used", "theorem", "min_dihedral")},
+                                 {"asked": method, "used": method, "theorem": theorem,
+                                  "min_dihedral": low})
+                table = self.run_certet("mesh", *TORUS, *choice, "--size", "0.1", "-o",
+                                        "t.vtu").stdout
+                self.assertRegex(table, rf"\nmethod +{method}: ")
+                self.assertEqual('"angles"' in json.dumps(report), method == "angles")
+
+    def test_the_method_used_in_the_end_is_the_one_told(self):
+        """The faces of voxels make `angles` turn over tetrahedra that are dropped."""
+        size = (12, 12, 12)
+        write_nrrd(self.folder / "a.nrrd", size,
+                   voxels(size, lambda i, j, k: int((i * 7 + j * 3 + k * 5) % 11 < 6)))
+        paper = ("a.nrrd", "--method", "paper", "-o", "t.vtu")
+        report = self.mesh(*paper)
+        self.assertGreater(report["guarantee"]["inverted_tets"], 0)
+        self.assertEqual(
+            (report["guarantee"]["asked"], report["method"]["name"], report["theorem"]),
+            ("angles", "embedding", "DihedralBoundsEmbedding"))
+        table = self.run_certet("mesh", *paper).stdout
+        self.assertRegex(table, r"\nmethod +embedding: .*\(angles inverted \d+ dropped")
 
     def test_methods_that_contradict(self):
         for choice in (("--method", "embedded", "--cuts", "midpoint"),

@@ -190,19 +190,18 @@ struct NamedMesh {
 };
 
 using Engine = std::function<NamedMesh(const domains::Positional&, const Lattice&,
-                                       certet::StuffingOptions)>;
+                                       certet::Method)>;
 
 NamedMesh engine(const domains::Positional& domain, const Lattice& lattice,
-                 certet::StuffingOptions options) {
+                 certet::Method method) {
   certet::Context context;
   context.threads = 2;
-  const certet::Stuffing stuffing(domain, lattice, options, context);
+  const certet::Stuffing stuffing(domain, lattice, method, context);
   const certet::Mesh mesh = certet::emit(stuffing, {}, context);
-  NamedMesh named{stuffing.inverted_tets(), "midpoint", {mesh.points.begin(), mesh.points.end()},
+  NamedMesh named{stuffing.inverted_tets(),
+                  std::string(name(stuffing.method())),
+                  {mesh.points.begin(), mesh.points.end()},
                   {}};
-  if (options.cuts == certet::Cuts::bisect)
-    named.thresholds =
-        stuffing.guarantee() == certet::Guarantee::angles ? "angles" : "embedding";
   std::ranges::sort(named.points);
   const auto number = [&](auto i) {
     const auto at = std::ranges::lower_bound(named.points, mesh.points[i]);
@@ -222,11 +221,10 @@ Differences meshes(const Engine& production) {
   for (const json& c : kit().at("meshes")) {
     const Lattice lattice{c.at("origin").get<Coord3>(),
                           c.at("cells").get<std::array<std::int32_t, 3>>()};
-    const certet::StuffingOptions options{
-        c.at("cuts") == "midpoint" ? certet::Cuts::midpoint : certet::Cuts::bisect,
-        c.at("guarantee") == "angles" ? certet::Guarantee::angles
-                                      : certet::Guarantee::embedding};
-    const NamedMesh mesh = production(domain_of(c), lattice, options);
+    const certet::Method method = c.at("cuts") == "midpoint"
+                                      ? certet::Method::midpoint
+                                      : certet::method_named(c.at("guarantee").get<std::string>()).value();
+    const NamedMesh mesh = production(domain_of(c), lattice, method);
     const std::string name = c.at("name");
     expect(differences, name, {mesh.turned_over, mesh.thresholds},
            {c.at("turned_over"), c.at("thresholds")});

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "certet/coord3.hpp"
-#include "certet/direction.hpp"
-#include "certet/warp.hpp"
+#include "certet/lattice/coord3.hpp"
+#include "certet/lattice/direction.hpp"
+#include "certet/lattice/warp.hpp"
 #include "certified.hpp"
 #include "differences.hpp"
 

@@ -6,9 +6,9 @@
 #include <array>
 #include <functional>
 
-#include "certet/stencil.hpp"
-#include "certet/structured_tet.hpp"
-#include "certet/warp.hpp"
+#include "certet/lattice/stencil.hpp"
+#include "certet/lattice/structured_tet.hpp"
+#include "certet/lattice/warp.hpp"
 
 using certet::Coord3;
 using certet::Sign;

@@ -16,35 +16,28 @@
 namespace {
 
 using certet::Coord3;
-using certet::Guarantee;
 using certet::Lattice;
+using certet::Method;
 using certet::Sign;
-using certet::StuffingOptions;
 using certified::PlacedTet;
 
-/// A mesh with the guarantee that it was made for in the end.
+/// A mesh with the method that it was made by in the end.
 struct PlacedMesh {
   std::vector<PlacedTet> tets;
-  Guarantee guarantee;
+  Method method;
 };
-
-certet::Thresholds thresholds_of(certet::Cuts cuts, Guarantee guarantee) {
-  if (cuts == certet::Cuts::midpoint) return certet::no_warp_thresholds;
-  return guarantee == Guarantee::embedding ? certet::embedding_thresholds
-                                           : certet::angle_thresholds;
-}
 
 /// The production side of the comparison.
 using Engine = std::function<PlacedMesh(const domains::Positional&, const Lattice&,
-                                        const StuffingOptions&)>;
+                                        Method)>;
 
 PlacedMesh engine(const domains::Positional& domain, const Lattice& lattice,
-                  const StuffingOptions& options) {
+                  Method method) {
   certet::Context context;
   context.threads = 1;
-  const certet::Stuffing stuffing(domain, lattice, options, context);
+  const certet::Stuffing stuffing(domain, lattice, method, context);
   const certet::Mesh mesh = certet::emit(stuffing, {}, context);
-  PlacedMesh placed{{}, stuffing.guarantee()};
+  PlacedMesh placed{{}, stuffing.method()};
   std::visit(
       [&](const auto& tets) {
         for (const auto& [a, b, c, d] : tets)
@@ -55,7 +48,9 @@ PlacedMesh engine(const domains::Positional& domain, const Lattice& lattice,
 }
 
 std::vector<PlacedTet> reference(const domains::Positional& domain, const Lattice& lattice,
-                                 certet::Cuts cuts, Guarantee guarantee) {
+                                 Method method) {
+  const certet::Thresholds thresholds = certet::facts(method).thresholds;
+  const bool midpoint_cuts = certet::facts(method).cuts == certet::Cuts::midpoint;
   const auto bisected = [&](Coord3 plus, Coord3 minus) {
     return certified::bisect([&](std::int64_t t) {
       return domain.sign_at(certified::point_on_edge(plus, minus, t));
@@ -66,24 +61,22 @@ std::vector<PlacedTet> reference(const domains::Positional& domain, const Lattic
       [&](Coord3 v) {
         const Sign sign = domain.sign_at(certified::warped_position(v, {}));
         // `InOrOut` of the certificate.
-        return cuts == certet::Cuts::midpoint && sign == Sign::on_surface ? Sign::plus : sign;
+        return midpoint_cuts && sign == Sign::on_surface ? Sign::plus : sign;
       },
       [&](Coord3 plus, Coord3 minus) {
-        return cuts == certet::Cuts::midpoint ? midpoint : bisected(plus, minus);
+        return midpoint_cuts ? midpoint : bisected(plus, minus);
       }};
-  const certet::Thresholds steps = thresholds_of(cuts, guarantee);
-  const certified::Thresholds thresholds{steps.long_edge, steps.short_edge};
-  return cuts == certet::Cuts::bisect && guarantee == Guarantee::pieces
-             ? certified::settle(thresholds, certified::Gap::level, lattice, seen)
-             : certified::stuff(thresholds, lattice, seen);
+  const certified::Thresholds alpha{thresholds.long_edge, thresholds.short_edge};
+  return certet::facts(method).settles
+             ? certified::settle(alpha, certified::Gap::level, lattice, seen)
+             : certified::stuff(alpha, lattice, seen);
 }
 
 Differences compare(const Engine& production, const domains::Positional& domain,
-                    const Lattice& lattice, const StuffingOptions& options) {
+                    const Lattice& lattice, Method method) {
   Differences differences;
-  const PlacedMesh ours = production(domain, lattice, options);
-  const std::vector<PlacedTet> theirs =
-      reference(domain, lattice, options.cuts, ours.guarantee);
+  const PlacedMesh ours = production(domain, lattice, method);
+  const std::vector<PlacedTet> theirs = reference(domain, lattice, ours.method);
   differences.expect(ours.tets.size() == theirs.size(), [&] {
     std::ostringstream out;
     out << ours.tets.size() << " tetrahedra instead of " << theirs.size();
@@ -102,16 +95,9 @@ Differences compare(const Engine& production, const domains::Positional& domain,
   return differences;
 }
 
-constexpr StuffingOptions all_options[] = {
-    {certet::Cuts::bisect, Guarantee::pieces},
-    {certet::Cuts::bisect, Guarantee::angles},
-    {certet::Cuts::bisect, Guarantee::embedding},
-    {certet::Cuts::midpoint, Guarantee::angles},
-};
-
 void expect_same(const domains::Positional& domain, const Lattice& lattice) {
-  for (const StuffingOptions& options : all_options) {
-    const Differences differences = compare(engine, domain, lattice, options);
+  for (const certet::MethodFacts& row : certet::methods) {
+    const Differences differences = compare(engine, domain, lattice, row.method);
     EXPECT_TRUE(differences.empty()) << differences;
     EXPECT_GT(differences.compared(), 100);
   }
@@ -178,24 +164,23 @@ TEST(Mesh, OfALatticeThatFoldsIsTheSame) {
       domains::random_cuts(4, 0, {near, certet::steps - near, middle, middle});
   const Lattice lattice{{0, 0, 0}, {12, 12, 12}};
   certet::Context context;
-  const certet::StuffingOptions angles{certet::Cuts::bisect, Guarantee::angles};
-  const certet::Stuffing stuffing(domain, lattice, angles, context);
+  const certet::Stuffing stuffing(domain, lattice, Method::angles, context);
   EXPECT_GT(stuffing.inverted_tets(), 0U);
-  EXPECT_EQ(stuffing.guarantee(), Guarantee::embedding);
-  const Differences differences = compare(engine, domain, lattice, angles);
+  EXPECT_EQ(stuffing.method(), Method::embedding);
+  const Differences differences = compare(engine, domain, lattice, Method::angles);
   EXPECT_TRUE(differences.empty()) << differences;
 }
 
 bool survives_random_domains(const Engine& production) {
   return rc::check("random domains give the same mesh", [&] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
-    const auto options = *rc::gen::elementOf(
-        std::vector<StuffingOptions>(std::begin(all_options), std::end(all_options)));
+    const Method method = *rc::gen::element(Method::embedded, Method::angles, Method::embedding,
+                                            Method::midpoint);
     const auto extent = rc::gen::inRange(3, 9);
     const auto place = rc::gen::map(rc::gen::inRange(-50, 50), [](int c) { return 2 * c; });
     const Lattice lattice{{*place, *place, *place}, {*extent, *extent, *extent}};
     const Differences differences =
-        compare(production, random_domain(seed), lattice, options);
+        compare(production, random_domain(seed), lattice, method);
     if (!differences.empty()) {
       std::ostringstream out;
       out << "seed " << seed << ": " << differences;
@@ -208,8 +193,8 @@ TEST(Mesh, OfRandomDomainsIsTheSame) { EXPECT_TRUE(survives_random_domains(engin
 
 /// Each planted bug changes the mesh that the engine gave.
 Engine spoiled(const std::function<void(PlacedMesh&)>& spoil) {
-  return [=](const auto& domain, const Lattice& lattice, const StuffingOptions& options) {
-    PlacedMesh mesh = engine(domain, lattice, options);
+  return [=](const auto& domain, const Lattice& lattice, Method method) {
+    PlacedMesh mesh = engine(domain, lattice, method);
     if (!mesh.tets.empty()) spoil(mesh);
     return mesh;
   };
@@ -217,7 +202,7 @@ Engine spoiled(const std::function<void(PlacedMesh&)>& spoil) {
 
 bool caught(const Engine& broken) {
   return !compare(broken, domains::of_level(domains::sphere(0.3, 0.2, 0.1, 3.1)),
-                  {{-4, -4, -4}, {5, 5, 5}}, {certet::Cuts::bisect, Guarantee::angles})
+                  {{-4, -4, -4}, {5, 5, 5}}, Method::angles)
               .empty();
 }
 
@@ -240,25 +225,23 @@ TEST(Mesh, CatchesAMirroredTetrahedron) {
 /// The surface is found one step too near: a bisection that loses a round.
 TEST(Mesh, CatchesABisectionThatIsOneStepOff) {
   const Engine broken = [](const domains::Positional& domain, const Lattice& lattice,
-                           const StuffingOptions& options) {
+                           Method method) {
     const domains::Positional shifted([&](Coord3 p) {
       const auto even = [](std::int32_t c) { return c & ~1; };
       return domain.sign_at({even(p.x), even(p.y), even(p.z)});
     });
-    return engine(shifted, lattice, options);
+    return engine(shifted, lattice, method);
   };
   EXPECT_TRUE(caught(broken));
   EXPECT_FALSE(survives_random_domains(broken));
 }
 
-/// The mesh was not made for the guarantee that it names.
-TEST(Mesh, CatchesTheOtherGuarantee) {
-  const Engine broken = [](const auto& domain, const Lattice& lattice, StuffingOptions options) {
-    const Guarantee named = options.guarantee;
-    options.guarantee =
-        named == Guarantee::embedding ? Guarantee::angles : Guarantee::embedding;
-    PlacedMesh mesh = engine(domain, lattice, options);
-    mesh.guarantee = named;
+/// The mesh was not warped with the thresholds of the method that it names.
+TEST(Mesh, CatchesThresholdsOfAnotherMethod) {
+  const Engine broken = [](const auto& domain, const Lattice& lattice, Method method) {
+    const Method other = method == Method::angles ? Method::embedding : Method::angles;
+    PlacedMesh mesh = engine(domain, lattice, other);
+    mesh.method = method;
     return mesh;
   };
   EXPECT_TRUE(caught(broken));

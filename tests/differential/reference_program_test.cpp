@@ -37,7 +37,7 @@ class ReferenceProgram : public testing::Test {
 
   PlacedTets reference(const std::string& arguments) {
     EXPECT_EQ(run(arguments + " " + output.string()), 0);
-    const certet::FileMesh mesh = certet::read_mesh(output);
+    const certet::FileMesh mesh = certet::read(output);
     PlacedTets placed;
     for (const auto& [a, b, c, d] : mesh.tets)
       placed.push_back({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]});
@@ -51,11 +51,11 @@ class ReferenceProgram : public testing::Test {
 
 /// In lattice units, in which the program writes.
 PlacedTets engine(const certet::Domain& domain, const Lattice& lattice,
-                  const certet::StuffingOptions& options) {
+                  certet::Method method = certet::Method::angles) {
   certet::Frame units;
   units.size = 2;
   certet::Context context;
-  const certet::Mesh mesh = certet::stuff(domain, lattice, units, options, context);
+  const certet::Mesh mesh = certet::stuff(domain, lattice, units, method, context);
   PlacedTets placed;
   const auto world = [&](auto i) { return units.world(mesh.points[i]); };
   std::visit(
@@ -73,9 +73,8 @@ TEST_F(ReferenceProgram, MeshesASphere) {
   EXPECT_GT(theirs.size(), 500U);
   const Lattice lattice{{0, 0, 0}, {8, 9, 8}};
   const auto ball = [](double r) { return domains::of_level(domains::sphere(7.1, 7.2, 6.9, r)); };
-  const certet::StuffingOptions options{certet::Cuts::bisect, certet::Guarantee::angles};
-  EXPECT_TRUE(engine(ball(5.3), lattice, options) == theirs);
-  EXPECT_FALSE(engine(ball(5.3001), lattice, options) == theirs);
+  EXPECT_TRUE(engine(ball(5.3), lattice) == theirs);
+  EXPECT_FALSE(engine(ball(5.3001), lattice) == theirs);
 }
 
 /// A thin torus, of which some vertices stay.
@@ -84,21 +83,21 @@ TEST_F(ReferenceProgram, KeepsTheShapeByDefault) {
   const auto thin = domains::of_level(domains::torus(0.3, 0.2, 0.1, 4.1, 1.2));
   const PlacedTets kept = reference("--solid 'torus 0.3 0.2 0.1 4.1 1.2' --lattice '-8 -8 -8 9 9 9'");
   EXPECT_GT(kept.size(), 100U);
-  EXPECT_TRUE(engine(thin, lattice, {}) == kept);
-  EXPECT_FALSE(engine(thin, lattice, {certet::Cuts::bisect, certet::Guarantee::angles}) == kept);
+  EXPECT_TRUE(engine(thin, lattice, certet::Method::embedded) == kept);
+  EXPECT_FALSE(engine(thin, lattice, certet::Method::angles) == kept);
 }
 
 TEST_F(ReferenceProgram, MeshesATorusForAnEmbedding) {
   EXPECT_TRUE(engine(domains::of_level(domains::torus(0.5, 0.25, 0.125, 5.5, 2.25)),
                      {{-10, -10, -6}, {11, 11, 7}},
-                     {certet::Cuts::bisect, certet::Guarantee::embedding}) ==
+                     certet::Method::embedding) ==
               reference("--guarantee embedding --solid 'torus 0.5 0.25 0.125 5.5 2.25' "
                         "--lattice '-10 -10 -6 11 11 7'"));
 }
 
 TEST_F(ReferenceProgram, MeshesABoxWithMidpoints) {
   EXPECT_TRUE(engine(domains::of_level(domains::box(-4.5, 4.5)), {{-8, -8, -8}, {9, 9, 9}},
-                     {certet::Cuts::midpoint, certet::Guarantee::angles}) ==
+                     certet::Method::midpoint) ==
               reference("--midpoint --solid 'box -4.5 -4.5 -4.5 4.5 4.5 4.5' "
                         "--lattice '-8 -8 -8 9 9 9'"));
 }

@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "certet/warp.hpp"
+#include "certet/lattice/warp.hpp"
 #include "certified.hpp"
-#include "core/link.hpp"
 #include "differences.hpp"
 #include "domains.hpp"
+#include "engine/link.hpp"
 #include "property/settling_model.hpp"
 #include "seed.hpp"
 

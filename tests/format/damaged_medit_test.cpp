@@ -20,7 +20,7 @@ class DamagedMedit : public testing::Test {
  protected:
   [[nodiscard]] FileMesh read(const std::string& text) const {
     test::write_bytes(file_, text);
-    return read_mesh(file_);
+    return certet::read(file_);
   }
   void expect_refused(const std::string& text, const std::string& words) const {
     expect_error(ErrorCode::bad_input, words, [&] { static_cast<void>(read(text)); });
@@ -53,7 +53,7 @@ TEST_F(DamagedMedit, LongFilesAreReadThroughAllTheirBuffers) {
   const test::SampleMesh mesh = test::sample_mesh(60'000, 10, false);
   test::write(file_, mesh);
   ASSERT_GT(std::filesystem::file_size(file_), 2u << 20);
-  EXPECT_EQ(read_mesh(file_).points, mesh.points);
+  EXPECT_EQ(certet::read(file_).points, mesh.points);
   std::string bytes = test::bytes_of(file_);
   bytes.resize(bytes.size() / 2);
   expect_refused(bytes, file_.string());

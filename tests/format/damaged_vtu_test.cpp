@@ -25,7 +25,7 @@ class DamagedVtu : public testing::Test {
 
   void expect_refused(const std::string& bytes, const std::string& words) const {
     test::write_bytes(file_, bytes);
-    expect_error(ErrorCode::bad_input, words, [this] { read_mesh(file_); });
+    expect_error(ErrorCode::bad_input, words, [this] { certet::read(file_); });
   }
 
   [[nodiscard]] std::string replaced(const std::string& old, const std::string& by) const {
@@ -70,7 +70,7 @@ TEST_F(DamagedVtu, AnyChangedByteIsSurvived) {
       changed[at] = change;
       test::write_bytes(file_, changed);
       try {
-        const FileMesh mesh = read_mesh(file_);
+        const FileMesh mesh = certet::read(file_);
         EXPECT_EQ(mesh.tets.size(), mesh_.tets.size());
       } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::bad_input);
@@ -146,7 +146,7 @@ TEST_F(DamagedVtu, NegativeIndicesBecomePointsThatAreNotThere) {
   const std::int32_t negative = -1;
   std::memcpy(changed.data() + data() + 8 + 9 * 24 + 8, &negative, sizeof negative);
   test::write_bytes(file_, changed);
-  EXPECT_EQ(read_mesh(file_).tets[0][0], ~std::uint64_t{0});
+  EXPECT_EQ(certet::read(file_).tets[0][0], ~std::uint64_t{0});
 }
 
 TEST_F(DamagedVtu, IndicesOf64BitsAreRead) {
@@ -168,16 +168,16 @@ TEST_F(DamagedVtu, IndicesOf64BitsAreRead) {
                   "type=\"Int64\" Name=\"connectivity\" format=\"appended\" offset=\"" +
                       std::to_string(end - data()) + "\"");
   test::write_bytes(file_, changed);
-  EXPECT_EQ(read_mesh(file_).tets, indices);
+  EXPECT_EQ(certet::read(file_).tets, indices);
 }
 
 TEST(MissingInput, HasItsReason) {
   const ScratchFolder folder;
-  expect_error(ErrorCode::bad_input, "No such file", [&] { read_mesh(folder / "a.vtu"); });
+  expect_error(ErrorCode::bad_input, "No such file", [&] { certet::read(folder / "a.vtu"); });
   std::filesystem::create_directory(folder / "b.mesh");
-  expect_error(ErrorCode::bad_input, "it is a folder", [&] { read_mesh(folder / "b.mesh"); });
+  expect_error(ErrorCode::bad_input, "it is a folder", [&] { certet::read(folder / "b.mesh"); });
   std::filesystem::create_symlink("/dev/zero", folder / "c.vtu");
-  expect_error(ErrorCode::bad_input, "regular file", [&] { read_mesh(folder / "c.vtu"); });
+  expect_error(ErrorCode::bad_input, "regular file", [&] { certet::read(folder / "c.vtu"); });
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ TEST_P(RoundTrip, ReadsWhatWasWritten) {
       if (format_of(file()) == Format::gmsh)
         for (std::int32_t& label : mesh.labels) label += 10;
       test::write(file(), mesh, 1 << 30, wide);
-      expect_same(read_mesh(file()), mesh);
+      expect_same(certet::read(file()), mesh);
     }
 }
 
@@ -63,7 +63,7 @@ TEST_P(RoundTrip, ExtremeDoubles) {
                  {0.1, 1.0 / 3, -1e22},
                  {9007199254740993.0, 5e-324, -0.0}};
   test::write(file(), mesh);
-  expect_same(read_mesh(file()), mesh);
+  expect_same(certet::read(file()), mesh);
 }
 
 TEST_P(RoundTrip, PiecesGiveTheBytesOfTheWhole) {
@@ -84,7 +84,7 @@ TEST_P(RoundTrip, EmptyMesh) {
   writer->points({});
   writer->tets(std::span<const Tet<std::uint32_t>>(), {});
   writer->finish();
-  const FileMesh mesh = read_mesh(file());
+  const FileMesh mesh = certet::read(file());
   EXPECT_TRUE(mesh.points.empty());
   EXPECT_TRUE(mesh.tets.empty());
 }
@@ -115,7 +115,7 @@ TEST(Formats, AreReadWhateverTheirVariant) {
                                      std::pair(Format::gmsh22, "a.msh")}) {
     if (format == Format::vtu_zlib && !can_compress()) continue;
     test::write_as(folder / name, format, mesh);
-    const FileMesh read = read_mesh(folder / name);
+    const FileMesh read = certet::read(folder / name);
     EXPECT_EQ(read.points, mesh.points);
     EXPECT_EQ(read.tets, mesh.wide_tets());
     if (format == Format::vtu_zlib) {
@@ -129,7 +129,7 @@ TEST(Formats, AreKnownByTheirExtension) {
   EXPECT_EQ(format_of("folder.mesh/a.b.MESH"), Format::medit);
   for (const char* name : {"a", "a.vtk", ".vtu", "a.vtu.gz", "vtu", ""})
     EXPECT_FALSE(format_of(name)) << name;
-  test::expect_error(ErrorCode::bad_input, ".vtu, .mesh, .meshb, .msh", [] { read_mesh("a.stl"); });
+  test::expect_error(ErrorCode::bad_input, ".vtu, .mesh, .meshb, .msh", [] { certet::read("a.stl"); });
 }
 
 TEST(Formats, IndicesGrowTo64BitsWhereTheyMust) {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "expect_error.hpp"
-#include "formats/single_precision.hpp"
+#include "files/formats/single_precision.hpp"
 #include "sample_mesh.hpp"
 #include "scratch_folder.hpp"
 
@@ -106,7 +106,7 @@ TEST(SinglePrecision, OnlyStlHasIt) {
     if (name == std::string("a.node") || name == std::string("a.inp") ||
         name == std::string("a.feb") || name == std::string("a.ply"))
       continue;
-    EXPECT_EQ(read_mesh(folder / name).points, tetrahedron(1e9).points) << name;
+    EXPECT_EQ(certet::read(folder / name).points, tetrahedron(1e9).points) << name;
   }
   test::write(folder / "near.stl", tetrahedron(1e6));
   const auto names = folder.names();

@@ -318,7 +318,7 @@ def texts():
             "x<0.5 && y>=z || not(x==y) ? -1 : sqrt(x)", "clamp(x,-1,1)+mix(x,y,z)-if(x,pi,e)",
             "sum(x,y,z)*avg(x,y)/hypot(x,y,z)-fmod(x,0.3)+atan2(y,x)-pow(x,3)",
             "floor(x*3)+tan(y)*acosh(z+2)-rint(1e300*x)", "abs(sin(7*x))+1e-3"]):
-        put("expression", f"{number}.txt", formula.encode())
+        put("formula", f"{number}.txt", formula.encode())
     put("label_names", "snap.txt", b'# labels\n 7 255 0 0 1 1 1 "Left thalamus"\n'
         b'-8 0 0 0 0 0 0 "b"\n')
     put("label_names", "colours.ctbl", b"# Color\n7 Left_thalamus 255 0 0 255\n8 b 1 2 3 0\n")

@@ -11,7 +11,7 @@ const std::vector<Target>& targets() {
       {"image", image},
       {"dicom", dicom},
       {"surface", surface},
-      {"expression", expression},
+      {"formula", formula},
       {"core", core},
 #ifdef CERTET_FUZZ_COMMAND
       {"options", options},

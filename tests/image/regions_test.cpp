@@ -86,7 +86,7 @@ Labels of_voxels(const Image& image) {
   return labels;
 }
 
-Labels of_points(const ImageDomain& domain) {
+Labels of_points(const PlacedDomain& domain) {
   Labels labels;
   const Lattice& lattice = domain.lattice();
   for (int odd = 0; odd < 2; ++odd)
@@ -95,20 +95,18 @@ Labels of_points(const ImageDomain& domain) {
         for (int i = 0; i < lattice.cells[0]; ++i) {
           const Coord3 point = lattice.origin + Coord3{2 * i + odd, 2 * j + odd, 2 * k + odd};
           const Coord3 position = steps * point;
-          Sign sign{};
-          domain.at({&position, 1}, {&sign, 1});
-          if (sign == Sign::minus) continue;
-          const std::array<Coord3, 4> corners{position, position, position, position};
-          std::int32_t label = 0;
-          domain.label({&corners, 1}, {&label, 1});
-          labels[{point.x, point.y, point.z}] = label;
+          Material material = 0;
+          domain.materials_at({&position, 1}, {&material, 1});
+          if (material == 0) continue;
+          labels[{point.x, point.y, point.z}] =
+              domain.labels()[static_cast<std::size_t>(material) - 1];
         }
   return labels;
 }
 
 struct Case {
   std::shared_ptr<const Image> image;
-  std::unique_ptr<ImageDomain> domain;
+  std::unique_ptr<PlacedDomain> domain;
   decltype(regions_of_labels(std::declval<Image>(), {})) regions;
 };
 

@@ -7,10 +7,13 @@ import subprocess
 from pathlib import Path
 
 FLAGS = ["-std=c++20", "-ffp-contract=off", "-fno-math-errno", "-march=x86-64-v2", "-w",
-         "-D_GLIBCXX_ASSERTIONS", "-Icpp/include", "-Icpp", "-Icpp/core", "-Itests", "-Ibridge",
+         "-D_GLIBCXX_ASSERTIONS", "-Icpp/include", "-Icpp", "-Itests", "-Ibridge",
          "-Itests/differential", "-Itests/property"]
 OPTIMIZED = ["-O1"]   # the engine
 QUICK = ["-O0"]       # the tests, which are compiled more often than they are run
+
+# What is compiled of the library.
+ENGINE = ("cpp/lattice", "cpp/engine")
 
 # Every program is one test file; those with the bridge compare with the certified functions.
 PROGRAMS = {
@@ -33,7 +36,7 @@ PROGRAMS = {
 
 # The quickest killers of a file come first; afterwards all others.
 FIRST = {
-    "structured_tet.hpp": ["lattice", "numbers"], "stencil.hpp": ["stencil"], "warp.hpp": ["warp"],
+    "structured_tet.hpp": ["lattice", "numbers"], "tiling.hpp": ["mesh"], "stencil.hpp": ["stencil"], "warp.hpp": ["warp"],
     "direction.hpp": ["constants"], "coord3.hpp": ["numbers", "constants"], "sign.hpp": ["stencil", "numbers"],
     "orientation.hpp": ["numbers"], "checksum.hpp": ["numbers"], "frame.hpp": ["numbers"],
     "cuts.cpp": ["mesh", "bisect"], "parallel.hpp": ["engine"], "stuffing.cpp": ["engine", "mesh"],
@@ -73,7 +76,8 @@ class Workshop:
         test, needs = PROGRAMS[program]
         sources = [test]
         if "core" in needs:
-            sources += sorted(str(p.relative_to(self.tree)) for p in (self.tree / "cpp/core").glob("*.cpp"))
+            sources += sorted(str(p.relative_to(self.tree)) for room in ENGINE
+                              for p in (self.tree / room).glob("*.cpp"))
         if "settling" in needs:
             sources += [f"tests/property/{n}.cpp" for n in ("settling_model", "topology")]
         if "bridge" in needs:

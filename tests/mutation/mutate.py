@@ -16,18 +16,18 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from killers import OTHERWISE, Workshop, programs_for
+from killers import ENGINE, OTHERWISE, Workshop, programs_for
 from mutants import Mutant, choose
 from report import write_report
 
 HERE = Path(__file__).resolve().parent
 SOURCE = HERE.parent.parent
-HEADERS = ["coord3", "structured_tet", "stencil", "warp", "direction", "orientation", "sign",
-           "checksum", "frame", "stuffing"]
+HEADERS = ["lattice/coord3", "lattice/structured_tet", "lattice/tiling", "lattice/stencil", "lattice/warp",
+           "lattice/direction", "lattice/orientation", "lattice/sign", "checksum", "frame", "stuffing"]
 
 
 def core_files():
-    core = sorted(p for p in (SOURCE / "cpp/core").iterdir() if p.suffix in (".cpp", ".hpp"))
+    core = [p for room in ENGINE for p in sorted((SOURCE / room).iterdir()) if p.suffix in (".cpp", ".hpp")]
     headers = [SOURCE / f"cpp/include/certet/{name}.hpp" for name in HEADERS]
     return [str(p.relative_to(SOURCE)) for p in headers + core]
 
@@ -56,7 +56,7 @@ def self_test(root, ocaml_object):
     """One defect that a test must catch, one that the compiler must, and a change that is none."""
     workshop = Workshop(root, ocaml_object, 60)
     workshop.prepare(["faces"])
-    file = "cpp/include/certet/stencil.hpp"
+    file = "cpp/include/certet/lattice/stencil.hpp"
     expected = [("test", "2 1 14 3 | 2 14 24 3", "2 1 24 3 | 1 14 24 3"),  # the other diagonal
                 ("compiler", "if (!plus) return {};", "if (!plus) return 0 || {};"),
                 ("survived", "i < pattern_count", "i != pattern_count")]

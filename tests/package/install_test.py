@@ -112,7 +112,7 @@ class Subfolder(PackageTest):
             "cmake_minimum_required(VERSION 3.25)\nproject(outer CXX)\n"
             "set(CERTET_COMMAND OFF)\n"
             f"add_subdirectory({SOURCE.as_posix()} certet)\nadd_executable(outer {main})\n"
-            "target_link_libraries(outer certet::certet certet::image certet::expression)\n")
+            "target_link_libraries(outer certet::certet certet::image certet::formula)\n")
         build = self.configure_and_build(project, "outer", "-DCMAKE_BUILD_TYPE=None",
                                          "-DCMAKE_POLICY_DEFAULT_CMP0077=NEW",
                                          "-DCMAKE_POLICY_DEFAULT_CMP0126=NEW", *without(*OPTIONAL))

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "certet/coord3.hpp"
+#include "certet/lattice/coord3.hpp"
 
 namespace exact {
 

@@ -9,8 +9,8 @@
 #include <set>
 #include <tuple>
 
-#include "certet/stencil.hpp"
-#include "certet/structured_tet.hpp"
+#include "certet/lattice/stencil.hpp"
+#include "certet/lattice/structured_tet.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/link.hpp"
+#include "engine/link.hpp"
 #include "settling_model.hpp"
 
 namespace {

@@ -16,7 +16,7 @@
 namespace {
 
 using certet::Coord3;
-using certet::Guarantee;
+using certet::Method;
 using certet::Lattice;
 using domains::Positional;
 
@@ -26,7 +26,7 @@ using Index = std::uint64_t;
 struct PlainMesh {
   std::vector<Coord3> points;
   std::vector<std::array<Index, 4>> tets;
-  Guarantee guarantee = Guarantee::pieces;
+  Method method{};
 
   [[nodiscard]] exact::Tet placed(const std::array<Index, 4>& tet) const {
     return {points[tet[0]], points[tet[1]], points[tet[2]], points[tet[3]]};
@@ -34,9 +34,9 @@ struct PlainMesh {
 };
 
 PlainMesh mesh_of(const certet::Domain& domain, const Lattice& lattice,
-                  const certet::StuffingOptions& options) {
+                  Method method) {
   certet::Context context;
-  const certet::Stuffing stuffing(domain, lattice, options, context);
+  const certet::Stuffing stuffing(domain, lattice, method, context);
   const certet::Mesh mesh = certet::emit(stuffing, {}, context);
   PlainMesh plain;
   plain.points.assign(mesh.points.begin(), mesh.points.end());
@@ -45,7 +45,7 @@ PlainMesh mesh_of(const certet::Domain& domain, const Lattice& lattice,
         for (const auto& [a, b, c, d] : tets) plain.tets.push_back({a, b, c, d});
       },
       mesh.tets);
-  plain.guarantee = stuffing.guarantee();
+  plain.method = stuffing.method();
   return plain;
 }
 
@@ -127,9 +127,8 @@ std::string boundary_fault(const PlainMesh& mesh, const Positional& domain,
 }
 
 std::string fault(const PlainMesh& mesh, const Positional& domain, const Lattice& lattice) {
-  const exact::AngleRange& range = mesh.guarantee == Guarantee::embedding
-                                       ? exact::embedding_range
-                                       : exact::angles_range;
+  const exact::AngleRange& range = mesh.method == Method::embedding ? exact::embedding_range
+                                                                    : exact::angles_range;
   std::string what = points_fault(mesh);
   if (what.empty()) what = angle_fault(mesh, range);
   if (what.empty()) what = boundary_fault(mesh, domain, lattice);
@@ -144,11 +143,11 @@ double volume(const PlainMesh& mesh) {
 }
 
 constexpr Lattice whole{{-18, -18, -18}, {19, 19, 19}};
-constexpr Guarantee guarantees[] = {Guarantee::pieces, Guarantee::angles, Guarantee::embedding};
+constexpr Method warping_methods[] = {Method::embedded, Method::angles, Method::embedding};
 
 void expect_sound(const Positional& domain) {
-  for (const Guarantee guarantee : guarantees) {
-    const PlainMesh mesh = mesh_of(domain, whole, {certet::Cuts::bisect, guarantee});
+  for (const Method method : warping_methods) {
+    const PlainMesh mesh = mesh_of(domain, whole, method);
     EXPECT_GT(mesh.tets.size(), 50U);
     EXPECT_EQ(fault(mesh, domain, whole), "");
   }
@@ -207,13 +206,13 @@ TEST(MeshProperty, OfCutsAtTheThresholds) {
 TEST(MeshProperty, OfRandomDomains) {
   EXPECT_TRUE(rc::check("any mesh is sound", [] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
-    const auto guarantee = *rc::gen::element(Guarantee::pieces, Guarantee::angles, Guarantee::embedding);
+    const auto method = *rc::gen::elementOf(std::vector<Method>(std::begin(warping_methods), std::end(warping_methods)));
     const auto cut = rc::gen::inRange(0, certet::steps);
     const auto cuts = *rc::gen::container<std::vector<std::int32_t>>(4, cut);
     const Lattice small{{0, 0, 0}, {8, 9, 7}};
     const Positional domain = domains::random_cuts(seed, 10, cuts);
     const std::string what =
-        fault(mesh_of(domain, small, {certet::Cuts::bisect, guarantee}), domain, small);
+        fault(mesh_of(domain, small, method), domain, small);
     if (!what.empty()) RC_FAIL("seed " + std::to_string(seed) + ": " + what);
   }));
 }
@@ -222,7 +221,7 @@ TEST(MeshProperty, OfRandomDomains) {
 /// are whole half units then, so that the measure is exact: cot 30 squared is 3.
 TEST(MeshProperty, OfMidpointsHasThirtyDegrees) {
   const Positional domain = domains::random_cuts(test_seed(), 0, {certet::steps / 2});
-  const PlainMesh mesh = mesh_of(domain, whole, {certet::Cuts::midpoint, Guarantee::angles});
+  const PlainMesh mesh = mesh_of(domain, whole, Method::midpoint);
   EXPECT_EQ(points_fault(mesh) + boundary_fault(mesh, domain, whole), "");
   bool attained = false;
   for (const auto& tet : mesh.tets) {

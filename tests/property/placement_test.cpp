@@ -9,10 +9,10 @@
 
 #include <functional>
 
-#include "certet/direction.hpp"
-#include "certet/stencil.hpp"
-#include "certet/structured_tet.hpp"
-#include "certet/warp.hpp"
+#include "certet/lattice/direction.hpp"
+#include "certet/lattice/stencil.hpp"
+#include "certet/lattice/structured_tet.hpp"
+#include "certet/lattice/warp.hpp"
 #include "exact.hpp"
 
 namespace {

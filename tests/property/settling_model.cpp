@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "certet/stencil.hpp"
+#include "certet/lattice/stencil.hpp"
 #include "exact.hpp"
 
 namespace settling {

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "certet/stencil.hpp"
-#include "certet/structured_tet.hpp"
+#include "certet/lattice/stencil.hpp"
+#include "certet/lattice/structured_tet.hpp"
 #include "exact.hpp"
 
 namespace {

@@ -10,11 +10,12 @@
 #include <vector>
 
 #include "certet/stuffing.hpp"
-#include "core/emit.hpp"
-#include "core/sample.hpp"
-#include "core/settle.hpp"
-#include "core/window.hpp"
+#include "engine/emit.hpp"
+#include "engine/sample.hpp"
+#include "engine/settle.hpp"
+#include "engine/window.hpp"
 #include "domains.hpp"
+#include "materials.hpp"
 
 namespace {
 
@@ -29,54 +30,47 @@ struct Made {
   friend bool operator==(const Made&, const Made&) = default;
 };
 
-/// How a mesh is made.
-struct Method {
-  Cuts cuts;
-  Guarantee guarantee;
-
-  [[nodiscard]] Thresholds thresholds() const {
-    return guarantee == Guarantee::embedding ? embedding_thresholds : angle_thresholds;
-  }
-  /// How many layers more it looks at.
-  [[nodiscard]] std::int32_t halo() const {
-    return cuts == Cuts::bisect && guarantee == Guarantee::pieces ? core::settling_halo : 0;
-  }
-};
-
-constexpr Method settling{Cuts::bisect, Guarantee::pieces};
-
-Method random_method() {
-  return *rc::gen::element(settling, Method{Cuts::bisect, Guarantee::angles},
-                           Method{Cuts::bisect, Guarantee::embedding},
-                           Method{Cuts::midpoint, Guarantee::angles});
+/// How many layers more a method looks at.
+std::int32_t halo_of(const MethodFacts& method) {
+  return method.settles ? core::settling_halo : 0;
 }
 
-/// Adds the mesh of one window; `halo` is the method's, or less.
-void add_window(const Domain& domain, const Lattice& lattice, core::Window window,
-                core::Window signs, std::int32_t halo, const Method& method, Made& made) {
+const MethodFacts& random_method() {
+  return facts((*rc::gen::elementOf(methods)).method);
+}
+
+/// The warped lattice of one window; `signs` is where it is sampled, `halo` the method's, or less.
+core::WarpedLattice warped_of(const Domain& domain, const Lattice& lattice, core::Window window,
+                              core::Window signs, std::int32_t halo, const MethodFacts& method,
+                              Made& made) {
   Context context;
   context.threads = 1;
   core::SignPlanes planes = core::sample(domain, lattice, signs, method.cuts, context);
   const auto cuts_of = [&](core::Window cut) {
     return core::find_cuts(planes, domain, lattice, cut, method.cuts, context);
   };
-  const auto warped = [&] {
-    if (method.cuts == Cuts::midpoint)
-      return core::unwarped(std::move(planes), cuts_of(window), window);
-    const auto cuts = cuts_of(core::cut_window(window, lattice, halo));
-    core::Violations violations =
-        core::find_violations(planes, cuts, core::violation_window(window, lattice, halo),
-                              method.thresholds(), context);
-    const bool settles = method.guarantee == Guarantee::pieces;
-    core::Settling settled =
-        settles ? core::settle(planes, violations, lattice, window, context)
-                : core::Settling{core::move_all(planes, violations, context)};
-    made.inverted += core::inverted_tets(settled.planes, violations, lattice, window, context);
-    made.figures.add(settled.figures);
-    return core::warp_lattice({planes, std::move(settled.planes)}, violations, cuts,
-                              settles ? method.thresholds() : no_warp_thresholds, lattice, window,
-                              context);
-  }();
+  if (method.cuts == Cuts::midpoint)
+    return core::unwarped(std::move(planes), cuts_of(window), window);
+  const auto cuts = cuts_of(core::cut_window(window, lattice, halo));
+  core::Violations violations = core::find_violations(
+      planes, cuts, core::violation_window(window, lattice, halo), method.thresholds, context);
+  core::Settling settled = method.settles
+                               ? core::settle(planes, violations, lattice, window, context)
+                               : core::Settling{core::move_all(planes, violations, context)};
+  made.inverted += core::inverted_tets(settled.planes, violations, lattice, window, context);
+  made.figures.add(settled.figures);
+  return core::warp_lattice({planes, std::move(settled.planes)}, violations, cuts,
+                            method.settles ? method.thresholds : no_warp_thresholds, lattice,
+                            window, context);
+}
+
+/// Adds the mesh of one window, as `warped_of` has it.
+void add_window(const Domain& domain, const Lattice& lattice, core::Window window,
+                core::Window signs, std::int32_t halo, const MethodFacts& method, Made& made) {
+  Context context;
+  context.threads = 1;
+  const core::WarpedLattice warped =
+      warped_of(domain, lattice, window, signs, halo, method, made);
   made.figures.add(warped.figures);
   core::RowNumbers numbers(warped.planes, lattice, window, context);
   const std::size_t points = made.points.size();
@@ -93,23 +87,23 @@ void add_window(const Domain& domain, const Lattice& lattice, core::Window windo
 }
 
 Made in_windows(const Domain& domain, const Lattice& lattice, const std::vector<int>& bounds,
-                const Method& method) {
+                const MethodFacts& method) {
   Made made;
   for (std::size_t n = 0; n + 1 < bounds.size(); ++n) {
     const core::Window window{bounds[n], bounds[n + 1]};
-    add_window(domain, lattice, window, core::sampled_window(window, lattice, method.halo()),
-               method.halo(), method, made);
+    add_window(domain, lattice, window, core::sampled_window(window, lattice, halo_of(method)),
+               halo_of(method), method, made);
   }
   return made;
 }
 
 /// A lattice of at least five layers, and of many where the method looks far; some rows
 /// are longer than a word.
-Lattice random_lattice(const Method& method) {
+Lattice random_lattice(const MethodFacts& method) {
   const auto cells = [](int low, int high) { return *rc::gen::inRange(low, high + 1); };
   Lattice lattice;
   lattice.cells = {*rc::gen::element(3, 6, 66), cells(3, 7),
-                   cells(5, method.halo() == 0 ? 24 : 96)};
+                   cells(5, halo_of(method) == 0 ? 24 : 96)};
   lattice.origin = {-lattice.cells[0] / 2 * 2, 0, 2 * cells(-20, 20)};
   return lattice;
 }
@@ -131,7 +125,7 @@ std::vector<int> random_bounds(int layers) {
 }
 
 RC_GTEST_PROP(Window, WindowsMakeTheWhole, ()) {
-  const Method method = random_method();
+  const MethodFacts& method = random_method();
   const Lattice lattice = random_lattice(method);
   const auto domain = random_domain();
   const auto layers = lattice.cells[2];
@@ -144,7 +138,8 @@ TEST(Window, OneLayerAtATime) {
   const auto domain = domains::of_level(domains::gyroid(11, 0.8));
   std::vector<int> bounds(13);
   for (int k = 0; k < 13; ++k) bounds[static_cast<std::size_t>(k)] = k;
-  for (const Method& method : {settling, Method{Cuts::bisect, Guarantee::embedding}}) {
+  for (const Method one : {Method::embedded, Method::embedding}) {
+    const MethodFacts& method = facts(one);
     const Made whole = in_windows(domain, lattice, {0, 12}, method);
     EXPECT_GT(whole.tets.size(), 500u);
     EXPECT_EQ(in_windows(domain, lattice, bounds, method), whole);
@@ -156,16 +151,98 @@ TEST(Window, TheWholeIsTheEnginesMesh) {
   const Lattice lattice{{0, 0, 0}, {9, 9, 12}};
   const auto domain = domains::of_level(domains::gyroid(11, 0.8));
   Context context;
-  for (const Method& method : {settling, Method{Cuts::bisect, Guarantee::embedding}}) {
-    const Stuffing stuffing(domain, lattice, {method.cuts, method.guarantee}, context);
+  for (const Method method : {Method::embedded, Method::embedding}) {
+    const Stuffing stuffing(domain, lattice, method, context);
     const Mesh mesh = emit(stuffing, {}, context);
-    const Made made = in_windows(domain, lattice, {0, 12}, method);
+    const Made made = in_windows(domain, lattice, {0, 12}, facts(method));
     EXPECT_TRUE(std::ranges::equal(mesh.points, made.points));
     EXPECT_TRUE(std::ranges::equal(std::get<0>(mesh.tets), made.tets));
-    if (method.guarantee == Guarantee::pieces) {
+    if (facts(method).settles) {
       EXPECT_EQ(stuffing.warp_figures(), made.figures);
     }
   }
+}
+
+/// Materials of the tetrahedra of windows, one after the other.  `behind` is how many
+/// layers of points behind its own each window asks its neighbour for.
+std::vector<Material> materials_in_windows(const Domain& domain, const Lattice& lattice,
+                                           const std::vector<int>& bounds,
+                                           const MethodFacts& method, int behind) {
+  Context context;
+  context.threads = 1;
+  std::vector<Material> all;
+  for (std::size_t n = 0; n + 1 < bounds.size(); ++n) {
+    const core::Window window{bounds[n], bounds[n + 1]};
+    const core::Window reached = core::widened(window, 0, behind, lattice);
+    Made made;
+    const core::WarpedLattice warped =
+        warped_of(domain, lattice, reached,
+                  core::sampled_window(reached, lattice, halo_of(method)), halo_of(method), method,
+                  made);
+    const core::RowNumbers numbers(warped.planes, lattice, reached, context);
+    std::vector<Coord3> points(numbers.point_count());
+    core::emit_points(warped, numbers, lattice, reached, std::span(points), context);
+    const std::uint64_t count =
+        numbers.first_tet(0, window.end) - numbers.first_tet(0, window.begin);
+    std::vector<Tet<std::uint32_t>> tets(count);
+    core::emit_tets(warped, numbers, lattice, window, std::span(tets), context);
+    const std::size_t before = all.size();
+    all.resize(before + count);
+    core::emit_materials(domain, numbers, lattice, window, points,
+                         std::span<const Tet<std::uint32_t>>(tets),
+                         std::span(all).subspan(before), context);
+  }
+  return all;
+}
+
+materials::Positional random_materials() {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  return materials::cubes(seed, *rc::gen::element(1, 2, 5), {1, 2, 3, 8}, 70);
+}
+
+/// With the layer of points behind each, windows have the materials of the whole.
+RC_GTEST_PROP(Window, MaterialsOfWindowsAreThoseOfTheWhole, ()) {
+  const MethodFacts& method = random_method();
+  const Lattice lattice = random_lattice(method);
+  const auto domain = random_materials();
+  const auto layers = lattice.cells[2];
+  const auto whole = materials_in_windows(domain, lattice, {0, layers}, method, 1);
+  RC_ASSERT(materials_in_windows(domain, lattice, random_bounds(layers), method, 1) == whole);
+}
+
+/// They are the whole mesh's, tetrahedron by tetrahedron, and do depend on where the
+/// corners are: those of the tetrahedron before would be other ones.
+TEST(Window, MaterialsAreThoseOfTheCorners) {
+  const Lattice lattice{{0, 0, 0}, {9, 9, 12}};
+  const auto domain = materials::cubes(3, 2, {1, 2, 3}, 60);
+  const MethodFacts& method = facts(Method::embedding);
+  const Made made = in_windows(domain, lattice, {0, 12}, method);
+  const auto found = materials_in_windows(domain, lattice, {0, 5, 6, 12}, method, 1);
+  ASSERT_EQ(found.size(), made.tets.size());
+  const auto differences = [&](std::size_t shift) {
+    std::size_t count = 0;
+    for (std::size_t t = shift; t < found.size(); ++t) {
+      TetCorners corners;
+      for (std::size_t v = 0; v < 4; ++v) corners[v] = made.points[made.tets[t - shift][v]];
+      Material material = 0;
+      domain.materials_of({&corners, 1}, {&material, 1});
+      count += material != found[t];
+    }
+    return count;
+  };
+  EXPECT_EQ(differences(0), 0u);
+  EXPECT_GT(differences(1), 0u);
+}
+
+/// Without the layer behind there is no room for its points, which is said.
+TEST(Window, MaterialsNeedTheLayerBehind) {
+  const Lattice lattice{{0, 0, 0}, {9, 9, 12}};
+  const auto domain = materials::cubes(3, 2, {1, 2, 3}, 60);
+  const MethodFacts& method = facts(Method::embedding);
+  EXPECT_NO_THROW(materials_in_windows(domain, lattice, {4, 6}, method, 1));
+  EXPECT_THROW(materials_in_windows(domain, lattice, {4, 6}, method, 0), Error);
+  // The last layer has none behind it.
+  EXPECT_NO_THROW(materials_in_windows(domain, lattice, {4, 12}, method, 0));
 }
 
 /// A window with a layer less on either side makes another mesh of some domains.
@@ -173,7 +250,7 @@ TEST(Window, NoLayerAroundIsIdle) {
   const Lattice lattice{{0, 0, 0}, {12, 12, 16}};
   const core::Window window{6, 8};
   const core::Window needed = core::sampled_window(window, lattice, 0);
-  const Method method{Cuts::bisect, Guarantee::angles};
+  const MethodFacts& method = facts(Method::angles);
   const auto differs = [&](core::Window signs) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
       const auto domain = domains::random_cuts(seed, 0, {1000, 30000, 64000});
@@ -197,7 +274,8 @@ TEST(Window, SettlingNeedsAHalo) {
   const core::Window window{39, 41};
   const auto with_halo = [&](const Domain& domain, std::int32_t halo) {
     Made made;
-    add_window(domain, lattice, window, core::sampled_window(window, lattice, halo), halo, settling,
+    add_window(domain, lattice, window, core::sampled_window(window, lattice, halo), halo,
+               facts(Method::embedded),
                made);
     return made;
   };

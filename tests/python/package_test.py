@@ -160,6 +160,19 @@ class Images(unittest.TestCase):
         self.assertEqual(quality.theorem, "MidpointBounds")
         self.assertGreaterEqual(quality.min_dihedral, 30 - 1e-6)
 
+    def test_methods(self):
+        theorems = {"embedded": "SettledBoundsInDegrees", "angles": "DihedralBounds", "embedding": "DihedralBoundsEmbedding",
+                    "midpoint": "MidpointBounds"}
+        for method, theorem in theorems.items():
+            mesh = certet.mesh_function(lambda p: (p**2).sum(1) - 1, ((-1.5,) * 3, (1.5,) * 3),
+                                        0.25, method=method)
+            self.assertEqual((mesh.method, mesh.guarantee), (method, method))
+            self.assertEqual(mesh.quality().theorem, theorem)
+        older = certet.mesh_image(ball(), cuts="midpoint")
+        self.assertEqual(older.method, "midpoint")
+        self.assertEqual(older.checksum, certet.mesh_image(ball(), method="midpoint").checksum)
+        self.assertEqual(certet.mesh_image(ball(), guarantee="embedding").method, "embedding")
+
     def test_far_from_the_origin(self):
         """Bounds that are attained are crossed by rounding alone, which is no fault; what
         doubles cannot hold is one."""
@@ -186,12 +199,52 @@ class Images(unittest.TestCase):
             (dict(array=ball(), labels=[1], iso=1), "exclude"),
             (dict(array=ball(), labels=[]), "empty"),
             (dict(array=ball(), cuts="middle"), "'midpoint'"),
+            (dict(array=ball(), method="paper"), "embedded, angles, embedding, midpoint"),
+            (dict(array=ball(), method="embedded", cuts="midpoint"), "one or the others"),
             (dict(array=np.full((4, 4, 4), 2**40)), "32 bits"),
         ]:
             with self.subTest(sentence), self.assertRaisesRegex(ValueError, sentence):
                 certet.mesh_image(**arguments)
         with self.assertRaises(MemoryError):
             certet.mesh_image(ball(), size=1e-6)
+
+
+class Files(unittest.TestCase):
+    def test_every_kind_of_shape_to_a_file_and_back(self):
+        cube = Surfaces.points, Surfaces.triangles
+        shapes = [(ball(), dict(method="midpoint")), (cube, dict(size=0.25)),
+                  (lambda p: (p**2).sum(1) - 1, dict(bounds=((-2, -2, 0), (2, 2, 2)), size=0.25))]
+        with tempfile.TemporaryDirectory() as folder:
+            for shape, options in shapes:
+                mesh = certet.mesh(shape, **options)
+                self.assertEqual(certet.check(mesh).failures, [])
+                for name in ("a.vtu", "a.mesh", "a.meshb", "a.msh"):
+                    file = pathlib.Path(folder) / name
+                    certet.write(mesh, file)
+                    back = certet.read(file)
+                    np.testing.assert_array_equal(back.points, mesh.points)
+                    np.testing.assert_array_equal(back.tets, mesh.tets)
+                    if mesh.labels is not None:
+                        np.testing.assert_array_equal(back.labels, mesh.labels)
+                    report = certet.check(back)
+                    self.assertEqual((report.failures, report.tets), ([], len(mesh.tets)))
+                    found = certet.quality(back)
+                    self.assertAlmostEqual(found.min_dihedral, certet.quality(mesh).min_dihedral)
+                    self.assertIsNone(found.theorem)
+                    certet.write(back, file.with_stem("again"))
+                    self.assertEqual(file.with_stem("again").read_bytes(), file.read_bytes())
+
+    def test_refusals(self):
+        mesh = certet.mesh(ball())
+        with tempfile.TemporaryDirectory() as folder:
+            for words, action in [
+                    ("a.xyz", lambda: certet.write(mesh, f"{folder}/a.xyz")),
+                    ("none of", lambda: certet.write(mesh, f"{folder}/a.vtu", "xyz")),
+                    ("cannot", lambda: certet.write(mesh, f"{folder}/none/a.vtu")),
+                    ("none.vtu", lambda: certet.read(f"{folder}/none.vtu"))]:
+                with self.assertRaisesRegex(ValueError, words):
+                    action()
+            self.assertEqual(os.listdir(folder), [])
 
 
 class Surfaces(unittest.TestCase):

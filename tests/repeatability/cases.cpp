@@ -25,7 +25,7 @@ std::uint64_t in_memory(const Shape& shape, const Manner& manner, int threads) {
   certet::Context context;
   context.threads = threads;
   const certet::Mesh mesh =
-      certet::stuff(*shape.domain, shape.lattice, shape.frame, manner.options, context);
+      certet::stuff(*shape.domain, shape.lattice, shape.frame, manner.method, context);
   certet::Checksum sum;
   sum.points(0, mesh.points);
   std::visit(
@@ -40,9 +40,9 @@ std::uint64_t streamed(const Shape& shape, const Manner& manner, int threads,
                        std::uint64_t max_bytes) {
   certet::Context context;
   context.threads = threads;
-  const certet::Stuffing stuffing(*shape.domain, shape.lattice, manner.options, context);
+  const certet::Stuffing stuffing(*shape.domain, shape.lattice, manner.method, context);
   Nowhere nowhere;
-  return certet::write_mesh(stuffing, shape.frame, certet::cut_slabs(stuffing, max_bytes), {},
+  return certet::write_mesh(stuffing, shape.frame, certet::cut_slabs(stuffing, max_bytes),
                             nowhere, context)
       .checksum;
 }

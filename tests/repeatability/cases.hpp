@@ -28,7 +28,7 @@ std::vector<Shape> shapes();
 /// A way to mesh.
 struct Manner {
   std::string name;
-  certet::StuffingOptions options;
+  certet::Method method{};
 };
 
 std::vector<Manner> manners();

@@ -69,7 +69,7 @@ Image image(std::array<std::int64_t, 3> size, certet::Point3 spacing, const Valu
   return made;
 }
 
-Shape of_image(std::string name, std::unique_ptr<certet::ImageDomain> domain) {
+Shape of_image(std::string name, std::unique_ptr<certet::PlacedDomain> domain) {
   const Lattice lattice = domain->lattice();
   const Frame frame = domain->frame();
   return {std::move(name), std::move(domain), lattice, frame};
@@ -116,12 +116,11 @@ std::vector<Shape> shapes() {
 }
 
 std::vector<Manner> manners() {
-  using certet::Cuts;
-  using certet::Guarantee;
-  return {{"bisect-pieces", {Cuts::bisect, Guarantee::pieces}},
-          {"bisect-angles", {Cuts::bisect, Guarantee::angles}},
-          {"bisect-embedding", {Cuts::bisect, Guarantee::embedding}},
-          {"midpoint", {Cuts::midpoint, Guarantee::angles}}};
+  using certet::Method;
+  return {{"bisect-pieces", Method::embedded},
+          {"bisect-angles", Method::angles},
+          {"bisect-embedding", Method::embedding},
+          {"midpoint", Method::midpoint}};
 }
 
 }  // namespace repeatability

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "certet/bounds.hpp"
+#include "certet/lattice.hpp"
 #include "certet/function_domain.hpp"
 #include "distances.hpp"
 #include "extents.hpp"
@@ -37,7 +37,7 @@ std::string found_with(double declared, int& decided) {
   };
   for (int i = 0; i < 60; ++i) {
     const Ball ball{{real(-1, 1), real(-1, 1), real(-1, 1)}, real(0.1, 1.5), real(0.1, 9)};
-    certet::BoxLattice lattice = certet::lattice_around(around, real(0.05, 0.12), 2);
+    certet::PlacedLattice lattice = certet::lattice_around(around, real(0.05, 0.12), 2);
     if (i % 2 == 1) lattice.frame.axes = {{{0.6, -0.8, 0}, {0.8, 0.6, 0}, {0, 0, 1}}};
     const FunctionDomain domain(ball, lattice.frame, declared * ball.slope);
     std::string found =

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "certet/warp.hpp"
+#include "certet/lattice/warp.hpp"
 #include "domains.hpp"
 
 namespace soak {
@@ -247,10 +247,13 @@ Trial make_trial(std::uint64_t seed, std::uint64_t number) {
   trial.frame.size = std::exp(real(random, -69, 69));  // 1e-30 to 1e30
   trial.frame.origin = place(random, 100 * trial.frame.size);
   trial.frame.axes = axes(random, false);
-  trial.options.cuts = chance(random, 3) ? certet::Cuts::midpoint : certet::Cuts::bisect;
-  trial.options.guarantee = chance(random, 2)   ? certet::Guarantee::pieces
-                            : chance(random, 2) ? certet::Guarantee::angles
-                                                : certet::Guarantee::embedding;
+  const bool midpoint = chance(random, 3);
+  const bool settles = chance(random, 2);
+  const bool angles = settles || chance(random, 2);
+  trial.method = midpoint  ? certet::Method::midpoint
+                 : settles ? certet::Method::embedded
+                 : angles  ? certet::Method::angles
+                           : certet::Method::embedding;
   trial.threads = between(random, 1, 2);
   make_domain(trial, random);
   if (trial.image != nullptr) {

@@ -45,11 +45,11 @@ struct Trial {
   Kind kind{};
   std::uint64_t seed = 0;  ///< of this trial
   std::unique_ptr<certet::Domain> domain;
-  const certet::ImageDomain* image = nullptr;  ///< the domain, if it is an image
+  const certet::PlacedDomain* image = nullptr;  ///< the domain, if it is an image
   LabelImage labels;                           ///< of kind `labels`
   certet::Lattice lattice;
   certet::Frame frame;
-  certet::StuffingOptions options;
+  certet::Method method{};
   int threads = 1;
 };
 

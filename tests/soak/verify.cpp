@@ -6,7 +6,7 @@
 
 #include "certet/check.hpp"
 #include "certet/checksum.hpp"
-#include "certet/direction.hpp"
+#include "certet/lattice/direction.hpp"
 #include "certet/quality.hpp"
 #include "certet/write_mesh.hpp"
 #include "volume_estimate.hpp"
@@ -48,23 +48,13 @@ class Half final : public certet::Domain {
   std::int32_t x_;
 };
 
-std::vector<std::array<Coord3, 4>> placed(const PlainMesh& mesh) {
-  std::vector<std::array<Coord3, 4>> corners;
-  for (const auto& [a, b, c, d] : mesh.tets)
-    corners.push_back({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]});
-  return corners;
-}
-
 PlainMesh in_memory(const certet::Stuffing& stuffing, const Trial& trial,
                     certet::Context& context) {
   const certet::Mesh made = certet::emit(stuffing, trial.frame, context);
   const auto& tets = std::get<certet::Buffer<NarrowTet>>(made.tets);
-  PlainMesh mesh{{made.points.begin(), made.points.end()}, {tets.begin(), tets.end()}, {}};
-  if (trial.kind == Kind::labels) {
-    mesh.labels.resize(mesh.tets.size());
-    trial.image->label(placed(mesh), mesh.labels);
-  }
-  return mesh;
+  return {{made.points.begin(), made.points.end()},
+          {tets.begin(), tets.end()},
+          {made.labels.begin(), made.labels.end()}};
 }
 
 void spoil(PlainMesh& mesh, Plant plant) {
@@ -136,8 +126,8 @@ class Judge {
       }
   }
 
-  void check_angles(certet::Guarantee guarantee) {
-    const certet::AngleBounds bounds = certet::proven_bounds(trial_.options.cuts, guarantee);
+  void check_angles(certet::Method method) {
+    const certet::AngleBounds& bounds = certet::facts(method).bounds;
     const std::span<const NarrowTet> tets(mesh_.tets);
     const certet::Quality lattice = certet::measure_lattice(mesh_.points, 0, tets);
     verdict_.min_dihedral = lattice.min_dihedral;
@@ -187,13 +177,10 @@ class Judge {
 
   /// Written slab by slab the mesh is the same, down to its checksum.
   void check_stream(const certet::Stuffing& stuffing, Plant plant, certet::Context& context) {
-    certet::Labeller labeller;
-    if (trial_.kind == Kind::labels)
-      labeller = [&](auto tets, auto out) { trial_.image->label(tets, out); };
     Keeper keeper;
     const std::uint64_t bytes = trial_.seed % 3 * 200'000;
     const certet::WrittenMesh written = certet::write_mesh(
-        stuffing, trial_.frame, certet::cut_slabs(stuffing, bytes), labeller, keeper, context);
+        stuffing, trial_.frame, certet::cut_slabs(stuffing, bytes), keeper, context);
     if (plant == Plant::streamed_step) mesh_.points.back().y += 1;
     certet::Checksum sum;
     sum.points(0, mesh_.points);
@@ -270,9 +257,9 @@ Verdict verify(const Trial& trial, Plant plant) {
   if (plant == Plant::half_domain && trial.kind == Kind::smooth) meshed = &half;
   const Half none(*trial.domain, trial.lattice.origin.x - 1);
   if (plant == Plant::no_domain) meshed = &none;
-  const certet::Stuffing stuffing(*meshed, trial.lattice, trial.options, context);
+  const certet::Stuffing stuffing(*meshed, trial.lattice, trial.method, context);
   verdict.tets = stuffing.tet_count();
-  verdict.fell_back = stuffing.guarantee() != trial.options.guarantee;
+  verdict.fell_back = stuffing.method() != trial.method;
   PlainMesh mesh = in_memory(stuffing, trial, context);
   if (verdict.tets > 0) spoil(mesh, plant);
   Judge judge(trial, std::move(mesh), verdict);
@@ -283,7 +270,7 @@ Verdict verify(const Trial& trial, Plant plant) {
   }
   judge.check_soundness();
   if (plant != Plant::half_domain) judge.check_cracks();
-  judge.check_angles(stuffing.guarantee());
+  judge.check_angles(stuffing.method());
   judge.check_volume();
   judge.check_labels();
   judge.check_stream(stuffing, plant, context);

@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "certet/coord3.hpp"
-#include "certet/direction.hpp"
+#include "certet/lattice/coord3.hpp"
+#include "certet/lattice/direction.hpp"
 #include "trial.hpp"
 
 namespace soak {

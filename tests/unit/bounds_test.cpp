@@ -1,7 +1,7 @@
 /// \file
 /// Lattices around boxes of the world.
 
-#include "certet/bounds.hpp"
+#include "certet/lattice.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ TEST(Bounds, TheLongestSide) {
 }
 
 TEST(Bounds, TheLatticeHasItsPointZeroInTheMiddle) {
-  const BoxLattice around = lattice_around(box, 0.5, 1);
+  const PlacedLattice around = lattice_around(box, 0.5, 1);
   EXPECT_EQ(around.frame.size, 0.5);
   EXPECT_EQ(around.frame.origin, (Point3{1, 3.5, 18.25}));
   EXPECT_EQ(around.lattice.cells, (std::array<std::int32_t, 3>{2 * (4 + 1), 2 * (3 + 1), 2 * (17 + 1)}));
@@ -45,7 +45,7 @@ TEST(Bounds, TheLatticeHasItsPointZeroInTheMiddle) {
 TEST(Bounds, TheMarginIsKept) {
   for (const double size : {0.1, 0.37, 1.0, 4.9})
     for (const std::int32_t margin : {1, 2, 5}) {
-      const BoxLattice around = lattice_around(box, size, margin);
+      const PlacedLattice around = lattice_around(box, size, margin);
       for (std::size_t a = 0; a < 3; ++a) {
         const double half = 0.5 * around.lattice.cells[a] * around.frame.size;
         EXPECT_LE(around.frame.origin[a] - half, box.low[a] - margin * size + 1e-9);
@@ -55,7 +55,7 @@ TEST(Bounds, TheMarginIsKept) {
 }
 
 TEST(Bounds, WithoutASizeTheLongestSideHasSixtyFourCells) {
-  const BoxLattice around = lattice_around(box, 0, 1);
+  const PlacedLattice around = lattice_around(box, 0, 1);
   EXPECT_EQ(around.frame.size, 16.5 / 64);
   EXPECT_EQ(around.lattice.cells[2], 64 + 2);
 }

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "certet/error.hpp"
-#include "certet/orientation.hpp"
-#include "certet/structured_tet.hpp"
+#include "certet/lattice/orientation.hpp"
+#include "certet/lattice/structured_tet.hpp"
 #include "certet/stuffing.hpp"
-#include "core/parallel.hpp"
-#include "core/sign_planes.hpp"
+#include "engine/parallel.hpp"
+#include "engine/sign_planes.hpp"
 #include "domains.hpp"
 
 namespace certet {
@@ -42,10 +42,10 @@ bool same(const Mesh& a, const Mesh& b) {
 }
 
 Mesh mesh_of(const Domain& domain, const Lattice& lattice, int threads = 1,
-             StuffingOptions options = {}) {
+             Method method = {}) {
   Context context;
   context.threads = threads;
-  return stuff(domain, lattice, {}, options, context);
+  return stuff(domain, lattice, {}, method, context);
 }
 
 TEST(Engine, AnyNumberOfThreadsGivesTheSameMesh) {
@@ -296,10 +296,10 @@ Sign sign_around(const StructuredTet& tet, const Moves& moves, Coord3 p) {
   return Sign::plus;
 }
 
-std::uint64_t inverted_tets(const StructuredTet& tet, const Moves& moves, Guarantee guarantee) {
+std::uint64_t inverted_tets(const StructuredTet& tet, const Moves& moves, Method method) {
   const domains::Positional domain([&](Coord3 p) { return sign_around(tet, moves, p); });
   Context context;
-  return Stuffing(domain, around_origin(8), {Cuts::bisect, guarantee}, context).inverted_tets();
+  return Stuffing(domain, around_origin(8), method, context).inverted_tets();
 }
 
 /// A flat one is as bad as one turned over, in either orientation.  No vertex but
@@ -308,12 +308,12 @@ TEST(Engine, AFlatZeroTetrahedronCountsAsInverted) {
   for (std::size_t c = 0; c < case_count; ++c) {
     const StructuredTet tet = structured_tet({{0, 0, 0}, static_cast<StructuredTetCase>(c)});
     const Moves moves = flattening_moves(tet);
-    EXPECT_EQ(inverted_tets(tet, moves, Guarantee::angles), 1u) << case_names[c];
+    EXPECT_EQ(inverted_tets(tet, moves, Method::angles), 1u) << case_names[c];
     Moves less = moves;
     --less[3].distance;
     Moves more = moves;
     ++more[3].distance;
-    EXPECT_EQ(inverted_tets(tet, less, Guarantee::angles) + inverted_tets(tet, more, Guarantee::angles), 1u)
+    EXPECT_EQ(inverted_tets(tet, less, Method::angles) + inverted_tets(tet, more, Method::angles), 1u)
         << case_names[c];
   }
 }
@@ -325,10 +325,10 @@ TEST(Engine, AnInvertedZeroTetrahedronMakesItFallBack) {
   const domains::Positional domain([&](Coord3 p) { return sign_around(tet, moves, p); });
   const Lattice lattice = around_origin(8);
   Context context;
-  const Stuffing angles(domain, lattice, {Cuts::bisect, Guarantee::angles}, context);
+  const Stuffing angles(domain, lattice, Method::angles, context);
   EXPECT_GE(angles.inverted_tets(), 1u);
-  EXPECT_EQ(angles.guarantee(), Guarantee::embedding);
-  const Stuffing embedding(domain, lattice, {Cuts::bisect, Guarantee::embedding}, context);
+  EXPECT_EQ(angles.method(), Method::embedding);
+  const Stuffing embedding(domain, lattice, Method::embedding, context);
   EXPECT_EQ(embedding.inverted_tets(), 0u);
   EXPECT_TRUE(same(emit(angles, {}, context), emit(embedding, {}, context)));
 }
@@ -375,8 +375,7 @@ TEST(Engine, TheRangeEndsWhereItSays) {
 TEST(Engine, NothingIsAssumedThatWasNotSaid) {
   EXPECT_EQ(Lattice{}.origin, (Coord3{0, 0, 0}));
   EXPECT_EQ(Lattice{}.cells, (std::array<std::int32_t, 3>{0, 0, 0}));
-  EXPECT_EQ(StuffingOptions{}.cuts, Cuts::bisect);
-  EXPECT_EQ(StuffingOptions{}.guarantee, Guarantee::pieces);
+  EXPECT_EQ(Method{}, Method::embedded);
 }
 
 TEST(Engine, WithMidpointCutsTheSurfaceCountsAsInside) {
@@ -384,9 +383,8 @@ TEST(Engine, WithMidpointCutsTheSurfaceCountsAsInside) {
   const domains::Positional rounded([&](Coord3 p) {
     return noise.sign_at(p) == Sign::minus ? Sign::minus : Sign::plus;
   });
-  const StuffingOptions midpoint{Cuts::midpoint, Guarantee::angles};
-  EXPECT_TRUE(same(mesh_of(noise, around_origin(8), 1, midpoint),
-                   mesh_of(rounded, around_origin(8), 1, midpoint)));
+  EXPECT_TRUE(same(mesh_of(noise, around_origin(8), 1, Method::midpoint),
+                   mesh_of(rounded, around_origin(8), 1, Method::midpoint)));
   EXPECT_FALSE(same(mesh_of(noise, around_origin(8)), mesh_of(rounded, around_origin(8))));
 }
 

@@ -1,6 +1,6 @@
 // What is refused before a lattice is laid, and before a mesh is placed in the world.
 
-#include "certet/lattice_limits.hpp"
+#include "certet/lattice/lattice_limits.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "certet/bounds.hpp"
+#include "certet/lattice.hpp"
 #include "certet/error.hpp"
 #include "certet/stuffing.hpp"
 #include "domains.hpp"

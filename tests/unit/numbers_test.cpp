@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "certet/checksum.hpp"
-#include "certet/coord3.hpp"
+#include "certet/lattice/coord3.hpp"
 #include "certet/frame.hpp"
-#include "certet/orientation.hpp"
-#include "certet/sign.hpp"
-#include "certet/structured_tet.hpp"
+#include "certet/lattice/orientation.hpp"
+#include "certet/lattice/sign.hpp"
+#include "certet/lattice/structured_tet.hpp"
 
 namespace certet {
 namespace {

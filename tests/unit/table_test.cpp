@@ -6,13 +6,13 @@
 #include <limits>
 #include <set>
 
-#include "certet/direction.hpp"
+#include "certet/lattice/direction.hpp"
 #include "certet/error.hpp"
 #include "certet/frame.hpp"
-#include "certet/sign.hpp"
-#include "certet/stencil.hpp"
-#include "certet/structured_tet.hpp"
-#include "certet/warp.hpp"
+#include "certet/lattice/sign.hpp"
+#include "certet/lattice/stencil.hpp"
+#include "certet/lattice/structured_tet.hpp"
+#include "certet/lattice/warp.hpp"
 
 namespace {
 

@@ -58,15 +58,15 @@ struct Outcome {
   std::uint64_t checksum, coincident;
 };
 
-Outcome write(const Frame& frame, Cuts cuts = Cuts::bisect, std::uint64_t slab_bytes = 0) {
+Outcome write(const Frame& frame, Method method = Method::angles, std::uint64_t slab_bytes = 0) {
   const auto domain = domains::of_level([](double x, double y, double z) {
     return std::sin(3.1 * x + 1.7 * y) + std::sin(2.3 * y - 4.1 * z) + std::sin(5.3 * z + x);
   });
   Context context;
-  const Stuffing stuffing(domain, {{-16, -16, -16}, {16, 16, 16}}, {.cuts = cuts}, context);
+  const Stuffing stuffing(domain, {{-16, -16, -16}, {16, 16, 16}}, method, context);
   Keeper keeper;
   const WrittenMesh written =
-      write_mesh(stuffing, frame, cut_slabs(stuffing, slab_bytes), {}, keeper, context);
+      write_mesh(stuffing, frame, cut_slabs(stuffing, slab_bytes), keeper, context);
   return {written.world, keeper.measured(),  frame.rounding(16),
           written,       keeper.checksum(), keeper.coincident()};
 }
@@ -106,9 +106,9 @@ TEST(WrittenMesh, AFrameThatIsNoRotationIsMeasured) {
 
 /// Bound and truth: what rounding did to the extreme angles, and what it may have done.
 TEST(WrittenMesh, RoundingTurnsNoAngleByMoreThanIsTold) {
-  for (const Cuts cuts : {Cuts::bisect, Cuts::midpoint})
+  for (const Method method : {Method::angles, Method::midpoint})
     for (const double distance : {0.0, 1e5, 1e7, 1e9, 1e11}) {
-      const WrittenMesh written = write(far_frame(distance), cuts).written;
+      const WrittenMesh written = write(far_frame(distance), method).written;
       const double moved =
           std::max(std::fabs(written.world.min_dihedral - written.lattice.min_dihedral),
                    std::fabs(written.world.max_dihedral - written.lattice.max_dihedral));
@@ -120,9 +120,9 @@ TEST(WrittenMesh, RoundingTurnsNoAngleByMoreThanIsTold) {
 
 /// The bounds of the midpoint method are attained, so that rounding alone crosses them.
 TEST(WrittenMesh, RoundingAloneIsNoFault) {
-  const AngleBounds bounds = proven_bounds(Cuts::midpoint, Guarantee::angles);
+  const AngleBounds& bounds = facts(Method::midpoint).bounds;
   const auto at = [](double distance) {
-    return write(far_frame(distance), Cuts::midpoint).written;
+    return write(far_frame(distance), Method::midpoint).written;
   };
   for (const double distance : {0.0, 1e6, 1e8}) {
     const WrittenMesh written = at(distance);
@@ -133,41 +133,41 @@ TEST(WrittenMesh, RoundingAloneIsNoFault) {
   // Here the doubles are too far apart, and lastly points fall together.
   for (const double distance : {1e12, 1e14, 1e16})
     EXPECT_EQ(judge(at(distance), bounds), Standing::blurred) << distance;
-  const Outcome lost = write(far_frame(1e16), Cuts::midpoint);
+  const Outcome lost = write(far_frame(1e16), Method::midpoint);
   EXPECT_GT(lost.coincident, 0u);
   EXPECT_GT(lost.written.coincident_points, 0u);
 }
 
 TEST(WrittenMesh, SizesAndTurnsDoNotMatter) {
-  const AngleBounds bounds = proven_bounds(Cuts::midpoint, Guarantee::angles);
+  const AngleBounds& bounds = facts(Method::midpoint).bounds;
   for (const double size : {1e-30, 1e-9, 1.0, 1e9, 1e30})
     for (const double distance : {0.0, 1e8}) {
       Frame frame = far_frame(distance);
       for (double& coordinate : frame.origin) coordinate *= size / frame.size;
       frame.size = size;
-      EXPECT_EQ(judge(write(frame, Cuts::midpoint).written, bounds), Standing::within) << size;
+      EXPECT_EQ(judge(write(frame, Method::midpoint).written, bounds), Standing::within) << size;
     }
 }
 
 /// A mesh that is somewhere else than the frame says is no victim of rounding.
 TEST(WrittenMesh, AFaultIsNotExcusedByRounding) {
-  const AngleBounds bounds = proven_bounds(Cuts::midpoint, Guarantee::angles);
-  WrittenMesh written = write(far_frame(1e8), Cuts::midpoint).written;
+  const AngleBounds& bounds = facts(Method::midpoint).bounds;
+  WrittenMesh written = write(far_frame(1e8), Method::midpoint).written;
   written.world.min_dihedral = bounds.min_dihedral - 2 * written.rounding - 0.001;
   EXPECT_EQ(judge(written, bounds), Standing::outside);
-  written = write(far_frame(0), Cuts::midpoint).written;
+  written = write(far_frame(0), Method::midpoint).written;
   written.lattice.max_dihedral = bounds.max_dihedral + 1e-7;
   EXPECT_EQ(judge(written, bounds), Standing::outside);
-  written = write(far_frame(0), Cuts::midpoint).written;
+  written = write(far_frame(0), Method::midpoint).written;
   written.world.nonpositive = 1;
   EXPECT_EQ(judge(written, bounds), Standing::outside);
-  written = write(far_frame(0), Cuts::midpoint).written;
+  written = write(far_frame(0), Method::midpoint).written;
   written.coincident_points = 1;
   EXPECT_EQ(judge(written, bounds), Standing::blurred);
 }
 
 TEST(WrittenMesh, TheChecksumOfTheFileIsThatOfWhatWasWritten) {
-  const Outcome whole = write(far_frame(3), Cuts::bisect, 1 << 30);
+  const Outcome whole = write(far_frame(3), Method::angles, 1 << 30);
   EXPECT_EQ(whole.written.file_checksum, whole.checksum);
   EXPECT_EQ(write(far_frame(3)).written.file_checksum, whole.checksum);
   const Outcome elsewhere = write(far_frame(4));

@@ -7,9 +7,9 @@
 #include <random>
 #include <vector>
 
-#include "certet/stencil.hpp"
-#include "certet/structured_tet.hpp"
-#include "certet/warp.hpp"
+#include "certet/lattice/stencil.hpp"
+#include "certet/lattice/structured_tet.hpp"
+#include "certet/lattice/warp.hpp"
 
 namespace {
 

@@ -14,7 +14,7 @@
 namespace certet::command {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* check_notes = R"(
 Keys of the JSON: certet, command, file, ok, failures, mesh {points, tets, volume, checksum,
 unused_points, nonfinite_points, duplicate_points, bad_indices, nonpositive_tets,
 overfull_faces, misoriented_faces, boundary_faces, open_edges}, dihedral {min, max,
@@ -69,7 +69,7 @@ Status check(const CheckOptions& options) {
   checked.file = options.mesh.string();
   checked.asked = options.asked;
   if (!options.run.empty()) checked.run = read_run(options.run);
-  const FileMesh mesh = read_mesh(options.mesh, context);
+  const FileMesh mesh = certet::read(options.mesh, context);
   checked.read_seconds = clock.seconds();
   checked.report = certet::check(mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets),
                                 context);
@@ -109,7 +109,7 @@ Run declare_check(CLI::App& app) {
       ->option_text("N");
   app.add_option("--json", options->json, "Report for programs; - is stdout")
       ->option_text("FILE|-");
-  app.footer(footer);
+  app.footer(check_notes);
   return [options] { return check(*options); };
 }
 

@@ -10,7 +10,7 @@
 namespace certet::command {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* conformance_notes = R"(
 The kit holds lattice, stencil, bisection, warp and whole-mesh cases with the
 answers of the certified functions, so that another implementation can check
 itself.  Its member read_me explains the rest.)";
@@ -33,7 +33,7 @@ Run declare_conformance(CLI::App& app) {
   const auto output = std::make_shared<std::string>("-");
   app.add_option("-o,--output", *output, "Where the kit goes; - is stdout, the default")
       ->option_text("FILE|FOLDER|-");
-  app.footer(footer);
+  app.footer(conformance_notes);
   return [output] { return write_kit(*output); };
 }
 

@@ -16,7 +16,7 @@
 namespace certet::command {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* convert_notes = R"(
 Labels are kept, and their names and the patches of the boundary where the formats
 have them (.vtu has neither); the boundary is found anew.
 
@@ -122,7 +122,7 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
   const Stopwatch clock;
   const Format format = choose_format(options.output, options.format, options.compress);
   judge_files(options, format);
-  FileMesh mesh = read_mesh(options.input, context);
+  FileMesh mesh = certet::read(options.input, context);
   judge_indices(options, mesh);
   const Point3 moved_to = options.origin == "0" ? move_to_zero(mesh) : Point3{};
   if (!options.label_names.empty()) mesh.names = read_label_names(options.label_names);
@@ -177,7 +177,7 @@ Run declare_convert(CLI::App& app) {
       ->option_text("FILE");
   app.add_option("--json", options->json, "Report for programs; - is stdout")
       ->option_text("FILE|-");
-  app.footer(footer);
+  app.footer(convert_notes);
   return [options] { return convert(*options); };
 }
 

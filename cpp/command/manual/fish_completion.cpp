@@ -5,7 +5,7 @@
 namespace certet::command {
 namespace {
 
-std::string literal(const std::string& text) {
+std::string fish_literal(const std::string& text) {
   std::string out = "'";
   for (const char c : text) {
     if (c == '\'' || c == '\\') out += '\\';
@@ -23,9 +23,9 @@ std::string line(const std::string& condition, const OptionText& option) {
   if (!option.choices.empty()) {
     std::string list;
     for (const std::string& choice : option.choices) list += (list.empty() ? "" : " ") + choice;
-    text += fmt::format(" -f -a {}", literal(list));
+    text += fmt::format(" -f -a {}", fish_literal(list));
   }
-  return fmt::format("{} -d {}\n", text, literal(option.description));
+  return fmt::format("{} -d {}\n", text, fish_literal(option.description));
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ std::string fish_completion(const std::vector<CommandText>& all) {
                                       : "__fish_seen_subcommand_from " + command.name;
     if (!command.name.empty())
       text += fmt::format("complete -c certet -n __fish_use_subcommand -f -a {} -d {}\n",
-                          command.name, literal(command.description));
+                          command.name, fish_literal(command.description));
     for (const OptionText& option : command.options) text += line(condition, option);
   }
   return text;

@@ -6,7 +6,7 @@ namespace certet::command {
 namespace {
 
 /// Text within '…' and […]: both quote, and colons part fields.
-std::string literal(const std::string& text) {
+std::string zsh_literal(const std::string& text) {
   std::string out;
   for (const char c : text) {
     if (c == '[' || c == ']' || c == ':' || c == '\\') out += '\\';
@@ -18,7 +18,7 @@ std::string literal(const std::string& text) {
 
 std::string value_of(const OptionText& option) {
   if (option.value.empty()) return {};
-  std::string text = fmt::format(":{}:", literal(option.value));
+  std::string text = fmt::format(":{}:", zsh_literal(option.value));
   if (option.choices.empty()) return text + "_files";
   text += "(";
   for (const std::string& choice : option.choices)
@@ -30,7 +30,7 @@ std::string specifications(const CommandText& command) {
   std::string text;
   for (const OptionText& option : command.options)
     for (const std::string& name : option.names)
-      text += fmt::format(" \\\n        '{}[{}]{}'", name, literal(option.description),
+      text += fmt::format(" \\\n        '{}[{}]{}'", name, zsh_literal(option.description),
                           value_of(option));
   return text;
 }
@@ -41,7 +41,7 @@ std::string zsh_completion(const std::vector<CommandText>& all) {
   std::string commands, branches;
   for (const CommandText& command : all) {
     if (command.name.empty()) continue;
-    commands += fmt::format("    '{}:{}'\n", command.name, literal(command.description));
+    commands += fmt::format("    '{}:{}'\n", command.name, zsh_literal(command.description));
     branches += fmt::format("    {})\n      _arguments{} \\\n        '*:file:_files' ;;\n",
                             command.name, specifications(command));
   }

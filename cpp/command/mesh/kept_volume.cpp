@@ -27,7 +27,7 @@ double measured_volume(const Counted& counted, Context& context) {
   if (counted.stuffing.tet_count() == 0) return 0;
   Nowhere nowhere;
   return write_mesh(counted.stuffing, counted.source.frame,
-                    cut_slabs(counted.stuffing, slab_bytes), {}, nowhere, context)
+                    cut_slabs(counted.stuffing, slab_bytes), nowhere, context)
       .world.volume;
 }
 

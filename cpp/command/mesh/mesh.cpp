@@ -79,8 +79,9 @@ void judge_lattice(const PlacedSource& source, std::uint64_t limit) {
 /// Chooses the slabs by the memory that is left.
 Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report) {
   const auto& [source, stuffing] = counted;
-  const std::uint64_t faces = size.survey == nullptr ? 0 : size.survey->boundary.size();
-  const std::uint64_t held = source.bytes + stuffing.bytes() + faces * sizeof(BoundaryFace);
+  std::uint64_t held = source.bytes + stuffing.bytes();
+  if (size.survey != nullptr)
+    held += size.survey->boundary.size() * sizeof(BoundaryFace) + size.survey->materials.bytes();
   report.memory_least = held + cut_slabs(stuffing, 0).bytes;
   if (report.memory_least > report.memory_limit)
     refuse_memory("the mesh", report.memory_least, report.memory_limit);
@@ -91,14 +92,15 @@ Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report) {
 
 [[noreturn]] void refuse_angles(const MeshReport& report) {
   const Quality& lattice = report.written.lattice;
-  const bool in_lattice = within(lattice, report.bounds, shown_rounding);
+  const AngleBounds& bounds = facts(report.used).bounds;
+  const bool in_lattice = within(lattice, bounds, shown_rounding);
   const Quality& quality = in_lattice ? report.written.world : lattice;
   throw Error(ErrorCode::check_failed,
               fmt::format("'{}' was not written: {} has angles from {:.6f} to {:.6f} degrees and "
                           "{} tetrahedra that are flat or turned over, which {} rules out",
                           report.output, in_lattice ? "the mesh in the world" : "the mesh",
                           quality.min_dihedral, quality.max_dihedral, quality.nonpositive,
-                          report.bounds.theorem));
+                          bounds.theorem));
 }
 
 /// The mesh is sound, but not where it is to be.
@@ -124,12 +126,10 @@ void judge_written(const MeshReport& report) {
 /// What the format says of the mesh before its numbers.
 MeshSize announce(const MeshOptions& options, const LabelNames& names, const Counted& counted,
                   Context& context) {
-  const auto& [source, stuffing] = counted;
-  MeshSize size{stuffing.point_count(), stuffing.tet_count(),
-                static_cast<bool>(source.labeller)};
+  const Stuffing& stuffing = counted.stuffing;
+  MeshSize size{stuffing.point_count(), stuffing.tet_count(), !stuffing.labels().empty()};
   if (!needs_survey(options.format)) return size;
-  auto found = std::make_shared<Survey>(
-      survey(stuffing, source.labeller, source.border, context));
+  auto found = std::make_shared<Survey>(survey(stuffing, context));
   name_regions(*found, names);
   size.survey = std::move(found);
   return size;
@@ -143,7 +143,7 @@ KeepingSize keeping_size(const MeshOptions& options, const Source& source, std::
     PlacedSource placed = source.place(size);
     judge_lattice(placed, limit);
     if (!budget.pay_for(placed)) return std::nullopt;
-    Stuffing stuffing(*placed.domain, placed.lattice, options.stuffing, context);
+    Stuffing stuffing(*placed.domain, placed.lattice, options.method, context);
     if (static_cast<double>(stuffing.tet_count()) > most_searched_tets) return std::nullopt;
     return Counted{std::move(placed), std::move(stuffing)};
   };
@@ -176,16 +176,17 @@ void judge_volume(const MeshOptions& options, const Source& source, const Counte
 }
 
 void write(const MeshOptions& options, const Source& from, const Counted& counted,
-           const Slabs& slabs, const MeshSize& size, const RegionWatch& watch, Context& context,
-           Progress& progress, MeshReport& report) {
+           const Slabs& slabs, const MeshSize& size, Context& context, Progress& progress,
+           MeshReport& report) {
   const auto& [source, stuffing] = counted;
   judge_room(options.output, report.output_bytes);
   const auto file = open_writer(options.output, options.format, size);
   WatchedWriter writer(*file, size, progress);
   Frame frame = source.frame;
   if (options.origin == OutputOrigin::lattice) frame.origin = {0, 0, 0};
-  report.written =
-      write_mesh(stuffing, frame, slabs, watch.watch(source.labeller), writer, context);
+  const MaterialRuns none;
+  report.written = write_mesh(stuffing, frame, slabs, writer, context,
+                              size.survey == nullptr ? none : size.survey->materials);
   judge_written(report);
   judge_volume(options, from, counted, context, report);
   const Stopwatch finishing;
@@ -211,7 +212,7 @@ Counted count(const MeshOptions& options, const Source& source, Context& context
   const auto count_at = [&](double size) {
     PlacedSource placed = source.place(size);
     judge_lattice(placed, report.memory_limit);
-    Stuffing stuffing(*placed.domain, placed.lattice, options.stuffing, context);
+    Stuffing stuffing(*placed.domain, placed.lattice, options.method, context);
     return Counted{std::move(placed), std::move(stuffing)};
   };
   if (options.target_tets != 0)
@@ -228,9 +229,7 @@ void describe(const MeshOptions& options, const Source& source, MeshReport& repo
   report.output = options.output.string();
   report.format = name(options.format);
   report.target_tets = options.target_tets;
-  report.cuts = options.stuffing.cuts;
-  report.method = method_of(options.stuffing);
-  report.asked = options.stuffing.guarantee;
+  report.asked = options.method;
 }
 
 void describe(const MeshOptions& options, const Counted& counted, const Progress& progress,
@@ -239,10 +238,9 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
   report.cells = source.lattice.cells;
   report.size = source.frame.size;
   if (options.origin == OutputOrigin::lattice) report.output_origin = source.frame.origin;
-  report.used = stuffing.guarantee();
+  report.used = stuffing.method();
   report.inverted_tets = stuffing.inverted_tets();
   report.warp = stuffing.warp_figures();
-  report.bounds = proven_bounds(options.stuffing.cuts, report.used);
   report.points = stuffing.point_count();
   report.tets = stuffing.tet_count();
   report.sample_seconds = progress.seconds(Stage::sample);
@@ -284,7 +282,8 @@ MeshReport run(const MeshOptions& options, Context& context) {
   const Slabs slabs = plan(counted, size, report);
   RegionWatch watch(source, counted.source, context);
   if (!options.dry_run)
-    write(options, source, counted, slabs, size, watch, context, progress, report);
+    write(options, source, counted, slabs, size, context, progress, report);
+  watch.see(report.written.regions);
   describe(watch, report);
   report.total_seconds = clock.seconds();
   report.memory_peak = peak_memory();

@@ -10,19 +10,20 @@ namespace {
 std::string hexadecimal(std::uint64_t number) { return fmt::format("0x{:016x}", number); }
 
 Json guarantee(const MeshReport& report) {
+  const AngleBounds& bounds = facts(report.used).bounds;
   Json json{{"asked", name(report.asked)},
             {"used", name(report.used)},
-            {"theorem", report.bounds.theorem},
-            {"min_dihedral", report.bounds.min_dihedral},
-            {"max_dihedral", report.bounds.max_dihedral},
+            {"theorem", bounds.theorem},
+            {"min_dihedral", bounds.min_dihedral},
+            {"max_dihedral", bounds.max_dihedral},
             {"inverted_tets", report.inverted_tets}};
   if (!report.dry_run) json["holds"] = standing(report) == Standing::within;
   return json;
 }
 
 Json method(const MeshReport& report) {
-  Json json{{"name", name(report.method)}};
-  if (report.method != Method::embedded) return json;
+  Json json{{"name", name(report.used)}};
+  if (report.used != Method::embedded) return json;
   const WarpFigures& warp = report.warp;
   const ShiftLengths edges = shift_in_edges(warp);
   const ShiftLengths world = shift_in_world(warp, report.size);
@@ -92,7 +93,7 @@ std::string json(const MeshReport& report) {
       {"file", report.output}, {"format", report.format}, {"bytes", report.output_bytes},
       {"origin", report.output_origin}};
   json["lattice"] = {
-      {"cells", report.cells}, {"size", report.size}, {"cuts", name(report.cuts)}};
+      {"cells", report.cells}, {"size", report.size}, {"cuts", name(facts(report.used).cuts)}};
   if (report.target_tets != 0) {
     json["lattice"]["target_tets"] = report.target_tets;
     json["lattice"]["tries"] = report.tries;
@@ -110,6 +111,7 @@ std::string json(const MeshReport& report) {
                         {"rounding", written.rounding},
                         {"histogram", written.lattice.histogram}};
   }
+  json["theorem"] = facts(report.used).bounds.theorem;
   json["guarantee"] = guarantee(report);
   json["seconds"] = seconds(report);
   json["warnings"] = report.warnings;

@@ -4,17 +4,17 @@
 #include <cmath>
 #include <memory>
 
-#include "certet/error.hpp"
 #include "certet/surface.hpp"
 #include "certet/volume.hpp"
 #include "format_choice.hpp"
 #include "method.hpp"
 #include "option_values.hpp"
+#include "refusal.hpp"
 
 namespace certet::command {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* mesh_notes = R"(
 Formulas: + - * / ^ (-x^2 is -(x^2)), < <= > >= == != && || and c ? a : b, where
 true is 1; min max sum avg hypot length of any number of operands; abs sign sqrt
 exp log log2 log10 sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh
@@ -75,7 +75,7 @@ samples, which are + where the lattice's points are inside.
 Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file,
 format, bytes, origin}, lattice {cells, size, cuts, and with --target-tets:
 target_tets, tries}, method {name, and of embedded: violated, stayed, shortened, clamped {cuts,
-greatest, rms, greatest_edges, rms_edges}}, mesh {points, tets, volume, checksum, file_checksum}, dihedral
+greatest, rms, greatest_edges, rms_edges}}, theorem, mesh {points, tets, volume, checksum, file_checksum}, dihedral
 {min, max, lattice_min, lattice_max, rounding, histogram}, guarantee {asked, used,
 theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
 cut, warp, count, emit, measure, write, total}, memory {limit, needed, least,
@@ -88,10 +88,6 @@ world the output has its 0; file_checksum is what `certet check` tells of a file
 this mesh, checksum is of the lattice and the same wherever the mesh is; the
 seconds of emit, measure and write overlap and are those of all threads together;
 a dry run leaves out what it does not know.)";
-
-[[noreturn]] void refuse(const std::string& sentence) {
-  throw Error(ErrorCode::bad_option, sentence);
-}
 
 /// Options whose values need more than CLI11's own reading.
 struct RawMesh {
@@ -252,14 +248,11 @@ double parse_nan(const MeshOptions& options, const std::string& text) {
 MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   judge_source(options, raw);
   read_size(options, raw);
-  options.stuffing = stuffing_options(raw.method);
+  options.method = chosen(raw.method);
   if (!raw.iso.empty()) options.iso = parse_number("--iso", raw.iso);
   if (!raw.labels.empty()) options.labels = parse_labels(raw.labels);
   if (!raw.smooth.empty()) options.smooth = positive("--smooth", raw.smooth);
-  if (!raw.crop.empty()) {
-    const Bounds box = parse_bounds(raw.crop, "--crop");
-    options.crop = WorldBox{box.low, box.high};
-  }
+  if (!raw.crop.empty()) options.crop = parse_bounds(raw.crop, "--crop");
   if (!raw.volume.empty()) options.image.volume = parse_whole("--volume", raw.volume);
   if (!raw.nan.empty()) options.nan = parse_nan(options, raw.nan);
   if (!raw.spacing.empty()) options.image.spacing = parse_spacing(raw.spacing);
@@ -278,7 +271,7 @@ std::function<MeshOptions()> declare_mesh_options(CLI::App& mesh) {
   declare_source(mesh, *options, *raw);
   declare_lattice(mesh, *options, *raw);
   declare_run(mesh, *options, *raw);
-  mesh.footer(footer);
+  mesh.footer(mesh_notes);
   return [options, raw] { return finish(*options, *raw); };
 }
 

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "certet/expression.hpp"
+#include "certet/formula.hpp"
 #include "certet/formats.hpp"
 #include "certet/image.hpp"
-#include "certet/stuffing.hpp"
+#include "certet/method.hpp"
 
 namespace certet::command {
 
@@ -34,14 +34,14 @@ struct MeshOptions {
   ImageChoice image;         ///< what an image's file may leave open
   std::optional<double> nan;  ///< in the place of voxels that are NaN
   double smooth = 0;         ///< in world units; 0: not at all
-  std::optional<WorldBox> crop;
+  std::optional<Bounds> crop;
   std::string grid;          ///< of a volume; empty: the one that speaks for itself
   bool repair = false;       ///< closes the holes of a surface
   double size = 0;           ///< 0: chosen by one of the next two, or by the input
   double relative_size = 0;  ///< 0, or a fraction of the solid's longest side
   std::uint64_t target_tets = 0;
   std::int32_t margin = 2;
-  StuffingOptions stuffing;
+  Method method{};
   int threads = 0;
   std::uint64_t max_memory = 0;  ///< 0: by what is available
   bool dry_run = false;

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "certet/method.hpp"
 #include "certet/quality.hpp"
-#include "certet/stuffing.hpp"
+#include "certet/warp_figures.hpp"
 #include "certet/write_mesh.hpp"
-#include "method.hpp"
 #include "regions.hpp"
 #include "report.hpp"
 
@@ -35,12 +35,9 @@ struct MeshReport {
   double size = 0;
   std::uint64_t target_tets = 0;  ///< 0: the size was not searched for
   int tries = 1;
-  Cuts cuts{};
-  Guarantee asked{}, used{};
-  Method method{};
+  Method asked{}, used{};
   std::uint64_t inverted_tets = 0;
   WarpFigures warp;
-  AngleBounds bounds{};
 
   std::uint64_t points = 0, tets = 0;
   WrittenMesh written;  ///< empty after a dry run

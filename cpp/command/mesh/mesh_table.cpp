@@ -7,25 +7,24 @@ namespace certet::command {
 namespace {
 
 /// Nothing is called proven that was not measured.
-void add_guarantee(Lines& lines, const MeshReport& report) {
+void add_method(Lines& lines, const MeshReport& report) {
+  const MethodFacts& method = facts(report.used);
   lines.add(report.dry_run ? "bounds" : "proven", "{:.3f}° to {:.3f}°, theorem {}{}",
-            report.bounds.min_dihedral, report.bounds.max_dihedral, report.bounds.theorem,
+            method.bounds.min_dihedral, method.bounds.max_dihedral, method.bounds.theorem,
             report.dry_run ? "; no angle was measured" : "");
-  if (report.method != Method::paper) return;
-  lines.add("thresholds", "{}{}", name(report.used),
+  lines.add("method", "{}: {}{}", method.name, method.sentence,
             report.used == report.asked
                 ? ""
-                : fmt::format(" (those of {} inverted {} dropped tetrahedra)",
-                              name(report.asked), grouped(report.inverted_tets)));
+                : fmt::format(" ({} inverted {} dropped tetrahedra)", name(report.asked),
+                              grouped(report.inverted_tets)));
 }
 
 /// What settling did to the surface.
-void add_method(Lines& lines, const MeshReport& report) {
-  if (report.method != Method::embedded) return;
+void add_settling(Lines& lines, const MeshReport& report) {
+  if (report.used != Method::embedded) return;
   const WarpFigures& warp = report.warp;
   const ShiftLengths edges = shift_in_edges(warp);
   const ShiftLengths world = shift_in_world(warp, report.size);
-  lines.add("method", "embedded, manifold, pieces kept");
   lines.add("", "{} of {} vertices too close to the surface stayed, {} moves shortened",
             grouped(warp.stayed), grouped(warp.violated), grouped(warp.shortened));
   if (world.cuts != 0)
@@ -55,7 +54,7 @@ std::string table(const MeshReport& report) {
     lines.add("origin", "0 in the output is ({:.17g}, {:.17g}, {:.17g}) in the world",
               report.output_origin[0], report.output_origin[1], report.output_origin[2]);
   lines.add("lattice", "{} x {} x {} cells of size {:.6g}, cuts {}", report.cells[0],
-            report.cells[1], report.cells[2], report.size, name(report.cuts));
+            report.cells[1], report.cells[2], report.size, name(facts(report.used).cuts));
   if (report.target_tets != 0)
     lines.add("target", "{} tetrahedra, size found in {} tries", grouped(report.target_tets),
               report.tries);
@@ -72,8 +71,8 @@ std::string table(const MeshReport& report) {
     // In exact coordinates an angle on the edge between two bins is in its own.
     add_histogram(lines, report.written.lattice);
   }
-  add_guarantee(lines, report);
   add_method(lines, report);
+  add_settling(lines, report);
   lines.add("seconds", "read {:.2f}, sample {:.2f}, cut {:.2f}, warp {:.2f}, count {:.2f}",
             report.read_seconds, report.sample_seconds, report.cut_seconds,
             report.warp_seconds, report.count_seconds);

@@ -8,40 +8,31 @@
 namespace certet::command {
 namespace {
 
+/// What --method calls them: the paper's rule is that of `angles`, and of `embedding` where
+/// --guarantee says so.
+const std::map<std::string, Method> named_methods{
+    {"embedded", Method::embedded}, {"paper", Method::angles}, {"midpoint", Method::midpoint}};
+
 /// The method that `--cuts` and `--guarantee` stand for.
 Method implied(const MethodChoice& choice) {
   if (choice.cuts == Cuts::midpoint) return Method::midpoint;
-  return choice.guarantee ? Method::paper : Method::embedded;
+  return choice.guarantee.value_or(Method::embedded);
 }
 
-void judge(const MethodChoice& choice, Method method) {
-  const auto refuse = [method](const std::string& option) {
-    throw Error(ErrorCode::bad_option, "--method " + name(method) + " and " + option +
+void judge_choice(const MethodChoice& choice, Method method) {
+  const auto refuse_both = [method](const std::string& option) {
+    const std::string called = method == Method::angles ? "paper" : std::string(name(method));
+    throw Error(ErrorCode::bad_option, "--method " + called + " and " + option +
                                            " exclude each other");
   };
-  const Cuts cuts = method == Method::midpoint ? Cuts::midpoint : Cuts::bisect;
-  if (choice.cuts && *choice.cuts != cuts) refuse("--cuts " + name(*choice.cuts));
+  if (!choice.method) return;
+  if (choice.cuts && *choice.cuts != facts(method).cuts)
+    refuse_both("--cuts " + std::string(name(*choice.cuts)));
   if (choice.guarantee && method == Method::embedded)
-    refuse("--guarantee " + std::string(name(*choice.guarantee)));
+    refuse_both("--guarantee " + std::string(name(*choice.guarantee)));
 }
 
 }  // namespace
-
-Method method_of(const StuffingOptions& options) {
-  if (options.cuts == Cuts::midpoint) return Method::midpoint;
-  return options.guarantee == Guarantee::pieces ? Method::embedded : Method::paper;
-}
-
-std::string name(Method method) {
-  switch (method) {
-    case Method::embedded: return "embedded";
-    case Method::paper: return "paper";
-    case Method::midpoint: break;
-  }
-  return "midpoint";
-}
-
-std::string name(Cuts cuts) { return cuts == Cuts::bisect ? "bisect" : "midpoint"; }
 
 void declare_method(CLI::App& app, MethodChoice& choice) {
   app.add_option("--method", choice.method,
@@ -49,8 +40,7 @@ void declare_method(CLI::App& app, MethodChoice& choice) {
                  "lost, cut or joined to another (default); paper: as published, vertices move "
                  "onto the surface whatever becomes of thin parts; midpoint: none moves, cuts "
                  "are in the middle of edges")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Method>{
-          {"embedded", Method::embedded}, {"paper", Method::paper}, {"midpoint", Method::midpoint}}))
+      ->transform(CLI::CheckedTransformer(named_methods))
       ->option_text("NAME");
   app.add_option("--cuts", choice.cuts,
                  "bisect: on the surface (default); midpoint: as --method midpoint")
@@ -60,20 +50,16 @@ void declare_method(CLI::App& app, MethodChoice& choice) {
   app.add_option("--guarantee", choice.guarantee,
                  "Of --method paper, which it stands for: angles: the widest dihedral angles "
                  "(default); embedding: the warped lattice never folds")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Guarantee>{
-          {"angles", Guarantee::angles}, {"embedding", Guarantee::embedding}}))
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Method>{
+          {"angles", Method::angles}, {"embedding", Method::embedding}}))
       ->option_text("WHICH");
 }
 
-StuffingOptions stuffing_options(const MethodChoice& choice) {
+Method chosen(const MethodChoice& choice) {
   const Method method = choice.method.value_or(implied(choice));
-  judge(choice, method);
-  switch (method) {
-    case Method::embedded: return {Cuts::bisect, Guarantee::pieces};
-    case Method::paper: return {Cuts::bisect, choice.guarantee.value_or(Guarantee::angles)};
-    case Method::midpoint: break;
-  }
-  return {Cuts::midpoint, choice.guarantee.value_or(Guarantee::angles)};
+  judge_choice(choice, method);
+  // No vertex is warped at cuts in the middle, whatever the guarantee.
+  return method == Method::midpoint ? method : choice.guarantee.value_or(method);
 }
 
 }  // namespace certet::command

@@ -35,31 +35,23 @@ RegionWatch::RegionWatch(const Source& source, const PlacedSource& placed,
   finest_ = *std::min_element(solid.image->spacing.begin(), solid.image->spacing.end());
   regions_ = solid.level ? regions_of_level(*solid.image, *solid.level)
                          : regions_of_labels(*solid.image, solid.labels);
-  tets_ = std::make_unique<std::atomic<std::uint64_t>[]>(regions_.size() + 1);
+  tets_.resize(regions_.size());
   if (solid.cropped || (size_ <= finest_ && !solid.smoothed)) return;
-  count_pieces(*solid.image, solid.level, *placed.image, regions_, context);
+  count_pieces(*solid.image, solid.level, *placed.domain, regions_, context);
   counted_pieces_ = true;
 }
 
-Labeller RegionWatch::watch(const Labeller& labeller) const {
-  if (!labeller || !source_.voxels || source_.voxels->level) return labeller;
-  return [this, labeller](std::span<const std::array<Coord3, 4>> tets,
-                          std::span<std::int32_t> out) {
-    labeller(tets, out);
-    for (std::size_t begin = 0; begin < out.size();) {
-      const auto same = std::find_if(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(),
-                                     [&](std::int32_t label) { return label != out[begin]; });
-      const auto end = static_cast<std::size_t>(same - out.begin());
-      tets_[index_of(regions_, out[begin])].fetch_add(end - begin, std::memory_order_relaxed);
-      begin = end;
-    }
-  };
+void RegionWatch::see(std::span<const Region> written) {
+  for (const Region& region : written) {
+    const std::size_t which = index_of(regions_, region.label);
+    if (which < regions_.size()) tets_[which] = region.tets;
+  }
 }
 
 std::vector<MeshedRegion> RegionWatch::regions(std::uint64_t all_tets) const {
   std::vector<MeshedRegion> result;
   for (std::size_t r = 0; r < regions_.size(); ++r)
-    result.push_back({regions_[r], source_.voxels->level ? all_tets : tets_[r].load()});
+    result.push_back({regions_[r], source_.voxels->level ? all_tets : tets_[r]});
   return result;
 }
 

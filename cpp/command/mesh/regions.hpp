@@ -2,9 +2,8 @@
 /// \file
 /// Whether the labels of an image arrive in the mesh, and in one piece.
 
-#include <atomic>
 #include <cstdint>
-#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,8 +24,8 @@ class RegionWatch {
   /// \throws Error `cancelled`.
   RegionWatch(const Source& source, const PlacedSource& placed, const Context& context);
 
-  /// A labeller that counts what it labels.  Lives as long as the watch.
-  [[nodiscard]] Labeller watch(const Labeller& labeller) const;
+  /// The regions of the mesh that was written; without this there are none.
+  void see(std::span<const Region> written);
 
   /// Of a mesh of `all_tets`; 0 tetrahedra everywhere if it was not written.
   [[nodiscard]] std::vector<MeshedRegion> regions(std::uint64_t all_tets) const;
@@ -44,7 +43,7 @@ class RegionWatch {
   const Source& source_;
   double size_, finest_ = 0;
   std::vector<ImageRegion> regions_;
-  std::unique_ptr<std::atomic<std::uint64_t>[]> tets_;  ///< of each region
+  std::vector<std::uint64_t> tets_;  ///< of each region
   bool counted_pieces_ = false;
 };
 

@@ -23,31 +23,21 @@ PlacedSource placed(std::unique_ptr<PlacedDomain> domain) {
   return source;
 }
 
-/// Where a box cuts the solid off is border, not surface.  The box is along the
-/// axes of the frame, `low` and `high` are opposite corners of it.
-void set_border(PlacedSource& source, const Bounds& box, Cuts cuts) {
-  source.border = box_border(source.frame, box.low, box.high, cuts);
-}
-
 Source from_formula(const MeshOptions& options) {
   const auto place = [formula = options.formula, bounds = options.bounds.value(),
-                      margin = options.margin, cuts = options.stuffing.cuts](double size) {
-    PlacedSource source =
-        placed(std::make_unique<ExpressionDomain>(formula, bounds, size, margin));
-    set_border(source, bounds, cuts);
-    return source;
+                      margin = options.margin](double size) {
+    return placed(std::make_unique<FormulaDomain>(formula, bounds, size, margin));
   };
   return {"formula", options.formula, place};
 }
 
 Source from_shape(const MeshOptions& options) {
-  const auto place = [shape = options.shape, bounds = options.bounds, margin = options.margin,
-                      cuts = options.stuffing.cuts](double size) {
+  const auto place = [shape = options.shape, bounds = options.bounds,
+                      margin = options.margin](double size) {
     auto domain = std::make_unique<ShapeDomain>(shape, bounds, size, margin);
     const std::optional<double> volume = domain->volume();
     PlacedSource source = placed(std::move(domain));
     source.volume = volume;
-    if (bounds) set_border(source, *bounds, cuts);
     return source;
   };
   return {"shape", options.shape, place};
@@ -84,39 +74,10 @@ Image read(const MeshOptions& options, std::uint64_t max_bytes) {
   return read_image(options.input, max_bytes, options.image);
 }
 
-/// The world position of a voxel's centre, or of what lies between centres.
-Point3 voxel_position(const Image& image, const Point3& voxel) {
-  Point3 world = image.origin;
-  for (std::size_t r = 0; r < 3; ++r)
-    for (std::size_t a = 0; a < 3; ++a)
-      world[r] += image.axes[r][a] * image.spacing[a] * voxel[a];
-  return world;
-}
-
-/// The outermost corners of an image's voxels.
-Bounds outer_corners(const Image& image) {
-  Point3 last;
-  for (std::size_t a = 0; a < 3; ++a) last[a] = static_cast<double>(image.size[a]) - 0.5;
-  return {voxel_position(image, {-0.5, -0.5, -0.5}), voxel_position(image, last)};
-}
-
-/// A solid of the voxels, cropped, with labels unless it is a level's.
-PlacedSource placed_image(std::unique_ptr<ImageDomain> domain, const Image& voxels,
-                          const MeshOptions& options) {
-  if (options.crop) domain = cropped_domain(std::move(domain), *options.crop);
-  const ImageDomain& image = *domain;
-  PlacedSource source = placed(std::move(domain));
-  source.image = &image;
-  set_border(source, outer_corners(voxels), options.stuffing.cuts);
-  if (options.crop)
-    source.border = [of_image = std::move(source.border),
-                     of_crop = world_box_border(source.frame, options.crop->low,
-                                                options.crop->high, options.stuffing.cuts)](
-                        Coord3 p) { return of_image(p) || of_crop(p); };
-  if (!options.iso)
-    source.labeller = [&image](std::span<const std::array<Coord3, 4>> tets,
-                               std::span<std::int32_t> out) { image.label(tets, out); };
-  return source;
+/// A solid of voxels, cropped if the options want it.
+PlacedSource placed_image(std::unique_ptr<PlacedDomain> domain, const MeshOptions& options) {
+  return placed(options.crop ? cropped_domain(std::move(domain), *options.crop)
+                             : std::move(domain));
 }
 
 double chosen_volume(const Image& image, const std::vector<LabelRange>& labels) {
@@ -130,8 +91,7 @@ Source from_smoothed(const std::shared_ptr<const Image>& image, const MeshOption
       smoothed_labels(*image, options.labels, options.smooth, options.threads));
   const auto place = [image, smoothed, options](double size) {
     return placed_image(
-        smoothed_domain(image, options.labels, smoothed, {size, options.margin}), *image,
-        options);
+        smoothed_domain(image, options.labels, smoothed, {size, options.margin}), options);
   };
   Source source{"labels", image->name, place, image->notes};
   source.smoothing = Smoothing{options.smooth, chosen_volume(*image, options.labels)};
@@ -145,7 +105,7 @@ Source from_voxels(const std::shared_ptr<const Image>& image, const MeshOptions&
     const ImageLattice lattice{size, options.margin};
     PlacedSource source = placed_image(options.iso ? level_domain(image, *options.iso, lattice)
                                                    : label_domain(image, options.labels, lattice),
-                                       *image, options);
+                                       options);
     source.volume = volume;
     return source;
   };

@@ -28,12 +28,9 @@ struct Smoothing {
 
 /// A domain on a lattice of one size.
 struct PlacedSource {
-  std::unique_ptr<Domain> domain;
+  std::unique_ptr<PlacedDomain> domain;
   Lattice lattice;
   Frame frame;
-  const ImageDomain* image = nullptr;  ///< the domain, where it is one of an image
-  Labeller labeller;        ///< empty where there are no labels
-  BorderTest border;        ///< empty where nothing is cut off
   double longest_side = 0;  ///< of the solid's box, in world units
   std::optional<double> volume = {};  ///< of the solid, where there is a formula for it
   std::uint64_t bytes = 0;

@@ -2,26 +2,22 @@
 #include <charconv>
 #include <memory>
 
-#include "certet/error.hpp"
 #include "certet/formats.hpp"
 #include "certet/picture.hpp"
 #include "commands.hpp"
 #include "option_values.hpp"
 #include "outputs.hpp"
+#include "refusal.hpp"
 
 namespace certet::command {
 namespace {
 
 /// What the user asks of `certet picture`.
-struct Options {
+struct PictureRequest {
   std::filesystem::path mesh, output;
   std::string size = "1600x800", clip = "x";
   PictureOptions picture;
 };
-
-[[noreturn]] void refuse(const std::string& sentence) {
-  throw Error(ErrorCode::bad_option, sentence);
-}
 
 /// "1600x800"
 void parse_size(const std::string& text, PictureOptions& picture) {
@@ -43,7 +39,7 @@ void parse_clip(const std::string& text, PictureOptions& picture) {
   if (text.size() > 1) picture.fraction = parse_number("--clip", text.substr(2));
 }
 
-Status picture(Options options) {
+Status picture(PictureRequest options) {
   parse_size(options.size, options.picture);
   parse_clip(options.clip, options.picture);
   if (same_file(options.mesh, options.output))
@@ -52,14 +48,14 @@ Status picture(Options options) {
     refuse("a picture is a .png file, which '" + options.output.string() + "' is not");
   if (!can_write_png()) refuse("writing PNG was not built in");
   judge_output(options.output);
-  write_png(draw(read_mesh(options.mesh), options.picture), options.output);
+  write_png(draw(certet::read(options.mesh), options.picture), options.output);
   return Status::ok;
 }
 
 }  // namespace
 
 Run declare_picture(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PictureRequest>();
   app.add_option("mesh", options->mesh, "Mesh: .vtu or .mesh")->required()->option_text("MESH");
   app.add_option("-o,--output", options->output, "Picture: .png")
       ->required()->option_text("FILE");

@@ -8,13 +8,14 @@
 #include "certet/page.hpp"
 #include "commands.hpp"
 #include "outputs.hpp"
+#include "refusal.hpp"
 #include "run_file.hpp"
 #include "table.hpp"
 
 namespace certet::command {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* report_notes = R"(
 The page holds all it needs and never asks the network.  A mesh with a defect has a
 page too, and the status is 1, as that of `certet check`.  All that is said of the
 mesh is measured in the file.  A theorem is said to cover it only with --run, where
@@ -23,35 +24,34 @@ within its bounds; a file that is another, or angles outside of the bounds that 
 --guarantee or --cuts stand for, are a defect.)";
 
 /// What the user asks of `certet report`.
-struct Options {
+struct ReportOptions {
   std::filesystem::path mesh, output, run;
-  std::optional<Guarantee> guarantee;
+  std::optional<Method> guarantee;
   std::optional<Cuts> cuts;
 };
 
-[[noreturn]] void refuse(ErrorCode code, const std::string& sentence) {
-  throw Error(code, sentence);
-}
-
-void judge(const Options& options) {
+void judge(const ReportOptions& options) {
   if (same_file(options.mesh, options.output))
-    refuse(ErrorCode::bad_option,
-           "the mesh and the page are the same file '" + options.mesh.string() + "'");
+    refuse("the mesh and the page are the same file '" + options.mesh.string() + "'");
   if (!options.run.empty() && same_file(options.run, options.output))
-    refuse(ErrorCode::bad_option,
-           "the page and --run are the same file '" + options.run.string() + "'");
+    refuse("the page and --run are the same file '" + options.run.string() + "'");
   if (!options.run.empty() && (options.guarantee || options.cuts))
-    refuse(ErrorCode::bad_option, "--run tells --guarantee and --cuts already");
+    refuse("--run tells --guarantee and --cuts already");
   judge_output(options.output);
 }
 
+/// Whether the options leave open that a mesh was made by this method.
+bool may_be(const MethodFacts& method, const ReportOptions& options) {
+  if (options.cuts && method.cuts != *options.cuts) return false;
+  return !options.guarantee || method.method == *options.guarantee ||
+         options.cuts == Cuts::midpoint;  // where no vertex is warped, whatever the guarantee
+}
+
 /// All bounds that may hold, as far as the options tell.
-std::vector<AngleBounds> possible_bounds(const Options& options) {
-  if (options.cuts == Cuts::midpoint) return {proven_bounds(Cuts::midpoint, Guarantee::angles)};
-  if (options.guarantee) return {proven_bounds(Cuts::bisect, *options.guarantee)};
-  std::vector<AngleBounds> bounds{proven_bounds(Cuts::bisect, Guarantee::angles),
-                                  proven_bounds(Cuts::bisect, Guarantee::embedding)};
-  if (!options.cuts) bounds.push_back(proven_bounds(Cuts::midpoint, Guarantee::angles));
+std::vector<AngleBounds> possible_bounds(const ReportOptions& options) {
+  std::vector<AngleBounds> bounds;
+  for (const MethodFacts& method : methods)
+    if (may_be(method, options)) bounds.push_back(method.bounds);
   return bounds;
 }
 
@@ -74,14 +74,14 @@ void add_run(const RunFile& run, const std::filesystem::path& file, const FileMe
   facts.rows.insert(facts.rows.end(), run.rows.begin(), run.rows.end());
 }
 
-Status report(const Options& options) {
+Status report(const ReportOptions& options) {
   judge(options);
   PageFacts facts;
   facts.name = options.mesh.filename().string();
   facts.rows.push_back(size_row(options.mesh));
   std::optional<RunFile> run;
   if (!options.run.empty()) run = read_run(options.run);
-  const FileMesh mesh = read_mesh(options.mesh);
+  const FileMesh mesh = certet::read(options.mesh);
   if (run)
     add_run(*run, options.mesh, mesh, facts);
   else
@@ -94,22 +94,23 @@ Status report(const Options& options) {
 }  // namespace
 
 Run declare_report(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReportOptions>();
   app.add_option("mesh", options->mesh, "Mesh: .vtu or .mesh")->required()->option_text("MESH");
   app.add_option("-o,--output", options->output, "Page: .html")
       ->required()->option_text("FILE");
   app.add_option("--run", options->run, "What `certet mesh --json` told of this mesh")
       ->option_text("FILE");
   app.add_option("--guarantee", options->guarantee,
-                 "Of the run, where there is no --run: pieces, angles or embedding")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Guarantee>{
-          {"pieces", Guarantee::pieces}, {"angles", Guarantee::angles}, {"embedding", Guarantee::embedding}}))
+                 "Of the run, where there is no --run: embedded, angles or embedding")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Method>{
+          {"embedded", Method::embedded}, {"angles", Method::angles},
+          {"embedding", Method::embedding}}))
       ->option_text("WHICH");
   app.add_option("--cuts", options->cuts, "Of the run, where there is no --run: bisect or midpoint")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Cuts>{
           {"bisect", Cuts::bisect}, {"midpoint", Cuts::midpoint}}))
       ->option_text("WHERE");
-  app.footer(footer);
+  app.footer(report_notes);
   return [options] { return report(*options); };
 }
 

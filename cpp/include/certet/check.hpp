@@ -54,4 +54,11 @@ inline CheckReport check(std::span<const Point3> points,
   return check(points, tets, context);
 }
 
+/// Verifies a mesh in memory, in world coordinates.
+CheckReport check(const Mesh& mesh, Context& context);
+inline CheckReport check(const Mesh& mesh) {
+  Context context;
+  return check(mesh, context);
+}
+
 }  // namespace certet

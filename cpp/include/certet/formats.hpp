@@ -11,7 +11,9 @@
 #include <string_view>
 #include <vector>
 
+#include "certet/check.hpp"
 #include "certet/mesh.hpp"
+#include "certet/quality.hpp"
 #include "certet/survey.hpp"
 
 namespace certet {
@@ -104,7 +106,32 @@ struct FileMesh {
 /// everything but whether the indices are those of points: that is the task of
 /// `check`.
 /// \throws Error `bad_input` with one sentence that names the file; `cancelled`.
-FileMesh read_mesh(const std::filesystem::path& file, const Context& context = {});
+FileMesh read(const std::filesystem::path& file, const Context& context = {});
+
+/// Writes a mesh in memory, in world coordinates: the same bytes as `certet mesh` writes
+/// of it, with its regions, their names, and the patches of its boundary where the format
+/// has them.  Without a format it is the one that the extension stands for.
+/// \throws Error `bad_option` (an extension that is that of no format), `write_failed` (as
+/// `open_writer` and `MeshWriter`, and where the doubles of the world cannot hold the
+/// mesh), `check_failed` (angles beyond the bounds of the mesh's method: a bug),
+/// `too_large`, `cancelled`.
+void write(const Mesh& mesh, const std::filesystem::path& file, Format format, Context& context);
+void write(const Mesh& mesh, const std::filesystem::path& file, Context& context);
+void write(const Mesh& mesh, const std::filesystem::path& file);
+
+/// The same of what a file held, as it is: its angles are not judged.
+/// \throws Error `bad_input` besides, for tetrahedra that name points which are not there.
+void write(const FileMesh& mesh, const std::filesystem::path& file, Format format,
+           Context& context);
+void write(const FileMesh& mesh, const std::filesystem::path& file);
+
+/// Verifies what a file held, as `check` of points and tetrahedra does.
+CheckReport check(const FileMesh& mesh, Context& context);
+CheckReport check(const FileMesh& mesh);
+
+/// The dihedral angles (degrees) and the volume of what a file held, in its units, of those
+/// tetrahedra that name points which are there.
+Quality quality(const FileMesh& mesh);
 
 /// Moves a mesh to 0, exactly: along each axis on which it is farther from 0 than it is
 /// long, the end that is nearer to 0 comes to 0.  \returns where the new 0 is in the old

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "certet/coord3.hpp"
+#include "certet/lattice/coord3.hpp"
 
 namespace certet {
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -14,10 +15,11 @@
 #include <variant>
 #include <vector>
 
+#include "certet/bounds.hpp"
 #include "certet/buffer.hpp"
 #include "certet/context.hpp"
 #include "certet/placed_domain.hpp"
-#include "certet/survey.hpp"
+#include "certet/labels.hpp"
 
 namespace certet {
 
@@ -39,7 +41,7 @@ struct Image {
   /// Row major; column a is the direction of voxel axis a.  Orthonormal, but
   /// right-handed or left-handed.
   std::array<std::array<double, 3>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  Voxels voxels;
+  Voxels voxels = {};
   LabelNames names = {};  ///< of labels, where the file tells some
   std::vector<std::string> notes = {};  ///< what is doubtful about it, a sentence each
 
@@ -75,7 +77,8 @@ struct ImageChoice {
 /// series are not equally spaced; `bad_option` where a folder holds several series
 /// or not the one chosen; `too_large` where the voxels need more than `max_bytes`.
 /// The sentence names the file.
-Image read_image(const std::filesystem::path& file, std::uint64_t max_bytes,
+Image read_image(const std::filesystem::path& file,
+                 std::uint64_t max_bytes = std::numeric_limits<std::uint64_t>::max(),
                  const ImageChoice& choice = {});
 
 /// The image with labels for voxels: as it is where they are whole numbers already,
@@ -105,29 +108,25 @@ struct ImageLattice {
   std::int32_t margin = 2;  ///< lattice cells around the solid, at least 1
 };
 
-/// A solid in an image, whose voxels it shares with other solids of the same image,
-/// on lattices of other sizes too.  Where `size` is the voxel spacing, the lattice lies so
-/// that each voxel holds one even and one odd point, a quarter of its diagonal
-/// before and behind its centre.  Beyond the outermost voxels all is outside,
-/// which closes the solid at the image's border.
-///
-/// The frame is right-handed for every image.  The longest side is that of the
-/// box of voxels that the solid lies in; a level's solid may reach into the voxels
-/// next to those above the level.  The bytes are those of the image's voxels too.
-class ImageDomain : public PlacedDomain {
- public:
-  /// The labels of tetrahedra of this domain's mesh, corners in steps: that of
-  /// the voxel nearest to the centroid or, where that one was not chosen, of the
-  /// chosen voxel at the corner nearest to it.  0 for a level's solid.
-  virtual void label(std::span<const std::array<Coord3, 4>> tets,
-                     std::span<std::int32_t> out) const = 0;
-};
+// Solids in images share their voxels with other solids of the same image, on
+// lattices of other sizes too.  Where `size` is the voxel spacing, the lattice lies so
+// that each voxel holds one even and one odd point, a quarter of its diagonal
+// before and behind its centre.  Beyond the outermost voxels all is outside,
+// which closes the solid at the image's border: the domain is cut off there.
+//
+// The frame is right-handed for every image.  The longest side is that of the
+// box of voxels that the solid lies in; a level's solid may reach into the voxels
+// next to those above the level.  The bytes are those of the image's voxels too.
 
 /// The union of all voxels with one of the labels; without labels, of all that
-/// are not 0.  The sign of a point is that of the voxel it lies in.
+/// are not 0.  What a point is made of is the label of the voxel it lies in; the
+/// materials are the labels that the image has of the chosen ones, ascending.
+///
+/// A tetrahedron has the label of the voxel nearest to its centroid or, where that
+/// one was not chosen, of the chosen voxel at the corner nearest to it.
 /// \throws Error `bad_option` (size, margin), `bad_input` (voxels that are not
 /// whole numbers, or chosen labels beyond 32 bits), `empty_domain`, `too_large`.
-std::unique_ptr<ImageDomain> label_domain(std::shared_ptr<const Image> image,
+std::unique_ptr<PlacedDomain> label_domain(std::shared_ptr<const Image> image,
                                           std::vector<LabelRange> labels,
                                           const ImageLattice& lattice);
 
@@ -135,7 +134,7 @@ std::unique_ptr<ImageDomain> label_domain(std::shared_ptr<const Image> image,
 /// constant over the outer half of the outermost voxels), is above `level`.
 /// \throws Error `bad_option`, `bad_input` (voxels that are NaN, infinite or beyond
 /// 1e300), `empty_domain`, `too_large`.
-std::unique_ptr<ImageDomain> level_domain(std::shared_ptr<const Image> image, double level,
+std::unique_ptr<PlacedDomain> level_domain(std::shared_ptr<const Image> image, double level,
                                           const ImageLattice& lattice);
 
 /// 1 in the voxels chosen and 0 in the others, smoothed by a Gaussian of standard
@@ -146,24 +145,19 @@ std::unique_ptr<ImageDomain> level_domain(std::shared_ptr<const Image> image, do
 Image smoothed_labels(const Image& image, std::vector<LabelRange> labels, double sigma,
                       int threads);
 
-/// Where a smoothed image is above one half; tetrahedra have the chosen label whose
-/// voxel's centre is nearest to their centroid.
+/// Where a smoothed image is above one half; points there have the chosen label whose
+/// voxel's centre is nearest, tetrahedra that of their centroid.
 /// \throws Error as `level_domain`.
-std::unique_ptr<ImageDomain> smoothed_domain(std::shared_ptr<const Image> labelled,
+std::unique_ptr<PlacedDomain> smoothed_domain(std::shared_ptr<const Image> labelled,
                                              std::vector<LabelRange> labels,
                                              std::shared_ptr<const Image> smoothed,
                                              const ImageLattice& lattice);
 
-/// A box along the axes of the world.
-struct WorldBox {
-  Point3 low{}, high{};
-};
-
 /// The part of a solid in a box, closed flat at the box's faces, which belong to it.
 /// The lattice is the whole solid's, without the cells beyond the box.
 /// \throws Error `bad_option` for a box that is empty, `empty_domain`.
-std::unique_ptr<ImageDomain> cropped_domain(std::unique_ptr<ImageDomain> whole,
-                                            const WorldBox& box);
+std::unique_ptr<PlacedDomain> cropped_domain(std::unique_ptr<PlacedDomain> whole,
+                                            const Bounds& box);
 
 /// One label in an image, and what a lattice finds of it.  A piece is what hangs
 /// together: voxels by their faces, or by faces, edges and corners; points of the
@@ -198,7 +192,7 @@ std::vector<ImageRegion> regions_of_level(const Image& image, double level);
 /// too short to skip a voxel; such a region always `keeps_pieces`.
 /// `level` is that of a level's solid.  Regions without a point stay so.
 /// \throws Error `cancelled`, at the next layer.
-void count_pieces(const Image& image, std::optional<double> level, const ImageDomain& domain,
+void count_pieces(const Image& image, std::optional<double> level, const PlacedDomain& domain,
                   std::vector<ImageRegion>& regions, const Context& context = {});
 
 /// Finds the `certain_size` of one region.
@@ -206,13 +200,14 @@ void find_certain_size(const Image& image, std::optional<double> level,
                        std::vector<ImageRegion>& regions, std::size_t which);
 
 /// The same of an image that nobody else needs.
-inline std::unique_ptr<ImageDomain> label_domain(Image image, std::vector<LabelRange> labels,
-                                                 const ImageLattice& lattice) {
+inline std::unique_ptr<PlacedDomain> label_domain(Image image,
+                                                  std::vector<LabelRange> labels = {},
+                                                  const ImageLattice& lattice = {}) {
   return label_domain(std::make_shared<const Image>(std::move(image)), std::move(labels),
                       lattice);
 }
-inline std::unique_ptr<ImageDomain> level_domain(Image image, double level,
-                                                 const ImageLattice& lattice) {
+inline std::unique_ptr<PlacedDomain> level_domain(Image image, double level,
+                                                 const ImageLattice& lattice = {}) {
   return level_domain(std::make_shared<const Image>(std::move(image)), level, lattice);
 }
 

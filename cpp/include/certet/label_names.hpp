@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "certet/survey.hpp"
+#include "certet/labels.hpp"
 
 namespace certet {
 

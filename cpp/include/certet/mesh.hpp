@@ -5,9 +5,13 @@
 #include <array>
 #include <cstdint>
 #include <variant>
+#include <vector>
 
+#include "certet/border.hpp"
 #include "certet/buffer.hpp"
 #include "certet/frame.hpp"
+#include "certet/labels.hpp"
+#include "certet/method.hpp"
 
 namespace certet {
 
@@ -25,10 +29,18 @@ struct Mesh {
   Buffer<Coord3> points;  ///< positions in steps
   Tets tets;
   Frame frame;
+  Buffer<std::int32_t> labels = {};  ///< of the tetrahedra; empty where the domain has none
+  LabelNames names = {};             ///< of labels, where the domain knew some
+  std::vector<BorderBox> border = {};  ///< at whose faces the shape is cut off
+  Method method{};                   ///< that it was made by in the end; its theorem covers it
 
   [[nodiscard]] std::size_t tet_count() const {
     return std::visit([](const auto& t) { return t.size(); }, tets);
   }
 };
+
+/// The points of a mesh in world coordinates, in the units of its domain.
+/// \throws Error `too_large` (out of memory).
+Buffer<Point3> world_points(const Mesh& mesh);
 
 }  // namespace certet

@@ -6,7 +6,8 @@
 
 #include "certet/domain.hpp"
 #include "certet/frame.hpp"
-#include "certet/stuffing.hpp"
+#include "certet/labels.hpp"
+#include "certet/lattice.hpp"
 
 namespace certet {
 
@@ -16,6 +17,8 @@ class PlacedDomain : public Domain {
   [[nodiscard]] virtual const Frame& frame() const = 0;
   /// The piece of the lattice that holds the solid.
   [[nodiscard]] virtual const Lattice& lattice() const = 0;
+  /// What labels are called, where that is known.
+  [[nodiscard]] virtual LabelNames names() const { return {}; }
   /// Of the solid's box, in world units.
   [[nodiscard]] virtual double longest_side() const = 0;
   /// Bytes that the object holds, where they are many.

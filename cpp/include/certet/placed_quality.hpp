@@ -57,4 +57,9 @@ std::uint64_t count_coincident(std::span<const Point3> points);
 /// Measures a whole mesh.  `world` are its points in the world.
 PlacedQuality measure_placed(const Mesh& mesh, std::span<const Point3> world);
 
+/// The dihedral angles (degrees) and the volume of a mesh, in exact coordinates and in
+/// world units; `judge` compares them with `facts(mesh.method).bounds`.
+/// \throws Error `too_large` (out of memory).
+PlacedQuality quality(const Mesh& mesh);
+
 }  // namespace certet

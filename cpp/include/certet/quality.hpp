@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "certet/mesh.hpp"
-#include "certet/stuffing.hpp"
+#include "certet/method.hpp"
 
 namespace certet {
 
@@ -82,15 +82,6 @@ Quality measure_lattice(std::span<const Coord3> points, std::uint64_t first_poin
                         std::span<const Tet<std::uint32_t>> tets);
 Quality measure_lattice(std::span<const Coord3> points, std::uint64_t first_point,
                         std::span<const Tet<std::uint64_t>> tets);
-
-/// What a theorem promises of a mesh, in degrees.
-struct AngleBounds {
-  double min_dihedral, max_dihedral;
-  std::string_view theorem;  ///< its name in coq/Certificate.v
-};
-
-/// The theorem that covers a mesh made this way.
-AngleBounds proven_bounds(Cuts cuts, Guarantee guarantee);
 
 /// Whether all tetrahedra are positive and all angles within the bounds, but for
 /// `rounding` degrees.

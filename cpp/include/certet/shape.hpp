@@ -6,8 +6,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "certet/bounds.hpp"
+#include "certet/lattice.hpp"
 #include "certet/placed_domain.hpp"
 
 namespace certet {
@@ -49,11 +51,13 @@ class ShapeDomain final : public PlacedDomain {
   [[nodiscard]] Extent extent(const LatticeBox& box) const override {
     return solid_->extent(box);
   }
+  [[nodiscard]] std::span<const BorderBox> border() const override { return border_; }
 
  private:
   Bounds bounds_;
   std::optional<double> volume_;
-  BoxLattice around_;
+  PlacedLattice around_;
+  std::vector<BorderBox> border_;  ///< the bounds, if they cut the solid off
   std::unique_ptr<Domain> solid_;
 };
 

@@ -9,47 +9,14 @@
 
 #include "certet/context.hpp"
 #include "certet/domain.hpp"
-#include "certet/lattice_limits.hpp"
+#include "certet/lattice.hpp"
+#include "certet/lattice/lattice_limits.hpp"
 #include "certet/mesh.hpp"
-#include "certet/structured_tet.hpp"
-#include "certet/warp.hpp"
+#include "certet/method.hpp"
+#include "certet/placed_domain.hpp"
 #include "certet/warp_figures.hpp"
 
 namespace certet {
-
-/// The piece of the lattice that is searched: the even points
-/// origin + 2 (i,j,k), 0 <= i < cells[0] and so on, and the odd points
-/// origin + 2 (i,j,k) + (1,1,1).  `origin` is an even point, in lattice units.
-/// The outermost points (first and last index of each axis) count as outside
-/// whatever the domain says, which closes the mesh.
-struct Lattice {
-  Coord3 origin{0, 0, 0};
-  std::array<std::int32_t, 3> cells{0, 0, 0};
-};
-
-/// Where the cuts are put.
-enum class Cuts {
-  bisect,    ///< on the surface, found by bisection to one step
-  midpoint,  ///< in the middle of each edge; no vertex is warped, and one that
-             ///< lies on the surface counts as inside
-};
-
-/// Which theorems shall cover the mesh.
-enum class Guarantee {
-  pieces,     ///< violated vertices settle: angles as below, the mesh embeds, is a manifold,
-              ///< and keeps the pieces, cavities and tunnels of the samples
-  angles,     ///< the paper's rule, thresholds 73/256, 102/256: the same angles
-  embedding,  ///< the paper's rule, thresholds 64/256, 105/256: the warped lattice never folds
-};
-
-/// "pieces", "angles" or "embedding".
-std::string_view name(Guarantee guarantee);
-
-/// What the caller chooses.
-struct StuffingOptions {
-  Cuts cuts = Cuts::bisect;
-  Guarantee guarantee = Guarantee::pieces;
-};
 
 /// A mesh that is decided and counted, but not yet written out: signs, cuts
 /// and warped vertices of the lattice.  It is made of layers (one for each k of
@@ -58,11 +25,11 @@ struct StuffingOptions {
 /// mesh larger than memory can be written slab by slab.
 class Stuffing {
  public:
-  /// Samples the domain, finds the cuts, warps and counts.
+  /// Samples the domain, finds the cuts, warps and counts.  The domain must live as
+  /// long as the object, which asks it for materials while it emits.
   /// \throws Error `too_large` (lattice outside the coordinate range, or out
   /// of memory), `cancelled`, `bad_option`; whatever the domain throws.
-  Stuffing(const Domain& domain, const Lattice& lattice,
-           const StuffingOptions& options, Context& context);
+  Stuffing(const Domain& domain, const Lattice& lattice, Method method, Context& context);
   ~Stuffing();
   Stuffing(Stuffing&&) noexcept;
   Stuffing& operator=(Stuffing&&) noexcept;
@@ -71,12 +38,12 @@ class Stuffing {
   [[nodiscard]] std::uint64_t tet_count() const;
 
   [[nodiscard]] const Lattice& lattice() const;
-  /// What holds in the end: `embedding` where `angles` was asked for and inverted something.
-  [[nodiscard]] Guarantee guarantee() const;
-  /// All-zero tetrahedra that the thresholds of `angles` had inverted; if there
-  /// were any, the mesh was warped anew with those of `embedding`.
+  /// The method that was used in the end, whose theorem covers the mesh.
+  [[nodiscard]] Method method() const;
+  /// All-zero tetrahedra that `Method::angles` had inverted; if there were any, the
+  /// mesh was warped anew by `Method::embedding`.
   [[nodiscard]] std::uint64_t inverted_tets() const;
-  /// What became of the violated vertices, if they settled (`pieces`); else all is 0.
+  /// What became of the violated vertices, if they settled (`Method::embedded`); else all is 0.
   [[nodiscard]] const WarpFigures& warp_figures() const;
 
   /// Number of layers; layers are numbered from 0.
@@ -103,6 +70,30 @@ class Stuffing {
   void emit_tets(std::int32_t begin, std::int32_t end,
                  std::span<Tet<std::uint64_t>> out, Context& context) const;
 
+  /// What the domain calls the materials: that of material m is labels()[m - 1].
+  /// None: tetrahedra have no labels.
+  [[nodiscard]] std::span<const std::int32_t> labels() const;
+  /// Asks the domain for the materials of the tetrahedra of the layers [begin, end):
+  /// `tets`, as emit_tets writes them.  `points` are those of the layers [begin,
+  /// end + 1), or up to the last layer, as emit_points writes them.
+  /// \throws Error `bad_option` if a size is another one, `cancelled`; what the
+  /// domain throws.
+  void emit_materials(std::int32_t begin, std::int32_t end, std::span<const Coord3> points,
+                      std::span<const Tet<std::uint32_t>> tets, std::span<Material> out,
+                      Context& context) const;
+  void emit_materials(std::int32_t begin, std::int32_t end, std::span<const Coord3> points,
+                      std::span<const Tet<std::uint64_t>> tets, std::span<Material> out,
+                      Context& context) const;
+
+  /// The same for some tetrahedra of the mesh, whose corners are at hand.
+  void materials_of(std::span<const TetCorners> tets, std::span<Material> out) const;
+
+  /// Whether the domain is cut off anywhere.
+  [[nodiscard]] bool has_border() const;
+  /// Whether a point of the mesh's surface, in steps, lies where the domain is cut off.
+  /// A face of the boundary whose three points do is part of no surface of the shape.
+  [[nodiscard]] bool is_on_border(Coord3 point) const;
+
   /// Bytes that the object holds.
   [[nodiscard]] std::uint64_t bytes() const;
 
@@ -111,11 +102,19 @@ class Stuffing {
   std::unique_ptr<State> state_;
 };
 
-/// The whole mesh in memory.  \throws Error as `Stuffing` and `emit`, and `empty_domain`.
-Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame,
-           const StuffingOptions& options, Context& context);
+/// The mesh of a shape, in memory, by the method asked for or, where
+/// `Method::angles` would turn over a tetrahedron that is dropped, by
+/// `Method::embedding`: `Mesh::method` says which.
+/// \throws Error `empty_domain` (nothing is inside at this size), `too_large`
+/// (memory, coordinate range), `cancelled`; what the domain throws.
+Mesh mesh(const PlacedDomain& domain, Method method, Context& context);
+Mesh mesh(const PlacedDomain& domain, Method method = Method::embedded);
 
-/// Writes a counted mesh into memory.  \throws Error `too_large` (out of memory), and
+/// The whole mesh in memory, of a domain that does not know where it lies.  \throws Error as `Stuffing` and `emit`, and `empty_domain`.
+Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame,
+           Method method, Context& context);
+
+/// Writes a counted mesh into memory, with labels if the domain has any.  \throws Error `too_large` (out of memory), and
 /// as `checked_size` for the size of the frame.
 Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context);
 

@@ -5,21 +5,18 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "certet/context.hpp"
+#include "certet/labels.hpp"
+#include "certet/material_runs.hpp"
 #include "certet/mesh.hpp"
 #include "certet/stuffing.hpp"
 
 namespace certet {
-
-/// The names of labels, in UTF-8 or whatever the input had.
-using LabelNames = std::map<std::int32_t, std::string>;
 
 /// The label of all tetrahedra of a mesh without labels.
 inline constexpr std::int32_t only_label = 1;
@@ -52,38 +49,23 @@ struct BoundaryFace {
 struct Survey {
   std::vector<Region> regions;         ///< by growing labels; none is empty
   std::vector<BoundaryFace> boundary;  ///< by growing numbers of points
+  /// Of the tetrahedra of a counted mesh, where they have labels.
+  MaterialRuns materials = {};
 };
 
-/// Labels of tetrahedra by their four corners, in steps; called from several
-/// threads at once.
-using Labeller =
-    std::function<void(std::span<const std::array<Coord3, 4>>, std::span<std::int32_t>)>;
+/// Surveys a mesh that is counted but not written, with memory for its boundary and
+/// the runs of its materials alone.  A face of the boundary belongs to the patch
+/// `border` if the domain is cut off at its three points.  The result does not depend
+/// on the number of threads.  Names are left empty.
+/// \throws Error `cancelled`, `too_large` (out of memory); what the domain throws.
+Survey survey(const Stuffing& stuffing, Context& context);
 
-/// Whether a point of the mesh, in steps, lies where the shape is cut off.  A face
-/// of the boundary with three such points belongs to the patch `border`.  Called
-/// from several threads at once.
-using BorderTest = std::function<bool(Coord3)>;
-
-/// For a shape that is cut off at the faces of a box: one along the axes of the
-/// frame, with two opposite corners given in world coordinates.
-BorderTest box_border(const Frame& frame, const Point3& corner, const Point3& opposite,
-                      Cuts cuts);
-
-/// The same for a box along the axes of the world.
-BorderTest world_box_border(const Frame& frame, const Point3& corner, const Point3& opposite,
-                            Cuts cuts);
-
-/// Surveys a mesh that is counted but not written, with memory for its boundary
-/// alone.  The result does not depend on the number of threads.  Names are left
-/// empty.
-/// \throws Error `cancelled`, `too_large` (out of memory).
-Survey survey(const Stuffing& stuffing, const Labeller& labeller, const BorderTest& border,
-              Context& context);
-
-/// Surveys a mesh in memory; `labels` is empty or as long as `tets`.  Tetrahedra
+/// Surveys a mesh in memory of so many points; `labels` is empty or as long as `tets`.  Tetrahedra
 /// that name a point which is not there, or one twice, have no faces.  All faces
 /// belong to the patch `surface`.
 /// \throws Error `cancelled`.
+Survey survey(std::uint64_t points, std::span<const Tet<std::uint32_t>> tets,
+              std::span<const std::int32_t> labels, Context& context);
 Survey survey(std::uint64_t points, std::span<const Tet<std::uint64_t>> tets,
               std::span<const std::int32_t> labels, Context& context);
 

@@ -7,7 +7,7 @@
 #include "certet/context.hpp"
 #include "certet/domain.hpp"
 #include "certet/frame.hpp"
-#include "certet/stuffing.hpp"
+#include "certet/lattice.hpp"
 
 namespace certet {
 

@@ -1,18 +1,19 @@
 """Tetrahedral meshes with proven angles, by isosurface stuffing.
 
     import certet
-    mesh = certet.mesh_image(labels, spacing=(1, 1, 1), size=1.5)
+    mesh = certet.mesh(labels, spacing=(1, 1, 1), size=1.5)
     mesh.points, mesh.tets, mesh.labels          # NumPy arrays that share the mesh's memory
-    mesh.to_meshio().write("brain.vtu")
+    certet.write(mesh, "brain.vtu")
 
-Three functions make meshes: `mesh_image` of voxels, `mesh_function` of a function that is
-negative inside, `mesh_surface` of closed triangles.  They run on all cores without Python's
-lock; Ctrl-C stops them.  What they refuse is a `ValueError` with one sentence, a lattice or
+`mesh` makes one of voxels, of a function that is negative inside, or of closed triangles; so do
+`mesh_image`, `mesh_function` and `mesh_surface`, each for one of these.  `write`, `read`, `check`
+and `quality` do what they say.  They run on all cores without Python's lock; Ctrl-C stops them.  What they refuse is a `ValueError` with one sentence, a lattice or
 mesh that is too large a `MemoryError`.
 """
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, Literal, NamedTuple
 
@@ -21,11 +22,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _certet
 
-__all__ = ["Mesh", "Quality", "mesh_function", "mesh_image", "mesh_surface"]
+__all__ = ["CheckReport", "FileMesh", "Mesh", "Quality", "check", "mesh", "mesh_function",
+           "mesh_image", "mesh_surface", "quality", "read", "write"]
 __version__: str = _certet.version
 
 Cuts = Literal["bisect", "midpoint"]
-Guarantee = Literal["pieces", "angles", "embedding"]
+Guarantee = Literal["angles", "embedding"]
+Method = Literal["embedded", "angles", "embedding", "midpoint"]
 
 
 class Quality(NamedTuple):
@@ -37,13 +40,58 @@ class Quality(NamedTuple):
     max_dihedral: float
     histogram: NDArray[np.uint64]
     """Shape (36,): all six dihedral angles of each tetrahedron, in bins of 5 degrees."""
-    theorem: str
-    """The theorem of the certificate for such meshes; it covers this one where `holds`."""
-    proven_min: float
-    proven_max: float
-    holds: bool
+    theorem: str | None = None
+    """The theorem of the certificate for such meshes; it covers this one where `holds`.  None,
+    and so the next three, of a mesh from a file, which does not tell how it was made."""
+    proven_min: float | None = None
+    proven_max: float | None = None
+    holds: bool | None = None
     """Whether all tetrahedra are positive and all angles within the proven bounds: exactly in
     the lattice, and to a thousandth of a degree in the world, where no two points coincide."""
+
+
+class CheckReport(NamedTuple):
+    """What `check` found."""
+
+    failures: list[str]
+    """One sentence for each broken property; empty: all is well."""
+    points: int
+    tets: int
+    boundary_faces: int
+
+
+class FileMesh:
+    """A mesh as a file holds it.  Its arrays share the memory of the mesh and keep it alive."""
+
+    def __init__(self, inner: _certet.FileMesh) -> None:
+        self._inner = inner
+
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """Shape (n, 3): the file's coordinates."""
+        return self._inner.points
+
+    @property
+    def tets(self) -> NDArray[np.uint64]:
+        """Shape (m, 4): numbers of points."""
+        return self._inner.tets
+
+    @property
+    def labels(self) -> NDArray[np.int32] | None:
+        """Shape (m,): the label of each tetrahedron, where the file has any."""
+        return self._inner.labels
+
+    @property
+    def names(self) -> dict[int, str]:
+        """What labels are called, where the file tells."""
+        return self._inner.names
+
+    def quality(self) -> Quality:
+        """Measures every tetrahedron, in the file's coordinates."""
+        return _quality(self._inner.quality())
+
+    def __repr__(self) -> str:
+        return f"<certet.FileMesh of {len(self.points)} points and {len(self.tets)} tetrahedra>"
 
 
 class Mesh:
@@ -94,9 +142,15 @@ class Mesh:
         return np.asarray(self._inner.axes)
 
     @property
-    def guarantee(self) -> Guarantee:
-        """The thresholds that were used in the end."""
-        return self._inner.guarantee
+    def method(self) -> Method:
+        """The method that was used in the end, whose theorem covers the mesh: where "angles"
+        would turn over a tetrahedron that is dropped, it is "embedding"."""
+        return self._inner.method
+
+    @property
+    def guarantee(self) -> Method:
+        """The same, under its older name."""
+        return self.method
 
     @property
     def notes(self) -> list[str]:
@@ -110,8 +164,7 @@ class Mesh:
 
     def quality(self) -> Quality:
         """Measures every tetrahedron, in exact and in world coordinates."""
-        found = self._inner.quality()
-        return Quality(**{**found, "histogram": np.asarray(found["histogram"], np.uint64)})
+        return _quality(self._inner.quality())
 
     def to_meshio(self) -> Any:
         """A `meshio.Mesh` with the cell data `label`, if there are labels."""
@@ -124,6 +177,63 @@ class Mesh:
         return f"<certet.Mesh of {len(self.points)} points and {len(self.tets)} tetrahedra>"
 
 
+def mesh(shape: Any, **options: Any) -> Mesh:
+    """Meshes a shape, by what it is.
+
+    Parameters
+    ----------
+    shape : a function that is negative inside, as `mesh_function` takes; a pair (points,
+        triangles), as `mesh_surface` does; or an array of voxels, as `mesh_image` does
+    options : those of that function, by name; `bounds` is required for a function
+
+    Raises
+    ------
+    ValueError, MemoryError : as `mesh_image`
+    """
+    if callable(shape):
+        return mesh_function(shape, **options)
+    if isinstance(shape, tuple) and len(shape) == 2:
+        return mesh_surface(*shape, **options)
+    return mesh_image(shape, **options)
+
+
+def write(mesh: Mesh | FileMesh, file: str | os.PathLike[str], format: str | None = None) -> None:
+    """Writes a mesh, in world coordinates, as `certet mesh` does: with its regions, their names and
+    the patches of its boundary where the format has them.
+
+    Parameters
+    ----------
+    format : a name that `certet mesh --format` knows (default: by the extension)
+
+    Raises
+    ------
+    ValueError : an unknown format, a file that cannot be written, a mesh that doubles cannot hold
+        where it lies
+    """
+    _certet.write(mesh._inner, file, format)
+
+
+def read(file: str | os.PathLike[str]) -> FileMesh:
+    """Reads a .vtu, .mesh, .meshb or .msh file.
+
+    Raises
+    ------
+    ValueError : a file that cannot be read, or is not what it should be
+    """
+    return FileMesh(_certet.read(file))
+
+
+def check(mesh: Mesh | FileMesh) -> CheckReport:
+    """Verifies a mesh anew, from its points and tetrahedra alone: conforming, closed, positive,
+    every point used, finite and by itself."""
+    return CheckReport(**_certet.check(mesh._inner))
+
+
+def quality(mesh: Mesh | FileMesh) -> Quality:
+    """Measures every tetrahedron of a mesh; `mesh.quality()` is the same."""
+    return mesh.quality()
+
+
 def mesh_image(
     array: ArrayLike,
     *,
@@ -134,8 +244,9 @@ def mesh_image(
     iso: float | None = None,
     size: float | None = None,
     margin: int = 2,
+    method: Method | None = None,
     cuts: Cuts = "bisect",
-    guarantee: Guarantee = "pieces",
+    guarantee: Guarantee | None = None,
     threads: int = 0,
 ) -> Mesh:
     """Meshes voxels: chosen labels, or where a grayscale image is above `iso`.
@@ -152,11 +263,13 @@ def mesh_image(
     iso : the level; then `labels` must be None
     size : the long edge of the lattice, in world units (default: the smallest spacing)
     margin : cells of the lattice around the solid, at least 1
-    cuts : "bisect" finds the surface along every edge, "midpoint" cuts edges in the middle
-        (angles between 30 and 135 degrees)
-    guarantee : "pieces": no tetrahedra overlap, the surface is a manifold, and no piece of the
-        samples is lost, cut or joined to another; "angles" and "embedding": the paper's rule
-        with either of its thresholds; see the README
+    method : "embedded" (default: dihedral angles from 10.77 to 164.76 degrees, no tetrahedra
+        overlap, the surface is a manifold, and no piece of the samples is lost, cut or joined to
+        another), "angles" and "embedding" (the paper's rule with either of its thresholds; from
+        9.27 to 161.46 degrees with the second) or "midpoint" (from 30 to 135: edges are cut in
+        the middle, whatever the surface does between its ends)
+    cuts, guarantee : the same in two older words, where there is no `method`: cuts="midpoint",
+        or guarantee="angles" or "embedding"
     threads : 0 takes all cores; the mesh does not depend on it
 
     Raises
@@ -172,7 +285,7 @@ def mesh_image(
     axes = np.eye(3) if direction is None else np.asarray(direction, float)
     return Mesh(_certet.mesh_image(np.asarray(array), _three(spacing), _three(origin),
                                    axes.tolist(), ranges, iso, _size(size), margin,
-                                   _options(cuts, guarantee, threads)))
+                                   _options(method, cuts, guarantee, threads)))
 
 
 def mesh_function(
@@ -181,8 +294,9 @@ def mesh_function(
     size: float | None = None,
     *,
     margin: int = 2,
+    method: Method | None = None,
     cuts: Cuts = "bisect",
-    guarantee: Guarantee = "pieces",
+    guarantee: Guarantee | None = None,
     threads: int = 0,
 ) -> Mesh:
     """Meshes where a function is negative.
@@ -194,7 +308,7 @@ def mesh_function(
         answer for the same point every time.  What it raises ends the run and is raised here.
     bounds : ((x0, y0, z0), (x1, y1, z1)): a box, beyond which all is outside
     size : the long edge of the lattice (default: a 64th of the longest side of the box)
-    margin, cuts, guarantee, threads : as `mesh_image` has them
+    margin, method, cuts, guarantee, threads : as `mesh_image` has them
 
     Raises
     ------
@@ -202,7 +316,7 @@ def mesh_function(
     """
     low, high = bounds
     return Mesh(_certet.mesh_function(f, _three(low), _three(high), _size(size), margin,
-                                      _options(cuts, guarantee, threads)))
+                                      _options(method, cuts, guarantee, threads)))
 
 
 def mesh_surface(
@@ -212,8 +326,9 @@ def mesh_surface(
     size: float | None = None,
     repair: bool = False,
     margin: int = 2,
+    method: Method | None = None,
     cuts: Cuts = "bisect",
-    guarantee: Guarantee = "pieces",
+    guarantee: Guarantee | None = None,
     threads: int = 0,
 ) -> Mesh:
     """Meshes the inside of a closed surface.
@@ -228,7 +343,7 @@ def mesh_surface(
     size : the long edge of the lattice (default: a 64th of the longest side, or less where the
         solid is thin, as far as some 4 million tetrahedra)
     repair : close the holes of an open surface
-    margin, cuts, guarantee, threads : as `mesh_image` has them
+    margin, method, cuts, guarantee, threads : as `mesh_image` has them
 
     Raises
     ------
@@ -237,7 +352,11 @@ def mesh_surface(
     """
     return Mesh(_certet.mesh_surface(np.asarray(points, float), np.asarray(triangles, np.int64),
                                      _size(size), margin, repair,
-                                     _options(cuts, guarantee, threads)))
+                                     _options(method, cuts, guarantee, threads)))
+
+
+def _quality(found: dict[str, Any]) -> Quality:
+    return Quality(**{**found, "histogram": np.asarray(found["histogram"], np.uint64)})
 
 
 def _three(numbers: Sequence[float]) -> tuple[float, float, float]:
@@ -254,9 +373,13 @@ def _size(size: float | None) -> float:
     return float(size)
 
 
-def _options(cuts: str, guarantee: str, threads: int) -> _certet.Options:
+def _options(method: str | None, cuts: str, guarantee: str | None, threads: int) -> _certet.Options:
     if cuts not in ("bisect", "midpoint"):
         raise ValueError(f"cuts is 'bisect' or 'midpoint', not {cuts!r}")
-    if guarantee not in ("pieces", "angles", "embedding"):
-        raise ValueError(f"guarantee is 'pieces', 'angles' or 'embedding', not {guarantee!r}")
-    return _certet.Options(cuts == "midpoint", guarantee, threads)
+    if guarantee not in (None, "angles", "embedding"):
+        raise ValueError(f"guarantee is 'angles' or 'embedding', not {guarantee!r}")
+    if method is None:
+        method = "midpoint" if cuts == "midpoint" else guarantee or "embedded"
+    elif (cuts, guarantee) != ("bisect", None):
+        raise ValueError("method says all that cuts and guarantee do: give one or the others")
+    return _certet.Options(method, threads)

@@ -67,10 +67,9 @@ soak::Trial trial_of(Bytes bytes) {
   soak::Trial trial;
   trial.kind = soak::Kind::thresholds;
   trial.seed = bytes[0] >> 2;
-  if (bytes[0] & 1) trial.options.cuts = certet::Cuts::midpoint;
   if (bytes[0] & 2)
-    trial.options.guarantee =
-        bytes[1] & 64 ? certet::Guarantee::angles : certet::Guarantee::embedding;
+    trial.method = bytes[1] & 64 ? certet::Method::angles : certet::Method::embedding;
+  if (bytes[0] & 1) trial.method = certet::Method::midpoint;
   trial.lattice.origin = {0, 0, 0};
   for (std::size_t axis = 0; axis < 3; ++axis)
     trial.lattice.cells[axis] = std::array{3, 4, 4, 5}[bytes[1] >> (2 * axis) & 3];

@@ -15,7 +15,7 @@ void mesh_file(Bytes bytes) {
   certet::Context context;
   context.threads = 1;
   read_or_refuse([&] {
-    const certet::FileMesh mesh = certet::read_mesh(file.path(), context);
+    const certet::FileMesh mesh = certet::read(file.path(), context);
     if (!mesh.labels.empty() && mesh.labels.size() != mesh.tets.size())
       throw Finding("there are labels, but not one for each tetrahedron");
     const std::span<const certet::Tet<std::uint64_t>> tets(mesh.tets);

@@ -11,7 +11,7 @@ void label_names(Bytes bytes);  ///< the file
 void image(Bytes bytes);        ///< first byte: the format; then the file
 void dicom(Bytes bytes);        ///< two slices of one length, one behind the other
 void surface(Bytes bytes);      ///< first byte: the format; then the file
-void expression(Bytes bytes);   ///< the formula
+void formula(Bytes bytes);   ///< the formula
 void options(Bytes bytes);      ///< the words of a command line, a line each
 void run_file(Bytes bytes);     ///< what `certet mesh --json` says
 void core(Bytes bytes);         ///< lattice and options; then signs and cuts

@@ -18,9 +18,8 @@ Quality measured(double least, double greatest) {
 }
 
 TEST(ProvenBounds, HoldOrDoNot) {
-  for (const AngleBounds& b : {proven_bounds(Cuts::bisect, Guarantee::angles),
-                               proven_bounds(Cuts::bisect, Guarantee::embedding),
-                               proven_bounds(Cuts::midpoint, Guarantee::angles)}) {
+  for (const MethodFacts& method : methods) {
+    const AngleBounds& b = method.bounds;
     EXPECT_TRUE(within(measured(b.min_dihedral, b.max_dihedral), b, 0));
     EXPECT_FALSE(within(measured(b.min_dihedral - 0.001, b.max_dihedral), b, 1e-6));
     EXPECT_FALSE(within(measured(b.min_dihedral, b.max_dihedral + 0.001), b, 1e-6));
@@ -30,7 +29,7 @@ TEST(ProvenBounds, HoldOrDoNot) {
 }
 
 TEST(ProvenBounds, AnInvertedTetrahedronIsOutsideOfAny) {
-  const AngleBounds b = proven_bounds(Cuts::bisect, Guarantee::angles);
+  const AngleBounds b = facts(Method::angles).bounds;
   Quality quality = measured(60, 90);
   EXPECT_TRUE(within(quality, b, 0));
   quality.nonpositive = 1;

@@ -7,7 +7,7 @@
 
 #include "certet/check.hpp"
 #include "certet/stuffing.hpp"
-#include "faces.hpp"
+#include "mesh/faces.hpp"
 #include "domains.hpp"
 
 namespace certet {
@@ -175,15 +175,15 @@ TEST(Check, IndicesOfBothWidthsGiveTheSame) {
 TEST(Check, MeshesOfTheEnginePass) {
   Context context;
   const Lattice lattice{{-24, -24, -24}, {24, 24, 24}};
-  for (const Guarantee guarantee : {Guarantee::angles, Guarantee::embedding}) {
+  for (const Method method : {Method::angles, Method::embedding}) {
     const auto torus = domains::of_level(domains::torus(0, 0, 0, 14, 6));
-    const Mesh mesh = stuff(torus, lattice, {}, {Cuts::bisect, guarantee}, context);
+    const Mesh mesh = stuff(torus, lattice, {}, method, context);
     std::vector<Point3> points;
     for (const Coord3 p : mesh.points) points.push_back(mesh.frame.world(p));
     const std::span<const Tet32> tets = std::get<Buffer<Tet32>>(mesh.tets);
     const CheckReport report = check(points, tets);
     EXPECT_TRUE(report.failures.empty()) << report.failures.front();
-    const AngleBounds bounds = proven_bounds(Cuts::bisect, guarantee);
+    const AngleBounds& bounds = facts(method).bounds;
     EXPECT_GE(report.quality.min_dihedral, bounds.min_dihedral);
     EXPECT_LE(report.quality.max_dihedral, bounds.max_dihedral);
     const Quality exact = measure_lattice(mesh.points, 0, tets);
@@ -200,8 +200,8 @@ TEST(Faces, WideKeysFindWhatNarrowOnesFind) {
   const std::span<const Tet32> tets(mesh.tets);
   const auto all = [](std::size_t) { return true; };
   Context context;
-  const auto narrow = quality::find_faces<quality::NarrowFace>(mesh.points.size(), tets, all, context);
-  const auto wide = quality::find_faces<quality::WideFace>(mesh.points.size(), tets, all, context);
+  const auto narrow = core::find_faces<core::NarrowFace>(mesh.points.size(), tets, all, context);
+  const auto wide = core::find_faces<core::WideFace>(mesh.points.size(), tets, all, context);
   EXPECT_GT(narrow.misoriented, 0u);
   EXPECT_EQ(narrow.misoriented, wide.misoriented);
   EXPECT_EQ(narrow.overfull, wide.overfull);
@@ -213,23 +213,23 @@ TEST(Faces, WideKeysFindWhatNarrowOnesFind) {
 }
 
 TEST(Faces, KeysHoldTheGreatestPoints) {
-  constexpr std::uint64_t last = quality::NarrowFace::point_limit - 1;
+  constexpr std::uint64_t last = core::NarrowFace::point_limit - 1;
   for (const bool reversed : {false, true}) {
-    const quality::Face face = quality::NarrowFace(last - 1, last, reversed).face(last - 2);
+    const core::Face face = core::NarrowFace(last - 1, last, reversed).face(last - 2);
     EXPECT_EQ(face.points, (std::array<std::uint64_t, 3>{last - 2, last - 1, last}));
     EXPECT_EQ(face.reversed, reversed);
   }
 }
 
 TEST(Faces, ASurfaceWithAMissingOrATurnedTriangleIsOpen) {
-  std::vector<quality::Face> surface = {
+  std::vector<core::Face> surface = {
       {{0, 1, 2}, true}, {{0, 1, 3}, false}, {{0, 2, 3}, true}, {{1, 2, 3}, false}};
   Context context;
-  EXPECT_EQ(quality::find_edges(4, surface, context).open, 0u);
+  EXPECT_EQ(core::find_edges(4, surface, context).open, 0u);
   surface[1].reversed = true;
-  EXPECT_EQ(quality::find_edges(4, surface, context).open, 3u);
+  EXPECT_EQ(core::find_edges(4, surface, context).open, 3u);
   surface.erase(surface.begin() + 1);
-  EXPECT_EQ(quality::find_edges(4, surface, context).open, 3u);
+  EXPECT_EQ(core::find_edges(4, surface, context).open, 3u);
 }
 
 }  // namespace

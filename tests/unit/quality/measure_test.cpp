@@ -12,7 +12,7 @@
 
 #include "certet/error.hpp"
 #include "certet/quality.hpp"
-#include "certet/structured_tet.hpp"
+#include "certet/lattice/structured_tet.hpp"
 
 namespace certet {
 namespace {

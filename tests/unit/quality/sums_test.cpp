@@ -64,21 +64,32 @@ TEST(Quality, NothingAddsNothing) {
   EXPECT_EQ(quality.volume, 0.0);
 }
 
-TEST(ProvenBounds, FollowTheThresholds) {
-  const AngleBounds angles = proven_bounds(Cuts::bisect, Guarantee::angles);
+TEST(Methods, PromiseWhatTheirTheoremsDo) {
+  const AngleBounds& embedded = facts(Method::embedded).bounds;
+  EXPECT_EQ(embedded.theorem, "SettledBoundsInDegrees");
+  EXPECT_EQ(embedded.min_dihedral, 10.77);
+  EXPECT_EQ(embedded.max_dihedral, 164.76);
+  const AngleBounds& angles = facts(Method::angles).bounds;
   EXPECT_EQ(angles.theorem, "DihedralBounds");
   EXPECT_EQ(angles.min_dihedral, 10.77);
   EXPECT_EQ(angles.max_dihedral, 164.76);
-  const AngleBounds embedding = proven_bounds(Cuts::bisect, Guarantee::embedding);
+  const AngleBounds& embedding = facts(Method::embedding).bounds;
   EXPECT_EQ(embedding.theorem, "DihedralBoundsEmbedding");
   EXPECT_EQ(embedding.min_dihedral, 9.27);
   EXPECT_EQ(embedding.max_dihedral, 161.46);
-  for (const Guarantee guarantee : {Guarantee::angles, Guarantee::embedding}) {
-    const AngleBounds midpoint = proven_bounds(Cuts::midpoint, guarantee);
-    EXPECT_EQ(midpoint.theorem, "MidpointBounds");
-    EXPECT_EQ(midpoint.min_dihedral, 30.0);
-    EXPECT_EQ(midpoint.max_dihedral, 135.0);
+  const AngleBounds& midpoint = facts(Method::midpoint).bounds;
+  EXPECT_EQ(midpoint.theorem, "MidpointBounds");
+  EXPECT_EQ(midpoint.min_dihedral, 30.0);
+  EXPECT_EQ(midpoint.max_dihedral, 135.0);
+}
+
+TEST(Methods, AreFoundByTheirNames) {
+  for (std::size_t row = 0; row < methods.size(); ++row) {
+    EXPECT_EQ(static_cast<std::size_t>(methods[row].method), row);
+    EXPECT_EQ(method_named(methods[row].name), methods[row].method);
   }
+  EXPECT_EQ(method_named("bisect"), std::nullopt);
+  EXPECT_EQ(method_names(), "embedded, angles, embedding, midpoint");
 }
 
 }  // namespace

@@ -1,0 +1,152 @@
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "certet/error.hpp"
+#include "certet/function_domain.hpp"
+#include "certet/shape.hpp"
+#include "distances.hpp"
+
+namespace certet {
+namespace {
+
+using namespace shape;
+
+[[noreturn]] void refuse(const std::string& text, const std::string& reason) {
+  throw Error(ErrorCode::bad_option, "the shape '" + text + "' " + reason);
+}
+
+using AnyShape = std::variant<Sphere, Torus, Box, Cylinder, Within<Gyroid>>;
+using Numbers = std::span<const double>;
+
+Box cube(double a, double b, double c) {
+  return {{{-a / 2, -b / 2, -c / 2}, {a / 2, b / 2, c / 2}}};
+}
+
+AnyShape torus(const std::string& text, Numbers n) {
+  if (n[1] >= n[0]) refuse(text, "has a tube that is not thinner than its ring");
+  return Torus{n[0], n[1]};
+}
+
+/// The function is at most 1.5 before it is divided.
+AnyShape gyroid(const std::string& text, Numbers n) {
+  if (n[1] >= 1.5 * n[0] / (std::numbers::pi * std::numbers::sqrt3))
+    refuse(text, "has a wall so thick that it leaves no gap");
+  const double side = n.size() == 3 ? n[2] : 2 * n[0];
+  return Within<Gyroid>{{n[0], n[1]}, cube(side, side, side)};
+}
+
+/// One kind of shape, and the numbers that it takes.
+struct Kind {
+  std::string_view name, parameters;
+  std::size_t least, most;
+  AnyShape (*make)(const std::string& text, Numbers numbers);
+};
+
+constexpr std::array kinds{
+    Kind{"sphere", "R", 1, 1,
+         [](const std::string&, Numbers n) -> AnyShape { return Sphere{n[0]}; }},
+    Kind{"torus", "R,r", 2, 2, torus},
+    Kind{"box", "a,b,c", 3, 3,
+         [](const std::string&, Numbers n) -> AnyShape { return cube(n[0], n[1], n[2]); }},
+    Kind{"cylinder", "R,H", 2, 2,
+         [](const std::string&, Numbers n) -> AnyShape { return Cylinder{n[0], n[1] / 2}; }},
+    Kind{"gyroid", "PERIOD,THICKNESS[,SIDE]", 2, 3, gyroid},
+};
+
+const Kind& kind_of(const std::string& text) {
+  const std::string_view name = std::string_view(text).substr(0, text.find(':'));
+  for (const Kind& kind : kinds)
+    if (kind.name == name) return kind;
+  refuse(text, "does not exist: there are sphere, torus, box, cylinder and gyroid");
+}
+
+std::vector<double> numbers_of(const std::string& text, const Kind& kind) {
+  std::vector<double> numbers;
+  std::size_t begin = std::min(text.find(':'), text.size());
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find(',', begin + 1), text.size());
+    double number = 0;
+    const auto [stop, failure] =
+        std::from_chars(text.data() + begin + 1, text.data() + end, number);
+    if (failure != std::errc{} || stop != text.data() + end || !std::isfinite(number) ||
+        number <= 0)
+      refuse(text, "has a number that is not positive and finite: '" +
+                       text.substr(begin + 1, end - begin - 1) + "'");
+    numbers.push_back(number);
+    begin = end;
+  }
+  if (numbers.size() < kind.least || numbers.size() > kind.most)
+    refuse(text, "has " + std::to_string(numbers.size()) + " numbers: it is " +
+                     std::string(kind.name) + ":" + std::string(kind.parameters));
+  return numbers;
+}
+
+AnyShape read(const std::string& text) {
+  const Kind& kind = kind_of(text);
+  return kind.make(text, numbers_of(text, kind));
+}
+
+Bounds bounds_of(const Within<Gyroid>& gyroid) { return gyroid.box.sides; }
+template <class Solid>
+Bounds bounds_of(const Solid& solid) {
+  return solid.bounds();
+}
+
+std::optional<double> volume_of(const Within<Gyroid>&) { return std::nullopt; }
+template <class Solid>
+std::optional<double> volume_of(const Solid& solid) {
+  return solid.volume();
+}
+
+/// A gyroid has no bounds of its own.
+Bounds meet(const std::string& text, const AnyShape& shape, const std::optional<Bounds>& bounds) {
+  Bounds result = std::visit([](const auto& solid) { return bounds_of(solid); }, shape);
+  if (!bounds) return result;
+  if (std::holds_alternative<Within<Gyroid>>(shape)) return *bounds;
+  for (std::size_t a = 0; a < 3; ++a) {
+    result.low[a] = std::max(result.low[a], bounds->low[a]);
+    result.high[a] = std::min(result.high[a], bounds->high[a]);
+    if (!(result.low[a] < result.high[a])) refuse(text, "has no part within the bounds");
+  }
+  return result;
+}
+
+/// Distances, or less: they change by 1 per world unit at most.
+template <class Solid>
+std::unique_ptr<Domain> domain(const Solid& solid, const Frame& frame) {
+  return std::make_unique<FunctionDomain<Solid>>(solid, frame, 1.0);
+}
+
+std::unique_ptr<Domain> domain(const AnyShape& shape, const std::optional<Bounds>& bounds,
+                               const Frame& frame) {
+  return std::visit(
+      [&]<class Solid>(const Solid& solid) -> std::unique_ptr<Domain> {
+        if (!bounds) return domain(solid, frame);
+        if constexpr (std::is_same_v<Solid, Within<Gyroid>>)
+          return domain(Within<Gyroid>{solid.solid, {*bounds}}, frame);
+        else
+          return domain(Within<Solid>{solid, {*bounds}}, frame);
+      },
+      shape);
+}
+
+}  // namespace
+
+ShapeDomain::ShapeDomain(const std::string& shape, const std::optional<Bounds>& bounds,
+                         double size, std::int32_t margin) {
+  const AnyShape solid = read(shape);
+  bounds_ = meet(shape, solid, bounds);
+  if (!bounds)
+    volume_ = std::visit([](const auto& one) { return volume_of(one); }, solid);
+  around_ = lattice_around(bounds_, size, margin);
+  if (bounds)
+    border_.push_back(BorderBox::along_frame(around_.frame, bounds->low, bounds->high));
+  solid_ = domain(solid, bounds, around_.frame);
+}
+
+}  // namespace certet

@@ -1,0 +1,97 @@
+#include "border.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace certet {
+namespace {
+
+/// In lattice units; what Frame::world turns round.
+Point3 lattice_position(const Frame& frame, const Point3& world) {
+  Point3 position{};
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t r = 0; r < 3; ++r)
+      position[a] += 2 / frame.size * frame.axes[r][a] * (world[r] - frame.origin[r]);
+  return position;
+}
+
+/// The frame by which the world's coordinates are the lattice's.
+constexpr Frame lattice_frame{.size = 2};
+
+/// Of the corners' positions, in lattice units.
+constexpr double corner_rounding = 1e-9;
+
+}  // namespace
+
+BorderBox::BorderBox(const Frame& place, const Point3& corner, const Point3& opposite,
+                     double rounding)
+    : place_(place), rounding_(rounding) {
+  for (std::size_t a = 0; a < 3; ++a)
+    std::tie(low_[a], high_[a]) = std::minmax(corner[a], opposite[a]);
+}
+
+BorderBox BorderBox::along_frame(const Frame& frame, const Point3& corner,
+                                 const Point3& opposite) {
+  return {lattice_frame, lattice_position(frame, corner), lattice_position(frame, opposite),
+          corner_rounding};
+}
+
+BorderBox BorderBox::along_world(const Frame& frame, const Point3& corner,
+                                 const Point3& opposite) {
+  return {frame, corner, opposite, 0};
+}
+
+bool BorderBox::contains(Coord3 position) const {
+  const Point3 p = place_.world(position);
+  for (std::size_t a = 0; a < 3; ++a)
+    if (p[a] < low_[a] - rounding_ || p[a] > high_[a] + rounding_) return false;
+  return true;
+}
+
+bool BorderBox::is_at_face(Coord3 position) const {
+  const double tolerance = 4.0 / steps * (place_.size / 2);
+  const Point3 p = place_.world(position);
+  for (std::size_t a = 0; a < 3; ++a)
+    if (std::abs(p[a] - low_[a]) <= tolerance || std::abs(p[a] - high_[a]) <= tolerance)
+      return true;
+  return false;
+}
+
+namespace core {
+
+std::array<Coord3, 2> ends_of_middle(Coord3 middle) {
+  using Position = std::array<std::int32_t, 3>;
+  const Position at{middle.x, middle.y, middle.z};
+  Position first{}, second{};
+  const bool is_short = at[0] % steps != 0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::int32_t below = at[a] >> step_bits;
+    const std::int32_t next = at[(a + 1) % 3] >> step_bits;
+    const std::int32_t after = at[(a + 2) % 3] >> step_bits;
+    first[a] = second[a] = below;
+    if (is_short) {
+      // The first has even coordinates, the second has odd ones.
+      (below % 2 == 0 ? second : first)[a] += 1;
+    } else if ((next ^ after) % 2 == 0 && (below ^ next) % 2 != 0) {
+      // A long edge runs along the axis whose parity stands alone.
+      first[a] -= 1;
+      second[a] += 1;
+    }
+  }
+  return {Coord3{first[0], first[1], first[2]}, Coord3{second[0], second[1], second[2]}};
+}
+
+bool is_on_border(Coord3 point, std::span<const BorderBox> boxes, Cuts cuts) {
+  if (cuts == Cuts::bisect)
+    return std::ranges::any_of(boxes,
+                               [&](const BorderBox& box) { return box.is_at_face(point); });
+  const auto [one, other] = ends_of_middle(point);
+  return std::ranges::any_of(boxes, [&, one = steps * one, other = steps * other](
+                                        const BorderBox& box) {
+    return box.contains(one) != box.contains(other);
+  });
+}
+
+}  // namespace core
+}  // namespace certet

@@ -1,0 +1,99 @@
+#include "count.hpp"
+
+#include <numeric>
+
+#include "lattice/cell_tables.hpp"
+#include "layer_loop.hpp"
+#include "row_ranks.hpp"
+
+namespace certet::core {
+namespace {
+
+/// The lengths of 64 stencils at once, by their corners' bits, so that counting looks up
+/// no table.  A stencil has one tetrahedron if any
+/// corner is plus, one more if there is also a minus and a second plus, and a
+/// third if, besides, no corner is zero.
+struct StencilCounts {
+  std::uint64_t one, two, three;
+};
+
+constexpr StencilCounts stencil_counts(const std::array<SignWord, 4>& corner) {
+  std::uint64_t plus = 0;
+  std::uint64_t two_plus = 0;
+  std::uint64_t minus = 0;
+  std::uint64_t zero = 0;
+  for (const SignWord& c : corner) {
+    two_plus |= plus & c.plus;
+    plus |= c.plus;
+    minus |= c.minus();
+    zero |= c.zero;
+  }
+  const std::uint64_t split = two_plus & minus;
+  return {plus, split, split & ~zero};
+}
+
+/// The rule above is that of the stencils.
+static_assert([] {
+  for (int index = 0; index < pattern_count; ++index) {
+    std::array<SignWord, 4> corner{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Sign s = pattern_signs(index)[i];
+      corner[i] = {s == Sign::plus ? 1u : 0u, s == Sign::on_surface ? 1u : 0u};
+    }
+    const StencilCounts counts = stencil_counts(corner);
+    if ((counts.one & 1) + (counts.two & 1) + (counts.three & 1) != stencils[static_cast<std::size_t>(index)].count)
+      return false;
+  }
+  return true;
+}());
+
+std::uint64_t count_tets(const SignPlanes& planes, int j, int k) {
+  const SignRows signs(planes, j, k);
+  std::uint64_t count = 0;
+  for (int w = 0; w < planes.words(); ++w) {
+    std::array<SignWord, cell_vertex_count> vertex;
+    std::uint64_t any_plus = 0;
+    for (std::size_t v = 0; v < cell_vertex_count; ++v) {
+      vertex[v] = signs.at(cell.vertices[v], w);
+      any_plus |= vertex[v].plus;
+    }
+    if (any_plus == 0) continue;
+    for (const auto& corner : cell.corner) {
+      const StencilCounts counts = stencil_counts(
+          {vertex[corner[0]], vertex[corner[1]], vertex[corner[2]], vertex[corner[3]]});
+      count += static_cast<std::uint64_t>(std::popcount(counts.one) + std::popcount(counts.two) +
+                                          std::popcount(counts.three));
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+RowNumbers::RowNumbers(const SignPlanes& planes, const Lattice& lattice, Window window,
+                       Context& context)
+    : window_(window), rows_(static_cast<std::size_t>(lattice.cells[1])) {
+  const Window counted = widened(window, 0, 1, lattice);
+  const std::size_t rows = rows_ * static_cast<std::size_t>(counted.layers());
+  points_.resize(rows + 1);
+  tets_.resize(rows + 1);
+  for_each_layer(context, Stage::count, counted, [&](std::int32_t k) {
+    RowRanks ranks;
+    for (int j = 0; j < lattice.cells[1]; ++j) {
+      ranks.compute(planes, j, k);
+      points_[at(j, k)] = ranks.count();
+      if (window_.contains(k)) tets_[at(j, k)] = count_tets(planes, j, k);
+    }
+  });
+  for (auto* counts : {&points_, &tets_})
+    std::exclusive_scan(counts->begin(), counts->end(), counts->begin(), std::uint64_t{0});
+}
+
+void RowNumbers::start_from(std::uint64_t point, std::uint64_t tet) {
+  const std::uint64_t points = point - points_.front();
+  const std::uint64_t tets = tet - tets_.front();
+  for (std::uint64_t& number : points_) number += points;
+  for (std::uint64_t& number : tets_) number += tets;
+}
+
+}  // namespace certet::core

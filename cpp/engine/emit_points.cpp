@@ -1,0 +1,107 @@
+#include <algorithm>
+
+#include "emit.hpp"
+#include "emit_loop.hpp"
+
+namespace certet::core {
+namespace {
+
+/// Corners of one grid: where the lattice has them, or where warping moved them.
+Coord3* emit_corners(const WarpedLattice& warped, const Lattice& lattice, Grid grid, int j, int k,
+                     const Displacement*& displacement, Coord3* out) {
+  const SignPlanes& planes = warped.planes;
+  for (int w = 0; w < planes.words(); ++w) {
+    const std::uint64_t plus = planes.plus(grid, j, k)[w];
+    const std::uint64_t zero = planes.zero(grid, j, k)[w];
+    for_each_bit(plus | zero, [&](int b) {
+      Coord3 position = steps * lattice_point(lattice, {grid, {}}, 64 * w + b, j, k);
+      if (zero >> b & 1) {
+        position = position +
+                   std::int32_t{displacement->distance} * tiling.directions[displacement->direction];
+        ++displacement;
+      }
+      *out++ = position;
+    });
+  }
+  return out;
+}
+
+/// Cuts of one family.
+Coord3* emit_cuts(const WarpedLattice& warped, const Lattice& lattice, const RowRanks& row,
+                  std::size_t f, int j, int k, const std::uint16_t*& cut, Coord3* out) {
+  const Family& family = families[f];
+  const std::uint64_t* const first_plus = warped.planes.plus(family.first.grid, j, k);
+  for (int w = 0; w < row.words(); ++w)
+    for_each_bit(row.mask(corner_kinds + f, w), [&](int b) {
+      const Coord3 first = lattice_point(lattice, family.first, 64 * w + b, j, k);
+      const Coord3 second = lattice_point(lattice, family.second, 64 * w + b, j, k);
+      const bool forward = (first_plus[w] >> b & 1) != 0;
+      const Coord3 plus = forward ? first : second;
+      const Coord3 minus = forward ? second : first;
+      *out++ = steps * plus + std::int32_t{*cut++} * (minus - plus);
+    });
+  return out;
+}
+
+/// The points of row (j,k), in the order of RowRanks, from `out` on.
+void emit_row_points(const WarpedLattice& warped, const Lattice& lattice, const RowRanks& row,
+                     int j, int k, Coord3* out) {
+  const DisplacedLayer& zeros = warped.zeros[k];
+  const CutLayer& cuts = warped.cuts[k];
+  const Displacement* displacement =
+      zeros.displacements.data() + zeros.row_begin[static_cast<std::size_t>(j)];
+  const std::uint16_t* cut = cuts.steps.data() + cuts.row_begin[static_cast<std::size_t>(j)];
+  for (const Grid grid : grids)
+    out = emit_corners(warped, lattice, grid, j, k, displacement, out);
+  for (std::size_t f = 0; f < family_count; ++f)
+    out = emit_cuts(warped, lattice, row, f, j, k, cut, out);
+}
+
+/// Tells of the same points whether they lie on the surface.
+void mark_row_points(const SignPlanes& planes, const RowRanks& row, int j, int k,
+                     std::uint8_t* out) {
+  std::uint8_t* const cuts = out + row.corners();
+  for (const Grid grid : grids)
+    for (int w = 0; w < planes.words(); ++w) {
+      const std::uint64_t zero = planes.zero(grid, j, k)[w];
+      for_each_bit(planes.plus(grid, j, k)[w] | zero,
+                   [&](int b) { *out++ = static_cast<std::uint8_t>(zero >> b & 1); });
+    }
+  std::fill(cuts, cuts + (row.count() - row.corners()), std::uint8_t{1});
+}
+
+/// Calls emit(row, j, k, to) for every row of a window, `to` being where its
+/// points go in `out`.
+template <class T, class Emit>
+void for_each_row(const WarpedLattice& warped, const RowNumbers& numbers, const Lattice& lattice,
+                  Window window, std::span<T> out, Context& context, const Emit& emit) {
+  const std::uint64_t start = numbers.first_point(0, window.begin);
+  check_room(out.size(), numbers.first_point(0, window.end) - start);
+  for_each_piece(lattice, window, context, [&](int j_begin, int j_end, int k) {
+    RowRanks row;
+    for (int j = j_begin; j < j_end; ++j) {
+      row.compute(warped.planes, j, k);
+      emit(row, j, k, out.data() + (numbers.first_point(j, k) - start));
+    }
+  });
+}
+
+}  // namespace
+
+void emit_points(const WarpedLattice& warped, const RowNumbers& numbers, const Lattice& lattice,
+                 Window window, std::span<Coord3> out, Context& context) {
+  for_each_row(warped, numbers, lattice, window, out, context,
+               [&](const RowRanks& row, int j, int k, Coord3* to) {
+                 emit_row_points(warped, lattice, row, j, k, to);
+               });
+}
+
+void mark_surface(const WarpedLattice& warped, const RowNumbers& numbers, const Lattice& lattice,
+                  Window window, std::span<std::uint8_t> out, Context& context) {
+  for_each_row(warped, numbers, lattice, window, out, context,
+               [&](const RowRanks& row, int j, int k, std::uint8_t* to) {
+                 mark_row_points(warped.planes, row, j, k, to);
+               });
+}
+
+}  // namespace certet::core

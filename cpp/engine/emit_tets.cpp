@@ -1,0 +1,139 @@
+#include <limits>
+
+#include "lattice/cell_tables.hpp"
+#include "emit.hpp"
+#include "emit_loop.hpp"
+#include "row_window.hpp"
+
+namespace certet::core {
+namespace {
+
+/// Emits row after row of one layer.
+template <class Index>
+class TetEmitter {
+ public:
+  TetEmitter(const SignPlanes& planes, const RowNumbers& numbers, int j, int k, Tet<Index>* out)
+      : planes_(planes), numbers_(numbers), j_(j), k_(k), window_(planes, j, k), out_(out) {}
+
+  void emit_row() {
+    first_point_ = {{{row_number(j_, k_), row_number(j_, k_ + 1)},
+                     {row_number(j_ + 1, k_), row_number(j_ + 1, k_ + 1)}}};
+    const SignRows signs(planes_, j_, k_);
+    for (int w = 0; w < planes_.words(); ++w) emit_word(signs, w);
+    ++j_;
+    window_.next();
+  }
+
+ private:
+  [[nodiscard]] Index row_number(int j, int k) const {
+    const auto& cells = planes_.cells();
+    if (j >= cells[1] || k >= cells[2]) return 0;
+    return static_cast<Index>(numbers_.first_point(j, k));
+  }
+
+  /// 64 cells: most have nothing inside, or all.  The former are passed over by the
+  /// bits of `any_plus`, runs of the latter need neither signs nor stencils; what is
+  /// left are the cells around the surface.
+  void emit_word(const SignRows& signs, int w) {
+    std::uint64_t any_plus = 0;
+    std::uint64_t all_plus = ~std::uint64_t{0};
+    for (std::size_t v = 0; v < cell_vertex_count; ++v) {
+      vertex_[v] = signs.at(cell.vertices[v], w);
+      any_plus |= vertex_[v].plus;
+      all_plus &= vertex_[v].plus;
+    }
+    while (any_plus != 0) {
+      const int b = std::countr_zero(any_plus);
+      if ((all_plus >> b & 1) != 0) {
+        const int length = std::countr_one(all_plus >> b);
+        emit_interior(w, b, length);
+        any_plus = b + length == 64 ? 0 : any_plus & ~below(b + length);
+      } else {
+        emit_cell(w, b);
+        any_plus &= any_plus - 1;
+      }
+    }
+  }
+
+  /// The number of a point `kind` whose owner is `owner` away from bit b, by its rank
+  /// in the owner's row: cpp/docs/pictures/ranks.svg.
+  [[nodiscard]] Index point(std::size_t kind, Shift owner, int w, int b) const {
+    const auto y = static_cast<std::size_t>(int{owner.y});
+    const auto z = static_cast<std::size_t>(int{owner.z});
+    const WordBit at = WordBit{w, b}.moved(owner.x);
+    return static_cast<Index>(first_point_[y][z] +
+                              window_.row(y, z).rank(kind, at.w, at.b));
+  }
+
+  /// Cells whose vertices are all inside: along the row every number grows by one.
+  void emit_interior(int w, int b, int length) {
+    std::array<Index, cell_vertex_count> number;
+    for (std::size_t v = 0; v < cell_vertex_count; ++v)
+      number[v] = point(cell.vertices[v].grid, cell.vertices[v].shift, w, b);
+    std::array<Index, interior_size> current;
+    for (std::size_t n = 0; n < interior_size; ++n) current[n] = number[interior_vertices[n]];
+    Index* to = out_->data();
+    for (int i = 0; i < length; ++i, to += interior_size)
+      for (std::size_t n = 0; n < interior_size; ++n) to[n] = current[n]++;
+    out_ += length * int{cell_tet_count};
+  }
+
+  /// A cell with the surface in or near it: case by case, by the stencils
+  /// (cpp/docs/pictures/stencils.svg).
+  void emit_cell(int w, int b) {
+    std::array<Sign, cell_vertex_count> sign;
+    for (std::size_t v = 0; v < cell_vertex_count; ++v)
+      sign[v] = sign_of_bits(static_cast<int>(vertex_[v].plus >> b & 1),
+                             static_cast<int>(vertex_[v].zero >> b & 1));
+    for (std::size_t c = 0; c < cell_tet_count; ++c) {
+      const auto& corner = cell.corner[c];
+      const auto pattern = static_cast<std::size_t>(pattern_index(
+          sign[corner[0]], sign[corner[1]], sign[corner[2]], sign[corner[3]]));
+      for (const UnstructuredTet& tet : stencils[pattern]) {
+        for (std::size_t n = 0; n < 4; ++n) (*out_)[n] = vertex_number(c, tet[output_orders[c][n]], w, b);
+        ++out_;
+      }
+    }
+  }
+
+  [[nodiscard]] Index vertex_number(std::size_t c, StencilVertex v, int w, int b) const {
+    if (v.is_cut()) {
+      const EdgeRef& edge = cell.edge[c][v.a][v.b];
+      return point(edge.kind, edge.owner, w, b);
+    }
+    const VertexRef& corner = cell.vertices[cell.corner[c][v.a]];
+    return point(corner.grid, corner.shift, w, b);
+  }
+
+  const SignPlanes& planes_;
+  const RowNumbers& numbers_;
+  int j_, k_;
+  RowWindow window_;  ///< rows j..j+1 of layers k..k+1
+  std::array<std::array<Index, 2>, 2> first_point_{};
+  std::array<SignWord, cell_vertex_count> vertex_{};
+  Tet<Index>* out_;
+};
+
+}  // namespace
+
+template <class Index>
+void emit_tets(const WarpedLattice& warped, const RowNumbers& numbers, const Lattice& lattice,
+               Window window, std::span<Tet<Index>> out, Context& context) {
+  const std::uint64_t start = numbers.first_tet(0, window.begin);
+  check_room(out.size(), numbers.first_tet(0, window.end) - start);
+  if (numbers.last_point() > std::numeric_limits<Index>::max())
+    throw Error(ErrorCode::too_large, "the numbers of the points do not fit in " +
+                                          std::to_string(8 * sizeof(Index)) + " bits");
+  for_each_piece(lattice, window, context, [&](int j_begin, int j_end, int k) {
+    TetEmitter<Index> emitter(warped.planes, numbers, j_begin, k,
+                              out.data() + (numbers.first_tet(j_begin, k) - start));
+    for (int j = j_begin; j < j_end; ++j) emitter.emit_row();
+  });
+}
+
+template void emit_tets(const WarpedLattice&, const RowNumbers&, const Lattice&, Window,
+                        std::span<Tet<std::uint32_t>>, Context&);
+template void emit_tets(const WarpedLattice&, const RowNumbers&, const Lattice&, Window,
+                        std::span<Tet<std::uint64_t>>, Context&);
+
+}  // namespace certet::core

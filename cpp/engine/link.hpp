@@ -1,0 +1,72 @@
+#pragma once
+/// \file
+/// The link of a vertex: its 14 neighbours, a sphere of 36 edges and 24 triangles.
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "certet/lattice/direction.hpp"
+
+namespace certet::core {
+
+/// Some of the neighbours: a bit for each direction.
+using LinkSet = std::uint32_t;
+inline constexpr LinkSet whole_link = (LinkSet{1} << direction_count) - 1;
+
+/// The neighbours that are next to neighbour d: the ring around the edge to it, of
+/// four around a long and six around a short one.  Two adjacent neighbours have two
+/// such neighbours in common, one on each side of their edge.
+inline constexpr std::array<std::uint16_t, direction_count> link_ring = [] {
+  std::array<std::uint16_t, direction_count> ring{};
+  for (std::size_t d = 0; d < direction_count; ++d)
+    for (std::size_t e = 0; e < direction_count; ++e)
+      for (const Coord3& offset : direction_offset)
+        if (direction_offset[d] + offset == direction_offset[e])
+          ring[d] = static_cast<std::uint16_t>(ring[d] | 1U << e);
+  return ring;
+}();
+
+/// A bit for each set of neighbours: whether it is not empty, and in one piece.  It is
+/// so if it is one neighbour, or next to one of its own the others are, in one piece:
+/// whatever is in one piece has a member that holds no two parts of it together.
+inline constexpr std::array<std::uint64_t, (whole_link + 1) / 64> connected_sets = [] {
+  std::array<std::uint64_t, (whole_link + 1) / 64> connected{};
+  std::uint64_t* const words = connected.data();  // compilers count the steps of this
+  for (LinkSet set = 1; set <= whole_link; ++set)
+    for (LinkSet rest = set; rest != 0; rest &= rest - 1) {
+      const LinkSet others = set & ~(rest & -rest);
+      if (others != 0 && ((words[others >> 6] >> (others & 63) & 1) == 0 ||
+                          (link_ring[static_cast<std::size_t>(std::countr_zero(rest))] & others) == 0))
+        continue;
+      words[set >> 6] |= std::uint64_t{1} << (set & 63);
+      break;
+    }
+  return connected;
+}();
+
+constexpr bool is_connected(LinkSet set) {
+  return (connected_sets[set >> 6] >> (set & 63) & 1) != 0;
+}
+
+/// Whether the plus neighbours are an open disk whose closure is a closed one with
+/// just that interior: they are in one piece, and so are the others; around each
+/// zero neighbour those that are plus are one run of its ring and not all of it, or
+/// none; and no edge between two zero neighbours has plus on both sides.
+/// `StrictDisk` of the certificate.
+constexpr bool is_strict_disk(LinkSet plus, LinkSet zero) {
+  if (!is_connected(plus) || !is_connected(whole_link & ~plus)) return false;
+  for (LinkSet rest = zero; rest != 0; rest &= rest - 1) {
+    const LinkSet ring = link_ring[static_cast<std::size_t>(std::countr_zero(rest))];
+    const LinkSet run = ring & plus;
+    if (run != 0 && (run == ring || !is_connected(run))) return false;
+    for (LinkSet other = ring & rest; other != 0; other &= other - 1) {
+      const LinkSet sides = ring & link_ring[static_cast<std::size_t>(std::countr_zero(other))];
+      if ((sides & ~plus) == 0) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace certet::core

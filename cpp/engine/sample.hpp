@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// First stage: domain → signs.
+
+#include "certet/context.hpp"
+#include "certet/domain.hpp"
+#include "certet/lattice.hpp"
+#include "certet/method.hpp"
+#include "sign_planes.hpp"
+#include "window.hpp"
+
+namespace certet::core {
+
+/// Signs of the vertices of a window; those on the lattice's rim are minus.  With midpoint
+/// cuts a vertex on the surface counts as inside: the angles proven for them
+/// are those of a domain that is either in or out.
+SignPlanes sample(const Domain& domain, const Lattice& lattice, Window window, Cuts cuts,
+                  Context& context);
+
+}  // namespace certet::core

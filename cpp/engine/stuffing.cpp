@@ -1,0 +1,261 @@
+#include "certet/stuffing.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <string>
+#include <utility>
+
+#include "border.hpp"
+#include "count.hpp"
+#include "cuts.hpp"
+#include "emit.hpp"
+#include "sample.hpp"
+#include "settle.hpp"
+#include "warped_lattice.hpp"
+
+namespace certet {
+namespace {
+
+using namespace core;
+
+/// The lattice is checked once, here; every coordinate that the engine computes
+/// afterwards is in range: `DoorSuffices` of the certificate.
+void check_range(const Lattice& lattice) {
+  const Coord3& o = lattice.origin;
+  if ((o.x | o.y | o.z) & 1) throw Error(ErrorCode::bad_option, "the lattice origin is not even");
+  const std::array<std::int32_t, 3> low{o.x, o.y, o.z};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::int64_t n = lattice.cells[axis];
+    if (n < 2) throw Error(ErrorCode::bad_option, "the lattice has fewer than two cells along an axis");
+    const std::int64_t high = low[axis] + 2 * n + 1;
+    if (low[axis] < -anchor_limit || high > anchor_limit)
+      throw Error(ErrorCode::too_large,
+                  "the lattice needs " + std::to_string(n) +
+                      " cells along an axis, which leaves the coordinate range of ±" +
+                      std::to_string(anchor_limit / 2) + " cells");
+  }
+}
+
+/// Runs `work`; running out of memory becomes an error of the library.
+template <class Work>
+auto within_memory(const Work& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorCode::too_large, "the mesh does not fit in memory");
+  }
+}
+
+}  // namespace
+
+struct Stuffing::State {
+  const Domain& domain;
+  Lattice lattice;
+  WarpedLattice warped;
+  RowNumbers numbers;
+  Method method;
+  std::uint64_t inverted_tets = 0;
+};
+
+namespace {
+
+static_assert(facts(Method::midpoint).thresholds.long_edge == 0 &&
+                  facts(Method::midpoint).thresholds.short_edge == 0,
+              "with cuts in the middle no cut violates a vertex");
+
+/// The whole lattice, its violated vertices settled.
+WarpedLattice settled_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
+                              const Lattice& lattice, Method method, Context& context) {
+  const Window all = whole(lattice);
+  const Thresholds& thresholds = facts(method).thresholds;
+  Violations violations = find_violations(planes, cuts, all, thresholds, context);
+  Settling settling = settle(planes, violations, lattice, all, context);
+  WarpedLattice warped = warp_lattice({planes, std::move(settling.planes)}, violations, cuts,
+                                      thresholds, lattice, all, context);
+  warped.figures.add(settling.figures);
+  return warped;
+}
+
+/// By the paper's rule, all violated vertices moved; `angles` falls back to `embedding` if a
+/// tetrahedron that is dropped came out inverted, for it would cover others.
+WarpedLattice moved_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
+                            const Lattice& lattice, Method& method,
+                            std::uint64_t& inverted, Context& context) {
+  const Window all = whole(lattice);
+  const auto warp = [&](const Violations& violations, SignPlanes moved) {
+    return warp_lattice({planes, std::move(moved)}, violations, cuts, no_warp_thresholds, lattice,
+                        all, context);
+  };
+  if (method == Method::angles) {
+    const Violations violations =
+        find_violations(planes, cuts, all, facts(method).thresholds, context);
+    SignPlanes moved = move_all(planes, violations, context);
+    inverted = inverted_tets(moved, violations, lattice, all, context);
+    if (inverted == 0) return warp(violations, std::move(moved));
+    method = Method::embedding;
+  }
+  const Violations violations =
+      find_violations(planes, cuts, all, facts(method).thresholds, context);
+  return warp(violations, move_all(planes, violations, context));
+}
+
+}  // namespace
+
+Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, Method method,
+                   Context& context) {
+  check_range(lattice);
+  state_ = within_memory([&] {
+    std::uint64_t inverted = 0;
+    const Cuts where = facts(method).cuts;
+    const Window all = whole(lattice);
+    SignPlanes planes = sample(domain, lattice, all, where, context);
+    Layers<CutLayer> cuts = find_cuts(planes, domain, lattice, all, where, context);
+    WarpedLattice warped =
+        where == Cuts::midpoint  ? unwarped(std::move(planes), std::move(cuts), all)
+        : facts(method).settles ? settled_lattice(planes, cuts, lattice, method, context)
+                                : moved_lattice(planes, cuts, lattice, method, inverted, context);
+    RowNumbers numbers(warped.planes, lattice, all, context);
+    return std::make_unique<State>(
+        State{domain, lattice, std::move(warped), std::move(numbers), method, inverted});
+  });
+}
+
+Stuffing::~Stuffing() = default;
+Stuffing::Stuffing(Stuffing&&) noexcept = default;
+Stuffing& Stuffing::operator=(Stuffing&&) noexcept = default;
+
+std::uint64_t Stuffing::point_count() const { return state_->numbers.point_count(); }
+std::uint64_t Stuffing::tet_count() const { return state_->numbers.tet_count(); }
+const Lattice& Stuffing::lattice() const { return state_->lattice; }
+Method Stuffing::method() const { return state_->method; }
+std::uint64_t Stuffing::inverted_tets() const { return state_->inverted_tets; }
+const WarpFigures& Stuffing::warp_figures() const { return state_->warped.figures; }
+std::int32_t Stuffing::layers() const { return state_->lattice.cells[2]; }
+
+std::uint64_t Stuffing::first_point(std::int32_t layer) const {
+  return state_->numbers.first_point(0, layer);
+}
+std::uint64_t Stuffing::first_tet(std::int32_t layer) const {
+  return state_->numbers.first_tet(0, layer);
+}
+
+void Stuffing::emit_points(std::int32_t begin, std::int32_t end, std::span<Coord3> out,
+                           Context& context) const {
+  core::emit_points(state_->warped, state_->numbers, state_->lattice, {begin, end}, out, context);
+}
+
+void Stuffing::mark_surface(std::int32_t begin, std::int32_t end, std::span<std::uint8_t> out,
+                            Context& context) const {
+  core::mark_surface(state_->warped, state_->numbers, state_->lattice, {begin, end}, out, context);
+}
+
+void Stuffing::emit_tets(std::int32_t begin, std::int32_t end,
+                         std::span<Tet<std::uint32_t>> out, Context& context) const {
+  core::emit_tets(state_->warped, state_->numbers, state_->lattice, {begin, end}, out, context);
+}
+
+void Stuffing::emit_tets(std::int32_t begin, std::int32_t end,
+                         std::span<Tet<std::uint64_t>> out, Context& context) const {
+  core::emit_tets(state_->warped, state_->numbers, state_->lattice, {begin, end}, out, context);
+}
+
+std::span<const std::int32_t> Stuffing::labels() const { return state_->domain.labels(); }
+
+void Stuffing::emit_materials(std::int32_t begin, std::int32_t end,
+                              std::span<const Coord3> points,
+                              std::span<const Tet<std::uint32_t>> tets, std::span<Material> out,
+                              Context& context) const {
+  core::emit_materials(state_->domain, state_->numbers, state_->lattice, {begin, end}, points,
+                       tets, out, context);
+}
+
+void Stuffing::emit_materials(std::int32_t begin, std::int32_t end,
+                              std::span<const Coord3> points,
+                              std::span<const Tet<std::uint64_t>> tets, std::span<Material> out,
+                              Context& context) const {
+  core::emit_materials(state_->domain, state_->numbers, state_->lattice, {begin, end}, points,
+                       tets, out, context);
+}
+
+void Stuffing::materials_of(std::span<const TetCorners> tets, std::span<Material> out) const {
+  if (labels().size() <= 1)
+    std::ranges::fill(out, 1);
+  else
+    state_->domain.materials_of(tets, out);
+}
+
+bool Stuffing::has_border() const { return !state_->domain.border().empty(); }
+
+bool Stuffing::is_on_border(Coord3 point) const {
+  return core::is_on_border(point, state_->domain.border(), facts(state_->method).cuts);
+}
+
+std::uint64_t Stuffing::bytes() const {
+  const State& s = *state_;
+  std::uint64_t bytes = s.warped.planes.bytes() + s.numbers.bytes();
+  for (const CutLayer& layer : s.warped.cuts)
+    bytes += 2 * layer.steps.size() + 8 * layer.row_begin.size();
+  for (const DisplacedLayer& layer : s.warped.zeros)
+    bytes += sizeof(Displacement) * layer.displacements.size() + 4 * layer.row_begin.size();
+  return bytes;
+}
+
+Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context) {
+  checked_size(frame.size);
+  return within_memory([&] {
+    Mesh mesh;
+    mesh.frame = frame;
+    mesh.method = stuffing.method();
+    mesh.points = Buffer<Coord3>(stuffing.point_count());
+    stuffing.emit_points(0, stuffing.layers(), mesh.points, context);
+    const auto emit_tets = [&]<class Index>(Index) {
+      Buffer<Tet<Index>> tets(stuffing.tet_count());
+      stuffing.emit_tets(0, stuffing.layers(), std::span<Tet<Index>>(tets), context);
+      if (!stuffing.labels().empty()) {
+        mesh.labels = Buffer<std::int32_t>(tets.size());
+        stuffing.emit_materials(0, stuffing.layers(), mesh.points,
+                                std::span<const Tet<Index>>(tets), mesh.labels, context);
+        labels_in_place(std::span(mesh.labels), stuffing.labels(),
+                        [](std::int32_t, std::uint64_t) {});
+      }
+      mesh.tets = std::move(tets);
+    };
+    if (stuffing.point_count() <= std::numeric_limits<std::uint32_t>::max())
+      emit_tets(std::uint32_t{});
+    else
+      emit_tets(std::uint64_t{});
+    return mesh;
+  });
+}
+
+Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame, Method method,
+           Context& context) {
+  const Stuffing stuffing(domain, lattice, method, context);
+  if (stuffing.tet_count() == 0)
+    throw Error(ErrorCode::empty_domain, "nothing is inside at this size, so there is no mesh");
+  return emit(stuffing, frame, context);
+}
+
+Mesh mesh(const PlacedDomain& domain, Method method, Context& context) {
+  Mesh mesh = stuff(domain, domain.lattice(), domain.frame(), method, context);
+  mesh.names = domain.names();
+  mesh.border.assign(domain.border().begin(), domain.border().end());
+  return mesh;
+}
+
+Mesh mesh(const PlacedDomain& domain, Method method) {
+  Context context;
+  return mesh(domain, method, context);
+}
+
+Buffer<Point3> world_points(const Mesh& mesh) {
+  return within_memory([&] {
+    Buffer<Point3> world(mesh.points.size());
+    std::ranges::transform(mesh.points, world.begin(),
+                           [&](Coord3 position) { return mesh.frame.world(position); });
+    return world;
+  });
+}
+
+}  // namespace certet

@@ -1,0 +1,32 @@
+#include "certet/warp_figures.hpp"
+
+#include <cmath>
+
+#include "certet/lattice/structured_tet.hpp"
+
+namespace certet {
+namespace {
+
+ShiftLengths lengths(const WarpFigures& figures, double long_edge, double short_edge) {
+  const CutShift& l = figures.long_edges;
+  const CutShift& s = figures.short_edges;
+  ShiftLengths found{l.cuts + s.cuts};
+  if (found.cuts == 0) return found;
+  const double long_step = long_edge / steps;
+  const double short_step = short_edge / steps;
+  found.greatest = std::max(long_step * l.greatest, short_step * s.greatest);
+  found.rms = std::sqrt((long_step * long_step * static_cast<double>(l.sum_of_squares) +
+                         short_step * short_step * static_cast<double>(s.sum_of_squares)) /
+                        static_cast<double>(found.cuts));
+  return found;
+}
+
+}  // namespace
+
+ShiftLengths shift_in_edges(const WarpFigures& figures) { return lengths(figures, 1, 1); }
+
+ShiftLengths shift_in_world(const WarpFigures& figures, double size) {
+  return lengths(figures, size, std::sqrt(0.75) * size);
+}
+
+}  // namespace certet

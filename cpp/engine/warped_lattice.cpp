@@ -1,0 +1,139 @@
+#include "warped_lattice.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "layer_loop.hpp"
+#include "row_ranks.hpp"
+
+namespace certet::core {
+namespace {
+
+/// Calls visit(grid, j, w) for every word of a layer.
+template <class Visit>
+void for_each_word(const SignPlanes& planes, const Visit& visit) {
+  for (int j = 0; j < planes.cells()[1]; ++j)
+    for (const Grid grid : grids)
+      for (int w = 0; w < planes.words(); ++w) visit(grid, j, w);
+}
+
+/// Turns the zero vertices of layer k that have no plus neighbour to minus, 64 at once.
+/// Picture: cpp/docs/pictures/pruning.svg.
+void drop_idle_zeros(SignPlanes& planes, int k) {
+  for_each_word(planes, [&](Grid grid, int j, int w) {
+    std::uint64_t& zero = planes.zero(grid, j, k)[w];
+    if (zero == 0) return;
+    std::uint64_t any_plus = 0;
+    for (std::size_t d = 0; d < tiling.directions.size(); ++d) {
+      const VertexRef ref = neighbor(grid, d);
+      any_plus |= shifted(planes.plus(ref.grid, j + ref.shift.y, k + ref.shift.z), w, ref.shift.x);
+    }
+    zero &= any_plus;
+  });
+}
+
+/// The cuts of one layer that are left, each at least `least` away from both ends.
+class RemainingCuts {
+ public:
+  RemainingCuts(const MovedSigns& moved, const CutLayer& cuts, const Thresholds& least)
+      : moved_(moved), cuts_(cuts), least_(least) {}
+
+  /// In the order of the new signs.
+  CutLayer take(int k, WarpFigures& figures) {
+    CutLayer left;
+    for (int j = 0; j < moved_.after.cells()[1]; ++j) {
+      old_row_.compute(moved_.before, j, k);
+      new_row_.compute(moved_.after, j, k);
+      left.row_begin.push_back(left.steps.size());
+      for (std::size_t f = 0; f < family_count; ++f) take_family(f, j, left, figures);
+    }
+    return left;
+  }
+
+ private:
+  void take_family(std::size_t f, int j, CutLayer& left, WarpFigures& figures) {
+    const std::size_t kind = corner_kinds + f;
+    const int direction = family_directions[f][0];
+    const std::int32_t least = least_.in_steps(direction);
+    CutShift& shift = is_long(direction) ? figures.long_edges : figures.short_edges;
+    for (int w = 0; w < new_row_.words(); ++w)
+      for_each_bit(new_row_.mask(kind, w), [&](int b) {
+        const std::int32_t found = cut(kind, j, w, b);
+        const std::int32_t kept = std::max(least, std::min(steps - least, found));
+        if (kept != found) shift.add(std::abs(kept - found));
+        left.steps.push_back(static_cast<std::uint16_t>(kept));
+      });
+  }
+
+  /// A minus end that was sampled on the surface had no cut: it is at that end.
+  [[nodiscard]] std::int32_t cut(std::size_t kind, int j, int w, int b) const {
+    if ((old_row_.mask(kind, w) >> b & 1) == 0) return steps;
+    return cuts_.at(j, old_row_, old_row_.rank(kind, w, b));
+  }
+
+  const MovedSigns& moved_;
+  const CutLayer& cuts_;
+  const Thresholds& least_;
+  RowRanks old_row_, new_row_;
+};
+
+/// The displacements of the zero vertices of layer k that are left.
+DisplacedLayer remaining_zeros(const Violations& violations, const SignPlanes& after, int k) {
+  DisplacedLayer left;
+  std::size_t next_target = 0;
+  for (int j = 0; j < after.cells()[1]; ++j) {
+    left.row_begin.push_back(static_cast<std::uint32_t>(left.displacements.size()));
+    for (const Grid grid : grids)
+      for (int w = 0; w < after.words(); ++w) {
+        const std::uint64_t violated = violations.violated.plus(grid, j, k)[w];
+        const std::uint64_t zero = after.zero(grid, j, k)[w];
+        for_each_bit(violated, [&](int b) {
+          const Displacement& target = violations.targets[k].displacements[next_target++];
+          if (zero >> b & 1) left.displacements.push_back(target);
+        });
+      }
+  }
+  return left;
+}
+
+}  // namespace
+
+SignPlanes move_all(const SignPlanes& planes, const Violations& violations, Context& context) {
+  const Window window = violations.violated.window();
+  SignPlanes after(planes, window);
+  for_each_layer(context, Stage::warp, window, [&](std::int32_t k) {
+    for_each_word(after, [&](Grid grid, int j, int w) {
+      const std::uint64_t violated = violations.violated.plus(grid, j, k)[w];
+      if (violated == 0) return;
+      after.plus(grid, j, k)[w] &= ~violated;
+      after.zero(grid, j, k)[w] |= violated;
+    });
+  });
+  return after;
+}
+
+WarpedLattice warp_lattice(MovedSigns moved, const Violations& violations,
+                           const Layers<CutLayer>& cuts, const Thresholds& least,
+                           const Lattice& lattice, Window window, Context& context) {
+  for_each_layer(context, Stage::warp, warped_window(window, lattice),
+                 [&](std::int32_t k) { drop_idle_zeros(moved.after, k); });
+  Layers<CutLayer> left(window);
+  Layers<DisplacedLayer> zeros(window);
+  Layers<WarpFigures> layers(window);
+  for_each_layer(context, Stage::warp, window, [&](std::int32_t k) {
+    left[k] = RemainingCuts(moved, cuts[k], least).take(k, layers[k]);
+    zeros[k] = remaining_zeros(violations, moved.after, k);
+  });
+  WarpFigures figures;
+  for (const WarpFigures& layer : layers) figures.add(layer);
+  return {std::move(moved.after), std::move(left), std::move(zeros), figures};
+}
+
+WarpedLattice unwarped(SignPlanes planes, Layers<CutLayer> cuts, Window window) {
+  Layers<DisplacedLayer> zeros(window);
+  for (std::int32_t k = window.begin; k < window.end; ++k)
+    zeros[k].row_begin.assign(static_cast<std::size_t>(planes.cells()[1]), 0);
+  return {std::move(planes), std::move(cuts), std::move(zeros)};
+}
+
+}  // namespace certet::core

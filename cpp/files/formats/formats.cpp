@@ -1,0 +1,119 @@
+#include "certet/formats.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "certet/checksum.hpp"
+#include "certet/error.hpp"
+#include "registry.hpp"
+
+namespace certet {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace formats;
+
+struct Entry {
+  Format format;
+  std::string_view name;
+  std::array<std::string_view, 3> extensions;  ///< none where another format has them
+  bool needs_survey;
+  std::unique_ptr<MeshWriter> (*open)(const fs::path&, const MeshSize&);
+  std::uint64_t (*bytes)(const MeshSize&);
+  FileMesh (*read)(const fs::path&, const Context&);  ///< null: it is only written
+};
+
+constexpr Entry registry[] = {
+    {Format::vtu, "vtu", {".vtu"}, false, open_vtu, vtu_bytes, read_vtu},
+    {Format::vtu_zlib, "vtu-zlib", {}, false, open_vtu_zlib, vtu_zlib_bytes, read_vtu},
+    {Format::medit, "medit", {".mesh"}, true, open_medit, medit_bytes, read_medit},
+    {Format::medit_binary, "meditb", {".meshb"}, true, open_medit_binary, medit_binary_bytes,
+     read_medit_binary},
+    {Format::gmsh, "msh", {".msh"}, true, open_gmsh, gmsh_bytes, read_gmsh},
+    {Format::gmsh22, "msh22", {}, true, open_gmsh22, gmsh22_bytes, read_gmsh},
+    {Format::abaqus, "inp", {".inp"}, true, open_abaqus, abaqus_bytes, nullptr},
+    {Format::febio, "feb", {".feb"}, true, open_febio, febio_bytes, nullptr},
+    {Format::tetgen, "tetgen", {".node", ".ele", ".face"}, true, open_tetgen, tetgen_bytes,
+     nullptr},
+    {Format::stl, "stl", {".stl"}, true, open_stl, stl_bytes, nullptr},
+    {Format::ply, "ply", {".ply"}, true, open_ply, ply_bytes, nullptr},
+};
+
+const Entry* entry_of(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  for (const Entry& entry : registry)
+    for (const std::string_view known : entry.extensions)
+      if (!known.empty() && known == extension) return &entry;
+  return nullptr;
+}
+
+const Entry& entry_of(Format format) {
+  return *std::ranges::find(registry, format, &Entry::format);
+}
+
+void append_word(std::string& words, std::string_view word) {
+  words.append(words.empty() ? "" : ", ").append(word);
+}
+
+}  // namespace
+
+std::optional<Format> format_of(const fs::path& file) {
+  const Entry* entry = entry_of(file);
+  if (entry == nullptr) return std::nullopt;
+  return entry->format;
+}
+
+std::optional<Format> format_named(std::string_view name) {
+  const auto found = std::ranges::find(registry, name, &Entry::name);
+  if (found == std::end(registry)) return std::nullopt;
+  return found->format;
+}
+
+std::string_view name(Format format) { return entry_of(format).name; }
+
+std::string format_names() {
+  std::string names;
+  for (const Entry& entry : registry) append_word(names, entry.name);
+  return names;
+}
+
+std::vector<fs::path> files_of(const fs::path& file, Format format) {
+  if (format != Format::tetgen) return {file};
+  std::vector<fs::path> files;
+  for (const std::string_view extension : entry_of(format).extensions)
+    files.push_back(fs::path(file).replace_extension(extension));
+  return files;
+}
+
+bool needs_survey(Format format) { return entry_of(format).needs_survey; }
+
+std::unique_ptr<MeshWriter> open_writer(const fs::path& file, Format format,
+                                        const MeshSize& size) {
+  return entry_of(format).open(file, size);
+}
+
+std::uint64_t file_bytes(Format format, const MeshSize& size) {
+  return entry_of(format).bytes(size);
+}
+
+FileMesh read(const fs::path& file, const Context& context) {
+  const Entry* entry = entry_of(file);
+  if (entry != nullptr && entry->read != nullptr) return entry->read(file, context);
+  std::string known;
+  for (const Entry& e : registry)
+    if (e.read != nullptr && !e.extensions[0].empty()) append_word(known, e.extensions[0]);
+  throw Error(ErrorCode::bad_input,
+              "cannot read '" + file.string() + "': its extension is none of " + known);
+}
+
+std::uint64_t checksum(const FileMesh& mesh) {
+  Checksum sum;
+  sum.points(0, std::span<const Point3>(mesh.points));
+  sum.tets(0, std::span<const Tet<std::uint64_t>>(mesh.tets));
+  return sum.value();
+}
+
+}  // namespace certet

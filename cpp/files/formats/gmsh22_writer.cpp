@@ -1,0 +1,82 @@
+// Gmsh 2.2, ASCII: the version that most other programs read.
+
+#include "gmsh_elements.hpp"
+#include "gmsh_groups.hpp"
+#include "line.hpp"
+#include "registry.hpp"
+#include "section.hpp"
+#include "streamed_writer.hpp"
+
+namespace certet::formats {
+namespace {
+
+class Gmsh22Writer final : public StreamedWriter {
+ public:
+  Gmsh22Writer(const std::filesystem::path& file, const MeshSize& size)
+      : StreamedWriter(file, size), groups_(survey()), text_(file_, 0) {
+    text_.append_text("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
+    text_.append_text(groups_.names_section());
+    append(Line() << "$Nodes\n" << size.points << '\n');
+  }
+
+ private:
+  void append(const Line& line) { text_.append_all(line.text()); }
+
+  void put_points(std::uint64_t first, std::span<const Point3> points) override {
+    for (const Point3& p : points)
+      append(Line() << ++first << ' ' << p[0] << ' ' << p[1] << ' ' << p[2] << '\n');
+  }
+
+  void open_tets() override {
+    append(Line() << "$EndNodes\n$Elements\n" << size_.tets + survey().boundary.size() << '\n');
+  }
+
+  void put_tets(std::uint64_t first, std::span<const Tet<std::uint64_t>> tets,
+                std::span<const std::int32_t> labels) override {
+    for (std::size_t i = 0; i < tets.size(); ++i) {
+      if (labels[i] != label_ || tag_ == 0) tag_ = groups_.tag_of(label_ = labels[i]);
+      if (tag_ == 0) file_.fail("a tetrahedron has a label that was not announced");
+      put_element(first + i, gmsh_tetrahedron, tag_, tets[i]);
+    }
+  }
+
+  /// Its number, its type, two tags (the physical and the elementary group), its
+  /// points.
+  template <std::size_t corners>
+  void put_element(std::uint64_t number, int type, std::int32_t tag,
+                   const std::array<std::uint64_t, corners>& points) {
+    Line line;
+    line << number + 1 << ' ' << type << " 2 " << tag << ' ' << tag;
+    for (const std::uint64_t point : points) line << ' ' << point + 1;
+    append(line << '\n');
+  }
+
+  void close() override {
+    std::uint64_t number = size_.tets;
+    for (const BoundaryFace& face : survey().boundary)
+      put_element(number++, gmsh_triangle, GmshGroups::tag_of(face.patch), face.points);
+    text_.append_text("$EndElements\n");
+    text_.flush();
+  }
+
+  GmshGroups groups_;
+  Section text_;
+  std::int32_t label_ = 0, tag_ = 0;  ///< of the latest tetrahedron
+};
+
+}  // namespace
+
+std::unique_ptr<MeshWriter> open_gmsh22(const std::filesystem::path& file,
+                                        const MeshSize& size) {
+  return std::make_unique<Gmsh22Writer>(file, size);
+}
+
+std::uint64_t gmsh22_bytes(const MeshSize& size) {
+  const std::uint64_t digits = digits_of(size.points);
+  const std::uint64_t faces = size.survey == nullptr ? 0 : size.survey->boundary.size();
+  return 200 + size.points * (digits + 60 + 2) +
+         size.tets * (digits_of(size.tets) + 11 + 4 * (digits + 1)) +
+         faces * (digits_of(size.tets) + 9 + 3 * (digits + 1));
+}
+
+}  // namespace certet::formats

@@ -1,0 +1,11 @@
+#pragma once
+/// \file
+/// Gmsh's numbers of the types of elements that meshes here are made of.
+
+#include <cstdint>
+
+namespace certet::formats {
+
+inline constexpr std::int32_t gmsh_triangle = 2, gmsh_tetrahedron = 4;
+
+}  // namespace certet::formats

@@ -1,0 +1,196 @@
+// Gmsh 4.1, binary.
+
+#include <limits>
+
+#include "certet/bounds.hpp"
+#include "gmsh_elements.hpp"
+#include "gmsh_groups.hpp"
+#include "region_sections.hpp"
+#include "registry.hpp"
+#include "streamed_writer.hpp"
+
+namespace certet::formats {
+namespace {
+
+/// The bytes of numbers, one behind the other.
+class Bytes {
+ public:
+  template <class... Numbers>
+  Bytes& add(const Numbers&... numbers) {
+    (append(std::as_bytes(std::span<const Numbers>(&numbers, 1))), ...);
+    return *this;
+  }
+  Bytes& text(std::string_view text) {
+    append(std::as_bytes(std::span(text)));
+    return *this;
+  }
+  [[nodiscard]] std::span<const std::byte> all() const { return bytes_; }
+
+ private:
+  void append(std::span<const std::byte> more) {
+    bytes_.reserve(bytes_.size() + more.size());
+    for (const std::byte byte : more) bytes_.push_back(byte);
+  }
+  std::vector<std::byte> bytes_;
+};
+
+/// Whole numbers of the format: tags and types are `int`, all else is `size_t`.
+using Int = std::int32_t;
+using Size = std::uint64_t;
+
+constexpr Int surface_dimension = 2, volume_dimension = 3;
+constexpr Size tet_bytes = 5 * sizeof(Size), face_bytes = 4 * sizeof(Size);
+
+/// A surface for each patch and a volume for each region, none with boundaries of
+/// its own.
+void add_entities(Bytes& bytes, const GmshGroups& groups, const Bounds& box) {
+  const auto add = [&](Int tag) { bytes.add(tag, box.low, box.high, Size{1}, tag, Size{0}); };
+  bytes.text("$Entities\n");
+  bytes.add(Size{0}, Size{0}, Size{groups.patches.size()}, Size{groups.regions.size()});
+  for (const Patch patch : groups.patches) add(GmshGroups::tag_of(patch));
+  for (const GmshGroups::Group& region : groups.regions) add(region.tag);
+  bytes.text("\n$EndEntities\n");
+}
+
+/// Everything before the nodes.  Its length does not depend on the box.
+Bytes header_of(const GmshGroups& groups, const Bounds& box) {
+  Bytes bytes;
+  bytes.text("$MeshFormat\n4.1 1 8\n").add(Int{1}).text("\n$EndMeshFormat\n");
+  bytes.text(groups.names_section());
+  add_entities(bytes, groups, box);
+  return bytes;
+}
+
+/// All nodes are said to be in the first region.
+Bytes nodes_heading(const GmshGroups& groups, Size points) {
+  Bytes bytes;
+  bytes.text("$Nodes\n");
+  const bool any = points > 0 && !groups.regions.empty();
+  bytes.add(Size{any ? 1u : 0u}, points, Size{points > 0 ? 1u : 0u}, points);
+  if (any) bytes.add(volume_dimension, groups.regions.front().tag, Int{0}, points);
+  return bytes;
+}
+
+Bytes elements_heading(const GmshGroups& groups, Size elements) {
+  Bytes bytes;
+  bytes.text("\n$EndNodes\n$Elements\n");
+  bytes.add(Size{groups.regions.size() + groups.patches.size()}, elements,
+            Size{elements > 0 ? 1u : 0u}, elements);
+  return bytes;
+}
+
+Bytes block_heading(Int dimension, Int tag, Int type, Size elements) {
+  Bytes bytes;
+  bytes.add(dimension, tag, type, elements);
+  return bytes;
+}
+
+constexpr std::string_view footer = "\n$EndElements\n";
+
+class GmshWriter final : public StreamedWriter {
+ public:
+  GmshWriter(const std::filesystem::path& file, const MeshSize& size);
+
+ private:
+  void put_points(std::uint64_t first, std::span<const Point3> points) override;
+  void open_tets() override;
+  void put_tets(std::uint64_t first, std::span<const Tet<std::uint64_t>> tets,
+                std::span<const std::int32_t> labels) override;
+  void close() override;
+
+  GmshGroups groups_;
+  Bounds box_{};  ///< around all points
+  std::optional<Section> tags_, coordinates_;
+  RegionSections tets_;
+  std::uint64_t end_ = 0;  ///< of what has a place in the file
+};
+
+GmshWriter::GmshWriter(const std::filesystem::path& file, const MeshSize& size)
+    : StreamedWriter(file, size), groups_(survey()), tets_(file_) {
+  file_.reserve(gmsh_bytes(size));
+  const Bytes heading = nodes_heading(groups_, size.points);
+  const std::uint64_t begin = header_of(groups_, box_).all().size();
+  file_.write_at(begin, heading.all());
+  const std::uint64_t tags_at = begin + heading.all().size();
+  tags_.emplace(file_, tags_at);
+  coordinates_.emplace(file_, tags_at + size.points * sizeof(Size));
+  end_ = tags_at + size.points * (sizeof(Size) + sizeof(Point3));
+}
+
+void GmshWriter::put_points(std::uint64_t first, std::span<const Point3> points) {
+  if (first == 0 && !points.empty()) box_ = {points[0], points[0]};
+  for (const Point3& point : points) {
+    const Size tag = ++first;
+    tags_->append_all(std::span(&tag, 1));
+    for (std::size_t a = 0; a < 3; ++a) {
+      box_.low[a] = std::min(box_.low[a], point[a]);
+      box_.high[a] = std::max(box_.high[a], point[a]);
+    }
+  }
+  coordinates_->append_all(points);
+}
+
+void GmshWriter::open_tets() {
+  tags_->flush();
+  coordinates_->flush();
+  const Bytes elements = elements_heading(groups_, size_.tets + survey().boundary.size());
+  file_.write_at(end_, elements.all());
+  end_ += elements.all().size();
+  for (std::size_t i = 0; i < groups_.regions.size(); ++i) {
+    const Region& region = survey().regions[i];
+    const Bytes heading =
+        block_heading(volume_dimension, groups_.regions[i].tag, gmsh_tetrahedron, region.tets);
+    end_ = tets_.open(region, end_, heading.all(), tet_bytes);
+  }
+}
+
+void GmshWriter::put_tets(std::uint64_t first, std::span<const Tet<std::uint64_t>> tets,
+                          std::span<const std::int32_t> labels) {
+  for (std::size_t i = 0; i < tets.size(); ++i) {
+    const auto& [a, b, c, d] = tets[i];
+    const std::array<Size, 5> record{first + i + 1, a + 1, b + 1, c + 1, d + 1};
+    tets_.append(labels[i], std::as_bytes(std::span(record)));
+  }
+}
+
+void GmshWriter::close() {
+  tets_.flush();
+  Section out(file_, end_);
+  Size number = size_.tets;
+  for (const Patch patch : groups_.patches) {
+    const Size faces = groups_.patch_faces[static_cast<std::size_t>(patch)];
+    out.append(
+        block_heading(surface_dimension, GmshGroups::tag_of(patch), gmsh_triangle, faces).all());
+    for (const BoundaryFace& face : survey().boundary) {
+      if (face.patch != patch) continue;
+      const auto& [a, b, c] = face.points;
+      const std::array<Size, 4> record{++number, a + 1, b + 1, c + 1};
+      out.append_all(std::span<const Size>(record));
+    }
+  }
+  out.append_text(footer);
+  out.flush();
+  file_.write_at(0, header_of(groups_, box_).all());  // now that the box is known
+}
+
+}  // namespace
+
+std::unique_ptr<MeshWriter> open_gmsh(const std::filesystem::path& file, const MeshSize& size) {
+  return std::make_unique<GmshWriter>(file, size);
+}
+
+std::uint64_t gmsh_bytes(const MeshSize& size) {
+  static const Survey nothing;
+  const Survey& survey = size.survey == nullptr ? nothing : *size.survey;
+  const GmshGroups groups(survey);
+  const std::uint64_t faces = survey.boundary.size();
+  const std::uint64_t blocks = groups.regions.size() + groups.patches.size();
+  return header_of(groups, {}).all().size() +
+         nodes_heading(groups, size.points).all().size() +
+         size.points * (sizeof(Size) + sizeof(Point3)) +
+         elements_heading(groups, size.tets + faces).all().size() +
+         blocks * block_heading(0, 0, 0, 0).all().size() + size.tets * tet_bytes +
+         faces * face_bytes + footer.size();
+}
+
+}  // namespace certet::formats

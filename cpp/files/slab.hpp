@@ -1,0 +1,98 @@
+#pragma once
+/// \file
+/// Some layers of a mesh, on their way to the file.
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "certet/buffer.hpp"
+#include "certet/checksum.hpp"
+#include "certet/write_mesh.hpp"
+#include "mesh/boundary.hpp"
+#include "seconds.hpp"
+
+namespace certet::pipeline {
+
+/// All that slabs are made from.  The layers of a slab are made by several
+/// threads; each makes its own with one.
+struct Source {
+  const Stuffing& stuffing;
+  const Frame& frame;
+  const MaterialRuns& known;  ///< of a survey, or empty
+  Nanoseconds emitting{0}, measuring{0}, writing{0};
+
+  /// The tetrahedra of layers up to `end` use points up to those of layer
+  /// `points_end(end)`, exclusive.
+  [[nodiscard]] std::int32_t points_end(std::int32_t end) const {
+    return std::min(end + 1, stuffing.layers());
+  }
+};
+
+/// Points of some layers, in steps and, where they are wanted, in the coordinates
+/// of the file.
+class PointSlab {
+ public:
+  PointSlab(std::uint64_t capacity, bool world)
+      : steps_(capacity), world_(world ? capacity : 0) {}
+
+  /// From now on, the points of layers from `begin` on.
+  void open(const Source& source, std::int32_t begin) {
+    first_ = source.stuffing.first_point(begin);
+  }
+  void make_layer(Source& source, std::int32_t layer);
+  [[nodiscard]] bool has_world() const { return !world_.empty(); }
+
+  /// The points of layers [begin, end).
+  [[nodiscard]] std::span<const Coord3> steps(const Stuffing& stuffing, std::int32_t begin,
+                                              std::int32_t end) const;
+  [[nodiscard]] std::span<const Point3> world(const Stuffing& stuffing, std::int32_t begin,
+                                              std::int32_t end) const;
+  static constexpr std::uint64_t bytes_per_point = sizeof(Coord3) + sizeof(Point3);
+
+ private:
+  std::uint64_t first_ = 0;
+  Buffer<Coord3> steps_;
+  Buffer<Point3> world_;
+};
+
+/// What is found in a layer of tetrahedra.
+struct Findings {
+  Quality lattice, world;
+  std::uint64_t coincident_points = 0;  ///< of those of the layer and the one behind it
+  Checksum points, tets;
+  core::RegionCounts regions;
+};
+
+/// Tetrahedra of some layers, and their labels.
+template <class Index>
+class TetSlab {
+ public:
+  TetSlab(std::uint64_t capacity, bool labels) : tets_(capacity), labels_(labels ? capacity : 0) {}
+
+  /// From now on, the tetrahedra of layers from `begin` on.
+  void open(const Source& source, std::int32_t begin) {
+    first_ = source.stuffing.first_tet(begin);
+  }
+  /// `points` are those of the layer and of the one behind it.
+  Findings make_layer(Source& source, const PointSlab& points, std::int32_t layer);
+  /// The layers [begin, end), which have been made.
+  void write(Source& source, std::int32_t begin, std::int32_t end, MeshWriter& writer) const;
+
+ private:
+  [[nodiscard]] std::span<const Tet<Index>> tets(const Stuffing& stuffing,
+                                                std::int32_t layer) const {
+    return {tets_.begin() + (stuffing.first_tet(layer) - first_),
+            tets_.begin() + (stuffing.first_tet(layer + 1) - first_)};
+  }
+  /// Leaves materials in the place of labels, unless a survey has kept them.
+  Quality measure_layer(const Source& source, std::span<const Coord3> points,
+                        std::int32_t layer);
+  quality::RegionCounts label_layer(const Source& source, std::int32_t layer);
+
+  std::uint64_t first_ = 0;
+  Buffer<Tet<Index>> tets_;
+  Buffer<std::int32_t> labels_;
+};
+
+}  // namespace certet::pipeline

@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// The doorstep: from a shape to a file, and back.
+///
+///     const certet::BoundedFunction ball([](certet::Point3 p) {
+///       return std::hypot(p[0], p[1], p[2]) - 1;        // negative is inside
+///     }, {{-1, -1, -1}, {1, 1, 1}}, 0.1);               // bounds, and a long edge of 0.1
+///     const certet::Mesh mesh = certet::mesh(ball);
+///     certet::write(mesh, "ball.vtu");
+///
+/// A shape is a `PlacedDomain`: a function (bounded_function.hpp), labels or a level of
+/// an image (image.hpp), the inside of a closed surface (surface.hpp), a formula
+/// (formula.hpp), a sparse volume (volume.hpp) or a named solid (shape.hpp).
+///
+///     mesh(domain, method)      a Mesh: exact points, tetrahedra, labels
+///     write(mesh, path)         a file of the format that its name tells
+///     read(path)                a FileMesh
+///     check(mesh)               verifies a Mesh or FileMesh anew
+///     quality(mesh)             its dihedral angles and volume
+///
+/// Each takes a `Context` too, which has the number of threads, stops a run and tells of
+/// its progress.  Coordinates are the world's, in the units of the input, but for
+/// `Mesh::points`, which are whole steps of the lattice; angles are in degrees.  What
+/// cannot be done throws `Error`.
+
+#include "certet/bounded_function.hpp"
+#include "certet/check.hpp"
+#include "certet/context.hpp"
+#include "certet/error.hpp"
+#include "certet/formats.hpp"
+#include "certet/formula.hpp"
+#include "certet/image.hpp"
+#include "certet/label_names.hpp"
+#include "certet/mesh.hpp"
+#include "certet/method.hpp"
+#include "certet/placed_quality.hpp"
+#include "certet/quality.hpp"
+#include "certet/shape.hpp"
+#include "certet/stuffing.hpp"
+#include "certet/surface.hpp"
+#include "certet/volume.hpp"

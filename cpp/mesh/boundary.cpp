@@ -1,0 +1,130 @@
+#include "boundary.hpp"
+
+#include <tuple>
+
+#include "faces.hpp"
+
+namespace certet {
+namespace core {
+namespace {
+
+auto key(const BoundaryFace& face) {
+  const auto& [lowest, a, b] = face.points;
+  return std::tuple(lowest, std::min(a, b), std::max(a, b));
+}
+
+/// The faces in one tetrahedron, by their points alone.
+template <class Index, class Valid>
+std::vector<Face> single_faces(std::uint64_t points, std::span<const Tet<Index>> tets,
+                               Valid valid, Context& context) {
+  return points <= NarrowFace::point_limit
+             ? find_faces<NarrowFace>(points, tets, valid, context).boundary
+             : find_faces<WideFace>(points, tets, valid, context).boundary;
+}
+
+template <class Index>
+std::vector<BoundaryFace> boundary(std::uint64_t points, std::span<const Tet<Index>> tets,
+                                   Context& context) {
+  const auto valid = [&](std::size_t i) {
+    std::array<Index, 4> p = tets[i];
+    std::ranges::sort(p);
+    return p[3] < points && std::ranges::adjacent_find(p) == p.end();
+  };
+  const std::vector<Face> single = single_faces(points, tets, valid, context);
+  std::vector<bool> used(points);
+  for (const Face& face : single)
+    for (const std::uint64_t point : face.points) used[point] = true;
+  std::vector<BoundaryFace> faces;
+  faces.reserve(single.size());
+  for (std::size_t i = 0; i < tets.size(); ++i) {
+    stop_now_and_then(i, context);
+    if (!valid(i)) continue;
+    for (std::uint8_t opposite = 0; opposite < 4; ++opposite) {
+      const BoundaryFace face = face_of(tets[i], i, opposite);
+      if (!std::ranges::all_of(face.points, [&](std::uint64_t p) { return used[p]; })) continue;
+      const auto [a, b, c] = key(face);
+      const std::array<std::uint64_t, 3> sorted{a, b, c};
+      if (std::ranges::binary_search(single, sorted, {}, &Face::points)) faces.push_back(face);
+    }
+  }
+  std::ranges::sort(faces, comes_before);
+  return faces;
+}
+
+template <class Index>
+Survey survey_of(std::uint64_t points, std::span<const Tet<Index>> tets,
+                 std::span<const std::int32_t> labels, Context& context) {
+  RegionCounts counts;
+  counts.add(labels);
+  if (labels.empty() && !tets.empty()) counts.add(only_label, tets.size());
+  return {counts.regions(), boundary(points, tets, context)};
+}
+
+}  // namespace
+
+bool comes_before(const BoundaryFace& a, const BoundaryFace& b) { return key(a) < key(b); }
+bool same_points(const BoundaryFace& a, const BoundaryFace& b) { return key(a) == key(b); }
+
+void keep_single_faces(std::vector<BoundaryFace>& faces) {
+  std::ranges::sort(faces, comes_before);
+  std::size_t kept = 0;
+  for (std::size_t begin = 0; begin < faces.size();) {
+    std::size_t end = begin + 1;
+    while (end < faces.size() && same_points(faces[begin], faces[end])) ++end;
+    if (end == begin + 1) faces[kept++] = faces[begin];
+    begin = end;
+  }
+  faces.resize(kept);
+}
+
+/// Labels come in runs.
+void RegionCounts::add(std::span<const std::int32_t> labels) {
+  for (std::size_t begin = 0; begin < labels.size();) {
+    std::size_t end = begin + 1;
+    while (end < labels.size() && labels[end] == labels[begin]) ++end;
+    add(labels[begin], end - begin);
+    begin = end;
+  }
+}
+
+RegionCounts& RegionCounts::operator+=(const RegionCounts& other) {
+  for (const auto& [label, tets] : other.tets_) add(label, tets);
+  return *this;
+}
+
+std::vector<Region> RegionCounts::regions() const {
+  std::vector<Region> regions;
+  for (const auto& [label, tets] : tets_) regions.push_back({label, {}, tets});
+  return regions;
+}
+
+}  // namespace core
+
+Survey survey(std::uint64_t points, std::span<const Tet<std::uint32_t>> tets,
+              std::span<const std::int32_t> labels, Context& context) {
+  return core::survey_of(points, tets, labels, context);
+}
+
+Survey survey(std::uint64_t points, std::span<const Tet<std::uint64_t>> tets,
+              std::span<const std::int32_t> labels, Context& context) {
+  return core::survey_of(points, tets, labels, context);
+}
+
+void set_border(Survey& survey, std::vector<std::array<std::uint64_t, 3>> faces) {
+  for (auto& face : faces) std::ranges::sort(face);
+  std::ranges::sort(faces);
+  for (BoundaryFace& face : survey.boundary) {
+    std::array<std::uint64_t, 3> points = face.points;
+    std::ranges::sort(points);
+    if (std::ranges::binary_search(faces, points)) face.patch = Patch::border;
+  }
+}
+
+void name_regions(Survey& survey, const LabelNames& names) {
+  for (Region& region : survey.regions) {
+    const auto named = names.find(region.label);
+    if (named != names.end()) region.name = named->second;
+  }
+}
+
+}  // namespace certet

@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// The faces that belong to one tetrahedron only.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "certet/survey.hpp"
+
+namespace certet::core {
+
+/// The corners of the face opposite to each corner of a tetrahedron of positive
+/// volume, counterclockwise as seen from outside.
+inline constexpr std::array<std::array<std::uint8_t, 3>, 4> outward_faces{
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+template <class Index>
+BoundaryFace face_of(const Tet<Index>& tet, std::uint64_t number, std::uint8_t opposite) {
+  const auto [a, b, c] = outward_faces[opposite];
+  BoundaryFace face{{tet[a], tet[b], tet[c]}, number, opposite};
+  std::rotate(face.points.begin(), std::ranges::min_element(face.points), face.points.end());
+  return face;
+}
+
+/// Orders faces by their points, whichever way round they are seen.
+bool comes_before(const BoundaryFace& a, const BoundaryFace& b);
+bool same_points(const BoundaryFace& a, const BoundaryFace& b);
+
+/// Sorts faces and takes out all that are there more than once.
+void keep_single_faces(std::vector<BoundaryFace>& faces);
+
+/// How often there is each label, as regions without names.
+class RegionCounts {
+ public:
+  void add(std::int32_t label, std::uint64_t tets) { tets_[label] += tets; }
+  void add(std::span<const std::int32_t> labels);
+  RegionCounts& operator+=(const RegionCounts& other);
+  [[nodiscard]] std::vector<Region> regions() const;
+
+ private:
+  std::map<std::int32_t, std::uint64_t> tets_;
+};
+
+}  // namespace certet::core

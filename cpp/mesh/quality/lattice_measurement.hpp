@@ -1,0 +1,42 @@
+#pragma once
+/// \file
+/// Measuring tetrahedra in exact lattice coordinates.
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "certet/lattice/coord3.hpp"
+#include "certet/quality.hpp"
+#include "measurement.hpp"
+#include "shape_counter.hpp"
+
+namespace certet::core {
+
+/// Measures every shape once for all its copies.  Every tetrahedron is looked at:
+/// those whose edges are the same integer vectors are copies of each other.
+class LatticeMeasurement {
+ public:
+  /// All points that tetrahedra will be given of, in steps.
+  /// \throws Error `bad_input` if one is beyond `coordinate_limit`.
+  explicit LatticeMeasurement(std::span<const Coord3> points);
+
+  /// The tetrahedra with these corners.
+  /// \throws Error `bad_input`, as `measure_lattice`.
+  void add(std::span<const std::array<Coord3, 4>> tets);
+  [[nodiscard]] Quality result();
+
+ private:
+  void measure(const LatticeShape& shape, std::uint64_t copies);
+  void flush();
+
+  ShapeCounter shapes_;
+  Measurement measurement_{Histogram::counted};
+  WideSum six_volumes_;
+  std::size_t count_ = 0;  ///< of shapes in the block
+  TetBlock block_;
+  Copies copies_{};
+  std::array<std::int64_t, lanes> exact_{};  ///< determinants
+};
+
+}  // namespace certet::core

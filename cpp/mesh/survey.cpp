@@ -1,0 +1,149 @@
+#include "certet/survey.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <utility>
+
+#include "certet/buffer.hpp"
+#include "certet/error.hpp"
+#include "engine/emit.hpp"
+#include "engine/parallel.hpp"
+#include "mesh/boundary.hpp"
+
+namespace certet {
+namespace {
+
+using core::RegionCounts;
+
+/// What is found in one layer of tetrahedra.  Faces that lie between two layers
+/// are in both.
+struct LayerFindings {
+  RegionCounts counts;
+  std::vector<BoundaryFace> faces;
+};
+
+/// For what the engine does within a single layer.
+struct OneThread : Context {
+  OneThread() { threads = 1; }
+};
+
+template <class Index>
+class LayerSurvey {
+ public:
+  LayerSurvey(const Stuffing& stuffing, std::int32_t layer);
+
+  /// The materials of the layer go to `runs`, where there are labels.
+  LayerFindings find(MaterialRuns& runs);
+
+ private:
+  void find_faces(std::vector<BoundaryFace>& faces) const;
+  void find_patches(std::vector<BoundaryFace>& faces) const;
+  void find_materials(MaterialRuns& runs, RegionCounts& counts);
+
+  const Stuffing& stuffing_;
+  std::int32_t layer_;
+  OneThread context_;
+  std::uint64_t first_point_, first_tet_;
+  Buffer<Tet<Index>> tets_;
+  Buffer<std::uint8_t> on_surface_;
+  Buffer<Coord3> points_;  ///< empty where nobody asks for them
+};
+
+template <class Index>
+LayerSurvey<Index>::LayerSurvey(const Stuffing& stuffing, std::int32_t layer)
+    : stuffing_(stuffing), layer_(layer), first_point_(stuffing.first_point(layer)),
+      first_tet_(stuffing.first_tet(layer)),
+      tets_(stuffing.first_tet(layer + 1) - first_tet_) {
+  const std::int32_t behind = std::min(layer + 2, stuffing.layers());
+  const std::uint64_t points = stuffing.first_point(behind) - first_point_;
+  stuffing.emit_tets(layer, layer + 1, std::span<Tet<Index>>(tets_), context_);
+  on_surface_ = Buffer<std::uint8_t>(points);
+  stuffing.mark_surface(layer, behind, on_surface_, context_);
+  if (stuffing.labels().empty() && !stuffing.has_border()) return;
+  points_ = Buffer<Coord3>(points);
+  stuffing.emit_points(layer, behind, points_, context_);
+}
+
+template <class Index>
+LayerFindings LayerSurvey<Index>::find(MaterialRuns& runs) {
+  LayerFindings found;
+  find_faces(found.faces);
+  if (stuffing_.has_border()) find_patches(found.faces);
+  if (!stuffing_.labels().empty())
+    find_materials(runs, found.counts);
+  else if (!tets_.empty())
+    found.counts.add(only_label, tets_.size());
+  return found;
+}
+
+/// A face that no other tetrahedron shares has its three points on the surface
+/// (theorem BoundaryOnSurface), so that no other faces need to be compared.
+template <class Index>
+void LayerSurvey<Index>::find_faces(std::vector<BoundaryFace>& faces) const {
+  for (std::size_t i = 0; i < tets_.size(); ++i) {
+    std::array<int, 4> marks;
+    for (std::size_t v = 0; v < 4; ++v) marks[v] = on_surface_[tets_[i][v] - first_point_];
+    const int sum = marks[0] + marks[1] + marks[2] + marks[3];
+    if (sum < 3) continue;
+    for (std::uint8_t opposite = 0; opposite < 4; ++opposite)
+      if (sum - marks[opposite] == 3)
+        faces.push_back(core::face_of(tets_[i], first_tet_ + i, opposite));
+  }
+  core::keep_single_faces(faces);
+}
+
+template <class Index>
+void LayerSurvey<Index>::find_patches(std::vector<BoundaryFace>& faces) const {
+  const auto is_on_border = [&](std::uint64_t point) {
+    return stuffing_.is_on_border(points_[point - first_point_]);
+  };
+  for (BoundaryFace& face : faces)
+    if (std::ranges::all_of(face.points, is_on_border)) face.patch = Patch::border;
+}
+
+template <class Index>
+void LayerSurvey<Index>::find_materials(MaterialRuns& runs, RegionCounts& counts) {
+  Buffer<std::int32_t> materials(tets_.size());
+  stuffing_.emit_materials(layer_, layer_ + 1, points_, std::span<const Tet<Index>>(tets_),
+                           materials, context_);
+  runs.put(layer_, materials);
+  core::labels_in_place(
+      std::span(materials), stuffing_.labels(),
+      [&](std::int32_t label, std::uint64_t count) { counts.add(label, count); });
+}
+
+template <class Index>
+Survey survey_layers(const Stuffing& stuffing, Context& context) {
+  std::vector<LayerFindings> layers(static_cast<std::size_t>(stuffing.layers()));
+  MaterialRuns runs(stuffing.labels().empty() ? 0 : stuffing.layers());
+  core::parallel_for(context, Stage::emit, stuffing.layers(), [&](std::int64_t layer) {
+    layers[static_cast<std::size_t>(layer)] =
+        LayerSurvey<Index>(stuffing, static_cast<std::int32_t>(layer)).find(runs);
+  });
+  Survey survey;
+  RegionCounts counts;
+  for (LayerFindings& layer : layers) {
+    counts += layer.counts;
+    survey.boundary.insert(survey.boundary.end(), layer.faces.begin(), layer.faces.end());
+    layer.faces = {};
+  }
+  core::keep_single_faces(survey.boundary);
+  survey.regions = counts.regions();
+  survey.materials = std::move(runs);
+  return survey;
+}
+
+}  // namespace
+
+Survey survey(const Stuffing& stuffing, Context& context) {
+  try {
+    return stuffing.point_count() <= std::numeric_limits<std::uint32_t>::max()
+               ? survey_layers<std::uint32_t>(stuffing, context)
+               : survey_layers<std::uint64_t>(stuffing, context);
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorCode::too_large, "out of memory while looking for the mesh's boundary");
+  }
+}
+
+}  // namespace certet

@@ -1,0 +1,113 @@
+#include "files.hpp"
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "arrays.hpp"
+#include "certet/error.hpp"
+#include "certet/formats.hpp"
+#include "python_mesh.hpp"
+#include "run.hpp"
+
+namespace certet::python {
+namespace {
+
+namespace fs = std::filesystem;
+
+Format chosen_format(const fs::path& file, const std::optional<std::string>& name) {
+  const std::optional<Format> format = name ? format_named(*name) : format_of(file);
+  if (!format)
+    throw Error(ErrorCode::bad_option, "the format of '" + file.string() + "' is none of " +
+                                           format_names());
+  return *format;
+}
+
+void write_mesh(const PythonMesh& mesh, const fs::path& file,
+                const std::optional<std::string>& format) {
+  Context context;
+  run(context, [&] { write(mesh.mesh, file, chosen_format(file, format), context); });
+}
+
+void write_file_mesh(const FileMesh& mesh, const fs::path& file,
+                     const std::optional<std::string>& format) {
+  Context context;
+  run(context, [&] { write(mesh, file, chosen_format(file, format), context); });
+}
+
+std::shared_ptr<FileMesh> read_file(const fs::path& file) {
+  auto mesh = std::make_shared<FileMesh>();
+  Context context;
+  run(context, [&] { *mesh = read(file, context); });
+  return mesh;
+}
+
+py::dict told(const CheckReport& report) {
+  py::dict result;
+  result["failures"] = report.failures;
+  result["points"] = report.points;
+  result["tets"] = report.quality.tets;
+  result["boundary_faces"] = report.boundary_faces;
+  return result;
+}
+
+template <class AnyMesh>
+py::dict check_mesh(const AnyMesh& mesh) {
+  Context context;
+  CheckReport report;
+  run(context, [&] { report = check(mesh, context); });
+  return told(report);
+}
+
+py::dict quality_of_file(const FileMesh& mesh) {
+  Quality found;
+  Context context;
+  run(context, [&] { found = quality(mesh); });
+  py::dict result;
+  result["tets"] = found.tets;
+  result["volume"] = found.volume;
+  result["min_dihedral"] = found.min_dihedral;
+  result["max_dihedral"] = found.max_dihedral;
+  result["histogram"] = found.histogram;
+  return result;
+}
+
+template <class T, std::size_t N>
+py::array shared(const std::vector<std::array<T, N>>& values, const py::object& owner) {
+  return rows(std::span(values.data(), values.size()), owner);
+}
+
+}  // namespace
+
+void declare_files(py::module_& module) {
+  py::class_<FileMesh, std::shared_ptr<FileMesh>>(module, "FileMesh")
+      .def_property_readonly(
+          "points", [](const py::object& self) {
+            return shared(self.cast<const FileMesh&>().points, self);
+          })
+      .def_property_readonly(
+          "tets", [](const py::object& self) {
+            return shared(self.cast<const FileMesh&>().tets, self);
+          })
+      .def_property_readonly("labels", [](const py::object& self) -> py::object {
+        const auto& labels = self.cast<const FileMesh&>().labels;
+        if (labels.empty()) return py::none();
+        return py::array(py::dtype::of<std::int32_t>(),
+                         {static_cast<py::ssize_t>(labels.size())},
+                         {static_cast<py::ssize_t>(sizeof(std::int32_t))}, labels.data(), self);
+      })
+      .def_property_readonly("names", [](const FileMesh& mesh) { return mesh.names; })
+      .def("quality", quality_of_file);
+  module.def("read", read_file);
+  module.def("write", write_mesh);
+  module.def("write", write_file_mesh);
+  module.def("check", [](const PythonMesh& mesh) { return check_mesh(mesh.mesh); });
+  module.def("check", [](const FileMesh& mesh) { return check_mesh(mesh); });
+}
+
+}  // namespace certet::python

@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// What a `certet.Mesh` of Python holds.
+
+#include <string>
+#include <vector>
+
+#include "certet/buffer.hpp"
+#include "certet/mesh.hpp"
+
+namespace certet::python {
+
+/// A finished mesh; arrays handed out share its memory.
+struct PythonMesh {
+  Mesh mesh;
+  Buffer<Point3> world;  ///< its points
+  std::vector<std::string> notes;  ///< what is doubtful about its shape
+};
+
+}  // namespace certet::python

@@ -1,0 +1,127 @@
+#pragma once
+/// \file
+/// Domains of several materials, and whether what a domain says of its materials
+/// is what it says of its solid.
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "certet/domain.hpp"
+#include "certet/lattice.hpp"
+#include "seed.hpp"
+
+namespace materials {
+
+using certet::Coord3;
+using certet::Material;
+using certet::Sign;
+
+/// A domain given by its material at any position, in steps.
+class Positional : public certet::Domain {
+ public:
+  using MaterialAt = std::function<Material(Coord3)>;
+
+  Positional(std::vector<std::int32_t> labels, MaterialAt material_at)
+      : labels_(std::move(labels)), material_at_(std::move(material_at)) {}
+
+  [[nodiscard]] Material material_at(Coord3 position) const { return material_at_(position); }
+  [[nodiscard]] std::span<const std::int32_t> labels() const override { return labels_; }
+
+  void row(Coord3 first, std::span<Sign> out) const override {
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = sign(nth(first, i));
+  }
+  void at(std::span<const Coord3> positions, std::span<Sign> out) const override {
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = sign(positions[i]);
+  }
+  void row_materials(Coord3 first, std::span<Material> out) const override {
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = material_at_(nth(first, i));
+  }
+  void materials_at(std::span<const Coord3> positions, std::span<Material> out) const override {
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = material_at_(positions[i]);
+  }
+
+ private:
+  static Coord3 nth(Coord3 first, std::size_t i) {
+    return certet::steps * (first + Coord3{2 * static_cast<std::int32_t>(i), 0, 0});
+  }
+  [[nodiscard]] Sign sign(Coord3 position) const {
+    return material_at_(position) == 0 ? Sign::minus : Sign::plus;
+  }
+
+  std::vector<std::int32_t> labels_;
+  MaterialAt material_at_;
+};
+
+/// Cubes of so many lattice units, of random materials; `outside` in 256ths say how
+/// many are none.
+inline Positional cubes(std::uint64_t seed, std::int32_t side, std::vector<std::int32_t> labels,
+                        unsigned outside) {
+  const auto count = labels.size();
+  return {std::move(labels), [=](Coord3 p) -> Material {
+            const auto cell = [&](std::int32_t c) {
+              const std::int32_t width = side << certet::step_bits;
+              return c >= 0 ? c / width : -1 - (-1 - c) / width;
+            };
+            const std::uint64_t h = mixed(seed, cell(p.x), cell(p.y), cell(p.z));
+            return h % 256 < outside ? 0 : 1 + static_cast<Material>(h / 256 % count);
+          }};
+}
+
+inline std::string text(Coord3 p) {
+  return std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z);
+}
+
+/// Looks at a small block of the lattice; where two answers contradict each other,
+/// says so.  Counts the blocks of which the material is known at once.
+template <class Random>
+std::string contradiction(Random& random, const certet::Domain& domain,
+                          const certet::Lattice& lattice, int& decided) {
+  constexpr int side = 4, last = 2 * side - 1;
+  const auto at = [&](std::int32_t from, std::int32_t count) {
+    return from + 2 * between(random, 0, count - side);
+  };
+  const Coord3 low{at(lattice.origin.x, lattice.cells[0]), at(lattice.origin.y, lattice.cells[1]),
+                   at(lattice.origin.z, lattice.cells[2])};
+  const std::optional<Material> whole =
+      domain.material_of({low, low + Coord3{last, last, last}});
+  if (whole) ++decided;
+  const Material most = std::max<Material>(1, static_cast<Material>(domain.labels().size()));
+  std::array<Sign, side> signs;
+  std::array<Material, side> row, alone;
+  std::array<Coord3, side> points;
+  for (int z = 0; z <= last; ++z)
+    for (int y = 0; y <= last; ++y)
+      for (int x = 0; x < 2; ++x) {
+        const Coord3 first = low + Coord3{x, y, z};
+        domain.row(first, signs);
+        domain.row_materials(first, row);
+        for (std::int32_t i = 0; i < side; ++i)
+          points[static_cast<std::size_t>(i)] = certet::steps * (first + Coord3{2 * i, 0, 0});
+        domain.materials_at(points, alone);
+        for (std::size_t i = 0; i < side; ++i) {
+          const std::string where = " at " + text(points[i]);
+          if (row[i] < 0 || row[i] > most) return "there is no such material" + where;
+          if (row[i] != alone[i]) return "the row has another material" + where;
+          if ((row[i] == 0) != (signs[i] == Sign::minus)) return "sign and material differ" + where;
+          if (whole && row[i] != *whole) return "the block has another material" + where;
+        }
+      }
+  return "";
+}
+
+/// The first contradiction of many blocks; empty if there is none.
+template <class Random>
+std::string first_contradiction(Random& random, const certet::Domain& domain,
+                                const certet::Lattice& lattice, int blocks, int& decided) {
+  for (int i = 0; i < blocks; ++i)
+    if (std::string found = contradiction(random, domain, lattice, decided); !found.empty())
+      return found;
+  return "";
+}
+
+}  // namespace materials
