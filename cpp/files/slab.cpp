@@ -45,7 +45,7 @@ Quality TetSlab<Index>::measure_layer(const Source& source, std::span<const Coor
   const Stuffing& stuffing = source.stuffing;
   const std::uint64_t begin = stuffing.first_tet(layer) - first_;
   const bool asks = !labels_.empty() && source.known.empty();
-  quality::LatticeMeasurement lattice(points);
+  core::LatticeMeasurement lattice(points);
   core::for_each_batch(points, stuffing.first_point(layer), tets(stuffing, layer),
                        [&](std::size_t from, std::span<const TetCorners> corners) {
                          lattice.add(corners);
@@ -57,10 +57,10 @@ Quality TetSlab<Index>::measure_layer(const Source& source, std::span<const Coor
 }
 
 template <class Index>
-quality::RegionCounts TetSlab<Index>::label_layer(const Source& source, std::int32_t layer) {
+core::RegionCounts TetSlab<Index>::label_layer(const Source& source, std::int32_t layer) {
   const Stuffing& stuffing = source.stuffing;
   const std::size_t count = tets(stuffing, layer).size();
-  quality::RegionCounts regions;
+  core::RegionCounts regions;
   if (labels_.empty()) {
     if (count != 0) regions.add(only_label, count);
     return regions;

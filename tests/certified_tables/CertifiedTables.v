@@ -57,7 +57,7 @@ Proof. vm_compute. reflexivity. Qed.
     [MiddleFits], [DecisionsFit], [VolumesFit], [TetsNarrow]. *)
 
 Theorem CppLimitsCertified :
-  [CppCoordinateLimit; CppAnchorLimit; CppQualityEdgeLimit] =
+  [CppCoordinateLimit; CppAnchorLimit; CppCoreEdgeLimit] =
   map Number [LatticeLimit; AnchorLimit; WidthLimit].
 Proof. vm_compute. reflexivity. Qed.
 

@@ -163,7 +163,7 @@ PLANTED = [
     ("engine/sample.hpp", "engine/no_such_file.hpp", "which is not there"),
     ("engine/window.hpp", "emit.hpp", "a circle of files"),
     ("files/formats/cursor.hpp", "files/label_names.hpp", "which is not there"),
-    ("mesh/corners.hpp", "mesh/quality/extremes.hpp", "a circle of folders"),
+    ("files/formats/cursor.hpp", "files/slab.hpp", "a circle of folders"),
 ]
 
 
