@@ -10,7 +10,7 @@ From Certet Require Import Embedding.Settle Embedding.SettleSpec.
 From Certet Require Import Embedding.GreedyProof.
 From Certet Require Import Embedding.LeavingProof Embedding.LinkProof.
 From Certet Require Import Embedding.SettleProof Embedding.SettledMeshProof.
-From Certet Require Import Topology.SurfaceSpec.
+From Certet Require Import Topology.SurfaceSpec Topology.CliqueProof.
 From Certet Require Import Topology.DiskPointProof Topology.DiskKeptProof.
 From Certet Require Import Topology.DiskManifoldProof.
 
