@@ -862,6 +862,13 @@ Theorem SettledDisksAround :
     DisksAround (SignAmong sign (Settle th sign cut gap vs)).
 Proof. exact SettledSurfaceProof.SettledDisksAround. Qed.
 
+(** In the product's order each vertex of a list that is violated has its turn, and
+    nobody else. *)
+Theorem EachHasATurn :
+  forall th sign cut, CutsOnEdges sign cut -> forall vs v,
+    In v (InTurn th sign cut vs) <-> In v vs /\ Violated th sign cut v = true.
+Proof. exact SettleOrderProof.EachHasATurn. Qed.
+
 (** Within a colour the order is free: those of one colour may have their turns at
     once. *)
 Theorem ColourInAnyOrder :

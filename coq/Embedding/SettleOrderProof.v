@@ -1,9 +1,10 @@
-(** * The order within a colour changes nothing *)
+(** * The order: each violated vertex has a turn, and those of a colour are free *)
 
-From Coq Require Import ZArith List Bool Permutation.
+From Coq Require Import ZArith List Bool Permutation Lia.
 From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
+From Certet Require Import Angles.AnglesSpec Angles.Cases.AdmissibleProof.
 From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
 From Certet Require Import Embedding.DiskTables Embedding.Settle.
 From Certet Require Import Embedding.GreedyProof Embedding.DiskStepProof.
@@ -142,3 +143,40 @@ Proof.
   apply TwoSwapped; intros [d ->]; [apply (ColoursDiffer u d)|apply (ColoursDiffer v d)];
     congruence.
 Qed.
+
+(** ** The order of the product *)
+
+Section Turns.
+  Variables (th : Thresholds) (sign : SignField) (cut : CutField).
+  Hypothesis OnEdges : CutsOnEdges sign cut.
+
+  Lemma TurnInTime v : Violated th sign cut v = true ->
+    (Turn th sign cut v < Turns)%nat.
+  Proof.
+    unfold Violated, Turn. destruct (WarpVertex th sign cut v) as [|d t] eqn:W;
+      [discriminate|]. intros _.
+    destruct (WarpedMeans th sign cut v d t W) as (E & O & L).
+    pose proof (CutFromInRange sign cut OnEdges v d O) as R. rewrite <- E in R.
+    assert (B : (4 * t / ThresholdSteps th (DirectionKind d) < 4)%Z)
+      by (apply Z.div_lt_upper_bound; lia).
+    assert (C : (Colour v < 4)%nat)
+      by (destruct v as [x y z]; cbn [Colour];
+          destruct (Z.even x), (Z.even _); cbn; lia).
+    unfold Turns. generalize dependent (4 * t / ThresholdSteps th (DirectionKind d))%Z.
+    intros q Q. destruct (sign v); lia.
+  Qed.
+
+  Theorem EachHasATurn vs v : In v (InTurn th sign cut vs) <->
+    In v vs /\ Violated th sign cut v = true.
+  Proof.
+    unfold InTurn. cbv zeta. rewrite in_flat_map. split.
+    - intros (n & _ & I). apply in_map_iff in I. destruct I as ((m & u) & <- & I).
+      apply filter_In in I. destruct I as [I _]. apply in_map_iff in I.
+      destruct I as (w & E & I). injection E as _ ->. apply filter_In, I.
+    - intros [I V]. exists (Turn th sign cut v). split.
+      + apply in_seq. pose proof (TurnInTime v V). lia.
+      + apply in_map_iff. exists (Turn th sign cut v, v). split; [reflexivity|].
+        apply filter_In. split; [|apply Nat.eqb_refl].
+        apply in_map_iff. exists v. split; [reflexivity|]. apply filter_In. auto.
+  Qed.
+End Turns.
