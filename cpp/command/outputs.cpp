@@ -22,7 +22,7 @@ fs::path folder_of(const fs::path& file) {
 
 }  // namespace
 
-void judge_output(const fs::path& file) {
+void check_output(const fs::path& file) {
   if (file == "-")
     throw Error(ErrorCode::bad_option,
                 "'-' is not a file: this output cannot go to the standard output");
@@ -37,7 +37,7 @@ void judge_output(const fs::path& file) {
     refuse_output(file, "no permission to write in its folder");
 }
 
-void judge_room(const fs::path& file, std::uint64_t bytes) {
+void check_room(const fs::path& file, std::uint64_t bytes) {
   std::error_code failure;
   const fs::space_info space = fs::space(folder_of(file), failure);
   if (!failure && space.available < bytes)

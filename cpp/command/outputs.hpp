@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Files that a run writes: judged before the long work.
+/// Files that a run writes: checked before the long work.
 
 #include <cstdint>
 #include <filesystem>
@@ -10,10 +10,10 @@ namespace certet::command {
 
 /// \throws Error `write_failed` where a file could not be put there, `bad_option` for
 /// `-`, which stands for stdout where a text is written.
-void judge_output(const std::filesystem::path& file);
+void check_output(const std::filesystem::path& file);
 
 /// \throws Error `write_failed` where the disk has less room than this.
-void judge_room(const std::filesystem::path& file, std::uint64_t bytes);
+void check_room(const std::filesystem::path& file, std::uint64_t bytes);
 
 /// Whether two names mean one file.
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);

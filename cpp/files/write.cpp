@@ -49,7 +49,7 @@ Survey survey_of(const Mesh& mesh, std::span<const Tet<Index>> tets, Context& co
 /// What `certet mesh` refuses to write is not written here either.
 void refuse_unsound(const Mesh& mesh, std::span<const Point3> world,
                     const std::filesystem::path& file) {
-  switch (judge(measure_placed(mesh, world), facts(mesh.method).bounds)) {
+  switch (standing_of(measure_placed(mesh, world), facts(mesh.method).bounds)) {
     case Standing::within: return;
     case Standing::blurred:
       throw Error(ErrorCode::write_failed,

@@ -8,7 +8,7 @@
 namespace certet {
 namespace {
 
-void judge(const Bounds& bounds) {
+void validate(const Bounds& bounds) {
   for (std::size_t a = 0; a < 3; ++a) {
     const double side = bounds.high[a] - bounds.low[a];
     if (!std::isfinite(side) || side <= 0)
@@ -30,7 +30,7 @@ double longest_side(const Bounds& bounds) {
 }
 
 PlacedLattice lattice_around(const Bounds& bounds, double size, std::int32_t margin) {
-  judge(bounds);
+  validate(bounds);
   checked_margin(margin);
   PlacedLattice result;
   result.frame.size = checked_size(size == 0 ? longest_side(bounds) / 64 : size);

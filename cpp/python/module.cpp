@@ -134,7 +134,7 @@ py::dict quality_of(const PythonMesh& mesh) {
   result["theorem"] = std::string(bounds.theorem);
   result["proven_min"] = bounds.min_dihedral;
   result["proven_max"] = bounds.max_dihedral;
-  result["holds"] = judge(placed, bounds) == Standing::within;
+  result["holds"] = standing_of(placed, bounds) == Standing::within;
   return result;
 }
 

@@ -50,7 +50,7 @@ class Skeleton {
 };
 
 /// Adds what the facts have against the mesh.
-void judge(const PageFacts& facts, CheckReport& report) {
+void compare_with_run(const PageFacts& facts, CheckReport& report) {
   report.failures.insert(report.failures.end(), facts.defects.begin(), facts.defects.end());
   if (facts.bounds.size() != 1) return;
   const AngleBounds& bounds = facts.bounds.front();
@@ -68,7 +68,7 @@ Page make_page(const FileMesh& mesh, const PageFacts& facts) {
   // The two take about the same time, and neither changes the mesh.
   auto looking = std::async(std::launch::async, [&mesh] { return look_at(mesh); });
   Page page{{}, check(mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets))};
-  judge(facts, page.report);
+  compare_with_run(facts, page.report);
   const Look look = looking.get();
   const Scene* scene = look.scene ? &*look.scene : nullptr;
   Skeleton html;

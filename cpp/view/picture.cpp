@@ -164,7 +164,7 @@ class Drawing {
   std::vector<Vec> places_, normals_;  ///< of the subset
 };
 
-void judge(const PictureOptions& options) {
+void validate(const PictureOptions& options) {
   constexpr int least = 16, most = 8192;
   const auto fits = [](int pixels) { return pixels >= least && pixels <= most; };
   if (!fits(options.width) || !fits(options.height))
@@ -180,7 +180,7 @@ void judge(const PictureOptions& options) {
 }  // namespace
 
 Picture draw(const FileMesh& mesh, const PictureOptions& options) {
-  judge(options);
+  validate(options);
   return Drawing(mesh, options).run();
 }
 

@@ -180,7 +180,7 @@ PLANTED = {
     "cpp/include/certet/lattice/direction.hpp": ("/// The square of an edge",
                                          "constexpr /* a\n comment */ int planted_e(int d)"
                                          " { return d; }\n"),
-    "cpp/include/certet/method.hpp": ("  midpoint,   ///<", "  planted_f,\n"),
+    "cpp/include/certet/method.hpp": ("  midpoint,  ///<", "  planted_f,\n"),
 }
 
 

@@ -123,7 +123,7 @@ TEST(Doorstep, WhatWasWrittenIsReadAndWrittenAgain) {
 TEST(Doorstep, AMeshIsCheckedAndMeasuredInMemory) {
   const Mesh made = mesh(cut_ball());
   EXPECT_TRUE(check(made).failures.empty());
-  EXPECT_EQ(judge(quality(made), facts(made.method).bounds), Standing::within);
+  EXPECT_EQ(standing_of(quality(made), facts(made.method).bounds), Standing::within);
   const double slice = 2 * std::acos(0.0) * (1 - 0.25 / 3);  // of a ball, between -0.5 and 0.5
   EXPECT_NEAR(quality(made).world.volume, slice, 0.05 * slice);
 }

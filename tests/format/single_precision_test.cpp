@@ -16,19 +16,19 @@
 namespace certet {
 namespace {
 
-using formats::SingleJudge;
+using formats::SinglePrecisionCheck;
 using formats::Triangle3;
 
 std::string loss_of(const Triangle3& triangle) {
-  SingleJudge judge;
-  judge.add(triangle);
-  return judge.loss();
+  SinglePrecisionCheck check;
+  check.add(triangle);
+  return check.loss();
 }
 
 std::string loss_of(const std::vector<Point3>& points) {
-  SingleJudge judge;
-  judge.add(points);
-  return judge.loss();
+  SinglePrecisionCheck check;
+  check.add(points);
+  return check.loss();
 }
 
 /// Singles are whole numbers there.

@@ -39,7 +39,7 @@ FIRST = {
     "structured_tet.hpp": ["lattice", "numbers"], "tiling.hpp": ["mesh"], "stencil.hpp": ["stencil"], "warp.hpp": ["warp"],
     "direction.hpp": ["constants"], "coord3.hpp": ["numbers", "constants"], "sign.hpp": ["stencil", "numbers"],
     "orientation.hpp": ["numbers"], "checksum.hpp": ["numbers"], "frame.hpp": ["numbers"],
-    "cuts.cpp": ["mesh", "bisect"], "parallel.hpp": ["engine"], "stuffing.cpp": ["engine", "mesh"],
+    "cuts.cpp": ["mesh", "bisect"], "domain.cpp": ["bisect", "mesh"], "parallel.hpp": ["engine"], "stuffing.cpp": ["engine", "mesh"],
     "stuffing.hpp": ["engine"], "lattice_around.cpp": ["bounds"],
     "lattice_limits.cpp": ["limits"], "inverted_tets.cpp": ["mesh", "conformance"],
     "link.hpp": ["link"], "settle.cpp": ["settling"],

@@ -126,13 +126,13 @@ TEST(WrittenMesh, RoundingAloneIsNoFault) {
   };
   for (const double distance : {0.0, 1e6, 1e8}) {
     const WrittenMesh written = at(distance);
-    EXPECT_EQ(judge(written, bounds), Standing::within) << distance;
+    EXPECT_EQ(standing_of(written, bounds), Standing::within) << distance;
     EXPECT_EQ(written.coincident_points, 0u);
   }
   EXPECT_LT(at(1e8).world.min_dihedral, bounds.min_dihedral - 1e-6);
   // Here the doubles are too far apart, and lastly points fall together.
   for (const double distance : {1e12, 1e14, 1e16})
-    EXPECT_EQ(judge(at(distance), bounds), Standing::blurred) << distance;
+    EXPECT_EQ(standing_of(at(distance), bounds), Standing::blurred) << distance;
   const Outcome lost = write(far_frame(1e16), Method::midpoint);
   EXPECT_GT(lost.coincident, 0u);
   EXPECT_GT(lost.written.coincident_points, 0u);
@@ -145,7 +145,7 @@ TEST(WrittenMesh, SizesAndTurnsDoNotMatter) {
       Frame frame = far_frame(distance);
       for (double& coordinate : frame.origin) coordinate *= size / frame.size;
       frame.size = size;
-      EXPECT_EQ(judge(write(frame, Method::midpoint).written, bounds), Standing::within) << size;
+      EXPECT_EQ(standing_of(write(frame, Method::midpoint).written, bounds), Standing::within) << size;
     }
 }
 
@@ -154,16 +154,16 @@ TEST(WrittenMesh, AFaultIsNotExcusedByRounding) {
   const AngleBounds& bounds = facts(Method::midpoint).bounds;
   WrittenMesh written = write(far_frame(1e8), Method::midpoint).written;
   written.world.min_dihedral = bounds.min_dihedral - 2 * written.rounding - 0.001;
-  EXPECT_EQ(judge(written, bounds), Standing::outside);
+  EXPECT_EQ(standing_of(written, bounds), Standing::outside);
   written = write(far_frame(0), Method::midpoint).written;
   written.lattice.max_dihedral = bounds.max_dihedral + 1e-7;
-  EXPECT_EQ(judge(written, bounds), Standing::outside);
+  EXPECT_EQ(standing_of(written, bounds), Standing::outside);
   written = write(far_frame(0), Method::midpoint).written;
   written.world.nonpositive = 1;
-  EXPECT_EQ(judge(written, bounds), Standing::outside);
+  EXPECT_EQ(standing_of(written, bounds), Standing::outside);
   written = write(far_frame(0), Method::midpoint).written;
   written.coincident_points = 1;
-  EXPECT_EQ(judge(written, bounds), Standing::blurred);
+  EXPECT_EQ(standing_of(written, bounds), Standing::blurred);
 }
 
 TEST(WrittenMesh, TheChecksumOfTheFileIsThatOfWhatWasWritten) {

@@ -21,7 +21,7 @@ overfull_faces, misoriented_faces, boundary_faces, open_edges}, dihedral {min, m
 histogram}, bounds {min, max, and with --run: theorem}, seconds {read, check, total},
 memory {peak}.  mesh.checksum is what `certet mesh` tells as mesh.file_checksum.
 
-Angles are judged as they are shown, in thousandths of a degree.  With --run it is a
+Angles are checked as they are shown, in thousandths of a degree.  With --run it is a
 defect too where points or tetrahedra are not, bit by bit, those that the run wrote;
 the theorem is named only where nothing is wrong.)";
 
@@ -35,19 +35,19 @@ struct CheckOptions {
 };
 
 /// The bounds asked for and those of the run, if there is one.
-void judge_angles(CheckedFile& checked) {
-  const auto judge = [&report = checked.report](const AngleBounds& bounds,
+void check_angles(CheckedFile& checked) {
+  const auto compare = [&report = checked.report](const AngleBounds& bounds,
                                                 const std::string& whose) {
     std::string defect = angle_defect(report.quality, bounds, whose);
     if (!defect.empty()) report.failures.push_back(std::move(defect));
   };
-  judge(checked.asked, "--min-angle and --max-angle");
+  compare(checked.asked, "--min-angle and --max-angle");
   if (!checked.run) return;
   const AngleBounds& proven = checked.run->bounds;
-  judge(proven, "theorem " + std::string(proven.theorem));
+  compare(proven, "theorem " + std::string(proven.theorem));
 }
 
-void judge_options(const CheckOptions& options) {
+void check_options(const CheckOptions& options) {
   if (options.asked.min_dihedral > options.asked.max_dihedral)
     throw Error(ErrorCode::bad_option, "--min-angle is above --max-angle");
   if (options.json.empty() || options.json == "-") return;
@@ -56,7 +56,7 @@ void judge_options(const CheckOptions& options) {
     if (!input.empty() && same_file(input, options.json))
       throw Error(ErrorCode::bad_option, std::string(name) + " and --json are the same file '" +
                                              input.string() + "'");
-  judge_output(options.json);
+  check_output(options.json);
 }
 
 Status check(const CheckOptions& options) {
@@ -64,7 +64,7 @@ Status check(const CheckOptions& options) {
   Context context;
   context.threads = options.threads;
   const Signals signals(context);
-  judge_options(options);
+  check_options(options);
   CheckedFile checked;
   checked.file = options.mesh.string();
   checked.asked = options.asked;
@@ -78,7 +78,7 @@ Status check(const CheckOptions& options) {
     std::string defect = content_defect(*checked.run, options.mesh, mesh, checked.checksum);
     if (!defect.empty()) checked.report.failures.push_back(std::move(defect));
   }
-  judge_angles(checked);
+  check_angles(checked);
   checked.total_seconds = clock.seconds();
   checked.check_seconds = checked.total_seconds - checked.read_seconds;
   checked.memory_peak = peak_memory();

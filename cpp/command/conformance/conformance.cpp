@@ -22,7 +22,7 @@ Status write_kit(const std::string& output) {
   std::filesystem::path target = output;
   std::error_code failure;
   if (output != "-" && std::filesystem::is_directory(target, failure)) target /= file_name;
-  if (output != "-") judge_output(target);
+  if (output != "-") check_output(target);
   write_text(target.string(), std::string(conformance_kit()));
   return Status::ok;
 }

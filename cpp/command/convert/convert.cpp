@@ -74,7 +74,7 @@ std::string json(const ConvertReport& report) {
   return print(json);
 }
 
-void judge_files(const ConvertOptions& options, Format format) {
+void check_files(const ConvertOptions& options, Format format) {
   const bool json_file = !options.json.empty() && options.json != "-";
   for (const std::filesystem::path& file : files_of(options.output, format)) {
     if (same_file(options.input, file))
@@ -83,17 +83,17 @@ void judge_files(const ConvertOptions& options, Format format) {
     if (json_file && same_file(file, options.json))
       throw Error(ErrorCode::bad_option,
                   "output and --json are the same file '" + file.string() + "'");
-    judge_output(file);
+    check_output(file);
   }
   if (!json_file) return;
   if (same_file(options.input, options.json))
     throw Error(ErrorCode::bad_option,
                 "input and --json are the same file '" + options.input.string() + "'");
-  judge_output(options.json);
+  check_output(options.json);
 }
 
 /// A writer would say the same, but with no word of the input.
-void judge_indices(const ConvertOptions& options, const FileMesh& mesh) {
+void check_indices(const ConvertOptions& options, const FileMesh& mesh) {
   for (const Tet<std::uint64_t>& tet : mesh.tets)
     for (const std::uint64_t point : tet)
       if (point >= mesh.points.size())
@@ -121,9 +121,9 @@ void write(const ConvertOptions& options, Format format, const FileMesh& mesh,
 ConvertReport run(const ConvertOptions& options, Context& context) {
   const Stopwatch clock;
   const Format format = choose_format(options.output, options.format, options.compress);
-  judge_files(options, format);
+  check_files(options, format);
   FileMesh mesh = certet::read(options.input, context);
-  judge_indices(options, mesh);
+  check_indices(options, mesh);
   const Point3 moved_to = options.origin == "0" ? move_to_zero(mesh) : Point3{};
   if (!options.label_names.empty()) mesh.names = read_label_names(options.label_names);
   auto found = std::make_shared<Survey>(survey(mesh.points.size(), mesh.tets, mesh.labels, context));

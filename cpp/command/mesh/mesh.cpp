@@ -35,7 +35,7 @@ std::uint64_t memory_limit(const MeshOptions& options) {
   return available == 0 ? std::numeric_limits<std::uint64_t>::max() / 2 : available / 4 * 3;
 }
 
-void judge_outputs(const MeshOptions& options) {
+void check_outputs(const MeshOptions& options) {
   const bool json_file = !options.json.empty() && options.json != "-";
   if (!options.input.empty()) {
     if (!options.output.empty() && same_file(options.input, options.output))
@@ -50,9 +50,9 @@ void judge_outputs(const MeshOptions& options) {
       if (json_file && same_file(file, options.json))
         throw Error(ErrorCode::bad_option,
                     "output and --json are the same file '" + file.string() + "'");
-      if (!options.dry_run) judge_output(file);
+      if (!options.dry_run) check_output(file);
     }
-  if (json_file) judge_output(options.json);
+  if (json_file) check_output(options.json);
 }
 
 [[noreturn]] void refuse_memory(const std::string& what, std::uint64_t needed,
@@ -65,7 +65,7 @@ void judge_outputs(const MeshOptions& options) {
 
 /// The engine holds a sign in two bits for two points in each cell, twice while
 /// it warps, and the numbers of every row.
-void judge_lattice(const PlacedSource& source, std::uint64_t limit) {
+void check_lattice(const PlacedSource& source, std::uint64_t limit) {
   const auto& cells = source.lattice.cells;
   const double rows = static_cast<double>(cells[1]) * cells[2];
   const double needed = rows * (static_cast<double>(cells[0]) + 32) +
@@ -115,7 +115,7 @@ Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report) {
                   report.written.coincident_points));
 }
 
-void judge_written(const MeshReport& report) {
+void check_written(const MeshReport& report) {
   switch (standing(report)) {
     case Standing::within: return;
     case Standing::blurred: refuse_place(report);
@@ -141,7 +141,7 @@ KeepingSize keeping_size(const MeshOptions& options, const Source& source, std::
   const auto count_at = [&options, &source, limit, &context](
                             double size, SearchBudget& budget) -> std::optional<Counted> {
     PlacedSource placed = source.place(size);
-    judge_lattice(placed, limit);
+    check_lattice(placed, limit);
     if (!budget.pay_for(placed)) return std::nullopt;
     Stuffing stuffing(*placed.domain, placed.lattice, options.method, context);
     if (static_cast<double>(stuffing.tet_count()) > most_searched_tets) return std::nullopt;
@@ -162,7 +162,7 @@ KeepingSize keeping_size(const MeshOptions& options, const Source& source, std::
 
 /// Whether a mesh that has been measured has the volume of its solid.  What becomes of
 /// the single labels of an image, `RegionWatch` tells.
-void judge_volume(const MeshOptions& options, const Source& source, const Counted& counted,
+void check_volume(const MeshOptions& options, const Source& source, const Counted& counted,
                   Context& context, MeshReport& report) {
   const SolidVolume solid = volume_of(counted.source, context);
   const double mesh = report.written.world.volume;
@@ -179,7 +179,7 @@ void write(const MeshOptions& options, const Source& from, const Counted& counte
            const Slabs& slabs, const MeshSize& size, Context& context, Progress& progress,
            MeshReport& report) {
   const auto& [source, stuffing] = counted;
-  judge_room(options.output, report.output_bytes);
+  check_room(options.output, report.output_bytes);
   const auto file = open_writer(options.output, options.format, size);
   WatchedWriter writer(*file, size, progress);
   Frame frame = source.frame;
@@ -187,15 +187,15 @@ void write(const MeshOptions& options, const Source& from, const Counted& counte
   const MaterialRuns none;
   report.written = write_mesh(stuffing, frame, slabs, writer, context,
                               size.survey == nullptr ? none : size.survey->materials);
-  judge_written(report);
-  judge_volume(options, from, counted, context, report);
+  check_written(report);
+  check_volume(options, from, counted, context, report);
   const Stopwatch finishing;
   writer.finish();
   report.written.write_seconds += finishing.seconds();
 }
 
 /// A cell of the lattice has twelve tetrahedra and takes more than a byte.
-void judge_target(const MeshOptions& options, std::uint64_t limit) {
+void check_target(const MeshOptions& options, std::uint64_t limit) {
   if (options.target_tets / 12 > limit)
     refuse_memory("a mesh of " + std::to_string(options.target_tets) + " tetrahedra",
                   options.target_tets / 12, limit);
@@ -204,14 +204,14 @@ void judge_target(const MeshOptions& options, std::uint64_t limit) {
 /// By the size that was asked for, or searching for it.
 Counted count(const MeshOptions& options, const Source& source, Context& context,
               MeshReport& report) {
-  judge_target(options, report.memory_limit);
+  check_target(options, report.memory_limit);
   const Stopwatch reading;
   const double side =
       options.relative_size != 0 || options.target_tets != 0 ? source.place(0).longest_side : 0;
   report.read_seconds += reading.seconds();
   const auto count_at = [&](double size) {
     PlacedSource placed = source.place(size);
-    judge_lattice(placed, report.memory_limit);
+    check_lattice(placed, report.memory_limit);
     Stuffing stuffing(*placed.domain, placed.lattice, options.method, context);
     return Counted{std::move(placed), std::move(stuffing)};
   };
@@ -263,7 +263,7 @@ MeshReport run(const MeshOptions& options, Context& context) {
   MeshReport report;
   report.memory_limit = memory_limit(options);
   limit_memory(report.memory_limit + base_bytes);
-  judge_outputs(options);
+  check_outputs(options);
   LabelNames names;
   if (!options.label_names.empty()) names = read_label_names(options.label_names);
   const Source source = open_source(options, report.memory_limit, context);

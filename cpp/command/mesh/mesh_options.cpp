@@ -188,7 +188,7 @@ void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
       ->option_text("FILE|-");
 }
 
-void judge_source(const MeshOptions& options, const RawMesh& raw) {
+void check_source(const MeshOptions& options, const RawMesh& raw) {
   const bool image = !options.input.empty();
   const bool formula = !options.formula.empty();
   const bool shape = !options.shape.empty();
@@ -246,7 +246,7 @@ double parse_nan(const MeshOptions& options, const std::string& text) {
 }
 
 MeshOptions finish(MeshOptions options, const RawMesh& raw) {
-  judge_source(options, raw);
+  check_source(options, raw);
   read_size(options, raw);
   options.method = chosen(raw.method);
   if (!raw.iso.empty()) options.iso = parse_number("--iso", raw.iso);

@@ -4,7 +4,7 @@ namespace certet::command {
 
 Standing standing(const MeshReport& report) {
   if (report.written.lattice.tets != report.tets) return Standing::outside;
-  return judge(report.written, facts(report.used).bounds);
+  return standing_of(report.written, facts(report.used).bounds);
 }
 
 }  // namespace certet::command

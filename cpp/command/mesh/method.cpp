@@ -19,7 +19,7 @@ Method implied(const MethodChoice& choice) {
   return choice.guarantee.value_or(Method::embedded);
 }
 
-void judge_choice(const MethodChoice& choice, Method method) {
+void check_choice(const MethodChoice& choice, Method method) {
   const auto refuse_both = [method](const std::string& option) {
     const std::string called = method == Method::angles ? "paper" : std::string(name(method));
     throw Error(ErrorCode::bad_option, "--method " + called + " and " + option +
@@ -57,7 +57,7 @@ void declare_method(CLI::App& app, MethodChoice& choice) {
 
 Method chosen(const MethodChoice& choice) {
   const Method method = choice.method.value_or(implied(choice));
-  judge_choice(choice, method);
+  check_choice(choice, method);
   // No vertex is warped at cuts in the middle, whatever the guarantee.
   return method == Method::midpoint ? method : choice.guarantee.value_or(method);
 }

@@ -32,7 +32,7 @@ class RegionWatch {
   [[nodiscard]] bool counted_pieces() const { return counted_pieces_; }
 
   /// Sentences about what is lost, split or joined; `written` tells whether there
-  /// are tetrahedra to judge by, or lattice points alone.
+  /// are tetrahedra to go by, or lattice points alone.
   [[nodiscard]] std::vector<std::string> warnings(bool written);
 
  private:

@@ -44,19 +44,19 @@ Source from_shape(const MeshOptions& options) {
 }
 
 Source from_surface(const MeshOptions& options, const Context& context) {
-  JudgedSurface judged = open_surface(options.input, options.repair, context);
-  const auto surface = std::make_shared<const TriangleSurface>(std::move(judged.surface));
-  const auto place = [surface, margin = options.margin, volume = judged.measures.volume,
-                      own_size = judged.size.size](double size) {
+  CheckedSurface checked = open_surface(options.input, options.repair, context);
+  const auto surface = std::make_shared<const TriangleSurface>(std::move(checked.surface));
+  const auto place = [surface, margin = options.margin, volume = checked.measures.volume,
+                      own_size = checked.size.size](double size) {
     PlacedSource source = placed(surface_domain(*surface, {size == 0 ? own_size : size, margin}));
     source.volume = volume;
     return source;
   };
   const bool own_choice =
       options.size == 0 && options.relative_size == 0 && options.target_tets == 0;
-  if (own_choice && !judged.size_note.empty()) judged.notes.push_back(judged.size_note);
-  Source source{"surface", surface->name, place, std::move(judged.notes)};
-  source.thin = judged.measures.thin;
+  if (own_choice && !checked.size_note.empty()) checked.notes.push_back(checked.size_note);
+  Source source{"surface", surface->name, place, std::move(checked.notes)};
+  source.thin = checked.measures.thin;
   return source;
 }
 

@@ -60,9 +60,9 @@ std::string note_on(const SurfaceSize& size, const SurfaceMeasures& solid) {
 
 }  // namespace
 
-JudgedSurface open_surface(const std::filesystem::path& file, bool close_holes,
+CheckedSurface open_surface(const std::filesystem::path& file, bool close_holes,
                            const Context& context) {
-  JudgedSurface result;
+  CheckedSurface result;
   {
     const Silence silence;
     result.surface = read_surface(file);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Surfaces from files, judged before they are meshed.
+/// Surfaces from files, checked before they are meshed.
 
 #include <filesystem>
 #include <string>
@@ -12,7 +12,7 @@
 namespace certet::command {
 
 /// A surface, and what the user should know of it, a sentence each.
-struct JudgedSurface {
+struct CheckedSurface {
   TriangleSurface surface;
   std::vector<std::string> notes;
   SurfaceMeasures measures;
@@ -22,7 +22,7 @@ struct JudgedSurface {
 
 /// Reads a surface and mends what exporters do to it; closes its holes only if that is
 /// asked for.  \throws Error `bad_input`, for an open one too; `cancelled`.
-JudgedSurface open_surface(const std::filesystem::path& file, bool close_holes,
+CheckedSurface open_surface(const std::filesystem::path& file, bool close_holes,
                            const Context& context);
 
 }  // namespace certet::command

@@ -47,7 +47,7 @@ Status picture(PictureRequest options) {
   if (options.output.extension() != ".png")
     refuse("a picture is a .png file, which '" + options.output.string() + "' is not");
   if (!can_write_png()) refuse("writing PNG was not built in");
-  judge_output(options.output);
+  check_output(options.output);
   write_png(draw(certet::read(options.mesh), options.picture), options.output);
   return Status::ok;
 }

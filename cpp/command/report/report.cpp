@@ -30,14 +30,14 @@ struct ReportOptions {
   std::optional<Cuts> cuts;
 };
 
-void judge(const ReportOptions& options) {
+void validate(const ReportOptions& options) {
   if (same_file(options.mesh, options.output))
     refuse("the mesh and the page are the same file '" + options.mesh.string() + "'");
   if (!options.run.empty() && same_file(options.run, options.output))
     refuse("the page and --run are the same file '" + options.run.string() + "'");
   if (!options.run.empty() && (options.guarantee || options.cuts))
     refuse("--run tells --guarantee and --cuts already");
-  judge_output(options.output);
+  check_output(options.output);
 }
 
 /// Whether the options leave open that a mesh was made by this method.
@@ -75,7 +75,7 @@ void add_run(const RunFile& run, const std::filesystem::path& file, const FileMe
 }
 
 Status report(const ReportOptions& options) {
-  judge(options);
+  validate(options);
   PageFacts facts;
   facts.name = options.mesh.filename().string();
   facts.rows.push_back(size_row(options.mesh));

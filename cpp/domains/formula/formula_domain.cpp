@@ -61,7 +61,7 @@ namespace {
 
 using Coordinates = std::array<double, batch_limit>;
 
-void judge(const Coordinates& levels, std::span<Sign> out) {
+void signs_of(const Coordinates& levels, std::span<Sign> out) {
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = sign_of_level(levels[i]);
 }
 
@@ -90,7 +90,7 @@ void FormulaDomain::row(Coord3 first, std::span<Sign> out) const {
     for (std::size_t i = 0; i < count; ++i)
       x[i] = state.frame.world(steps * (first + Coord3{2 * static_cast<std::int32_t>(i), 0, 0}))[0];
     state.of_rows.evaluate({x.data(), &y, &z}, count, workspace, levels.data());
-    judge(levels, out.first(count));
+    signs_of(levels, out.first(count));
     out = out.subspan(count);
     first.x += 2 * static_cast<std::int32_t>(count);
   }
@@ -109,7 +109,7 @@ void FormulaDomain::at(std::span<const Coord3> positions, std::span<Sign> out) c
       z[i] = point[2];
     }
     state.of_points.evaluate({x.data(), y.data(), z.data()}, count, workspace, levels.data());
-    judge(levels, out.subspan(begin, count));
+    signs_of(levels, out.subspan(begin, count));
   }
 }
 

@@ -77,7 +77,7 @@ SliceForm form_of(const fs::path& file, const Groups& groups) {
   return form;
 }
 
-void judge_same(const fs::path& file, const SliceForm& one, const SliceForm& first) {
+void check_same(const fs::path& file, const SliceForm& one, const SliceForm& first) {
   for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t r = 0; r < 3; ++r)
       if (!is_near(one.axes[a][r], first.axes[a][r], 1e-3))
@@ -128,7 +128,7 @@ void place_along_normal(const fs::path& file, const gdcm::DataSet& data, DicomFr
 }
 
 /// The increment names an element by which frames differ.
-void judge_not_times(const fs::path& file, const gdcm::DataSet& data) {
+void check_not_times(const fs::path& file, const gdcm::DataSet& data) {
   const auto group = dicom_text(data, increment);
   if (group.size() < 4) return;
   const auto byte = [&](std::size_t i) {
@@ -162,7 +162,7 @@ DicomFrames read_dicom_frame_headers(const fs::path& file, const gdcm::DataSet& 
                                      std::uint64_t frames) {
   if (const auto count = dicom_short(data, samples).value_or(1); count != 1)
     refuse(file, "has " + std::to_string(count) + " numbers per voxel, not 1");
-  judge_not_times(file, data);
+  check_not_times(file, data);
   if (!dicom_text(data, columns_of_slide).empty())
     refuse(file, "has frames that are tiles of a slide, not slices of a volume");
   const auto shared = dicom_items(data, shared_groups);
@@ -178,7 +178,7 @@ DicomFrames read_dicom_frame_headers(const fs::path& file, const gdcm::DataSet& 
     if (first || !own.empty()) {
       const SliceForm form = form_of(file, groups);
       if (first) result.form = form;
-      judge_same(file, form, result.form);
+      check_same(file, form, result.form);
     }
     if (first) {
       result.distance = std::fabs(groups.number(pixel_measures, slice_distance_tag, 0));

@@ -42,7 +42,7 @@ class Walker {
 
   std::optional<DicomHeader> walk() {
     if (!walk_meta()) return {};
-    judge_syntax();
+    check_syntax();
     explicit_ = syntax_ != "1.2.840.10008.1.2";
     return elements(end_, 0) ? std::optional(header_) : std::nullopt;
   }
@@ -159,7 +159,7 @@ class Walker {
     return here() == end;
   }
 
-  void judge_syntax() const {
+  void check_syntax() const {
     constexpr std::string_view big_endian = "1.2.840.10008.1.2.2";
     constexpr std::string_view deflated = "1.2.840.10008.1.2.1.99";
     const auto refuse_syntax = [&](const std::string& what) {

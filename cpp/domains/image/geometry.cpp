@@ -41,7 +41,7 @@ const std::string not_orthonormal = "has a direction matrix that is not orthonor
 
 }  // namespace
 
-void judge_geometry(const Image& image) {
+void check_geometry(const Image& image) {
   const auto column = voxel_axes(image);
   for (std::size_t a = 0; a < 3; ++a) {
     if (image.size[a] < 1) refuse_geometry(image, "has no voxels");

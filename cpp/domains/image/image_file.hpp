@@ -20,7 +20,7 @@ namespace certet {
 }
 
 /// \throws Error `too_large`
-inline void judge_memory(const std::filesystem::path& file, std::uint64_t bytes,
+inline void check_memory(const std::filesystem::path& file, std::uint64_t bytes,
                          std::uint64_t max_bytes) {
   if (bytes > max_bytes)
     throw Error(ErrorCode::too_large, "the voxels of '" + file.string() + "' need " +
@@ -52,7 +52,7 @@ Image read_dicom(const std::filesystem::path& folder, std::uint64_t max_bytes,
 /// One file, which must be of several frames or a segmentation.
 Image read_dicom_file(const std::filesystem::path& file, std::uint64_t max_bytes,
                       const ImageChoice& choice);
-/// The same for a file whose header was judged well.
+/// The same for a file whose header was checked well.
 Image read_dicom_frames(const std::filesystem::path& file, std::uint64_t max_bytes,
                         const ImageChoice& choice);
 

@@ -51,7 +51,7 @@ GridForm form_of(const fs::path& file, const itk::ImageIOBase& header) {
     if (header.GetDimensions(a) > std::uint64_t{1} << 31) refuse(file, "has impossible dimensions");
     form.size[a] = static_cast<std::int64_t>(header.GetDimensions(a));
   }
-  form.voxels = judge_count(file, form.size, bytes_of(form.type));
+  form.voxels = check_count(file, form.size, bytes_of(form.type));
   const std::uint64_t most = std::numeric_limits<std::int64_t>::max() / 16 / form.voxels;
   if (form.components < 1 || form.components > most) refuse(file, "has impossible dimensions");
   for (unsigned d = 3; d < dimensions; ++d) {
@@ -71,7 +71,7 @@ void read_geometry(const itk::ImageIOBase& header, Image& image) {
     const std::vector<double> direction = header.GetDirection(a);
     for (std::size_t r = 0; r < 3; ++r) image.axes[r][a] = direction[r];
   }
-  judge_geometry(image);
+  check_geometry(image);
   orthonormalise(image);
 }
 

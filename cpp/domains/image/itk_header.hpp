@@ -32,7 +32,7 @@ GridForm form_of(const std::filesystem::path& file, const itk::ImageIOBase& head
 /// \throws Error `bad_input` where the component type is none of `NumberType`.
 NumberType number_type(const std::filesystem::path& file, itk::IOComponentEnum type);
 
-/// Size, spacing, origin and axes, judged.
+/// Size, spacing, origin and axes, checked.
 void read_geometry(const itk::ImageIOBase& header, Image& image);
 
 /// The number of the volume or of the component that is read, from 0.

@@ -345,7 +345,7 @@ std::unique_ptr<PlacedDomain> label_domain(std::shared_ptr<const Image> image,
                                           std::vector<LabelRange> labels,
                                           const ImageLattice& lattice) {
   const Image& scan = *image;
-  judge_geometry(scan);
+  check_geometry(scan);
   const bool all = labels.empty();
   const LabelSet set(std::move(labels));
   return std::visit(

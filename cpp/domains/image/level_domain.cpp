@@ -247,7 +247,7 @@ class LevelDomain final : public PlacedDomain {
 std::unique_ptr<PlacedDomain> level_domain(std::shared_ptr<const Image> image, double level,
                                           const ImageLattice& lattice) {
   const Image& scan = *image;
-  judge_geometry(scan);
+  check_geometry(scan);
   if (!std::isfinite(level))
     throw Error(ErrorCode::bad_option, "the level must be a finite number");
   return std::visit(

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a MetaImage says of itself, judged before ITK believes it.
+/// What a MetaImage says of itself, checked before ITK believes it.
 
 #include <cstdint>
 #include <filesystem>
@@ -26,7 +26,7 @@ struct MetaHeader {
 /// By its name, for its lines have no mark.
 bool is_meta(const std::filesystem::path& file);
 
-/// Judges the number of dimensions too, which ITK's reader takes as it comes and
+/// Checks the number of dimensions too, which ITK's reader takes as it comes and
 /// counts up to: from 1 to 10, as many as MetaIO has room for.
 /// \throws Error `bad_input` if it is not lines of text, each `key = value`, or ends
 ///   before it says where the voxels are.

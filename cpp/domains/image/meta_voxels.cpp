@@ -66,7 +66,7 @@ void skip_header(const fs::path& file, const MetaHeader& header, StoredPart& par
 }
 
 /// Packed voxels end where they end; a size that cannot be is a sign of damage.
-void judge_packed_size(const fs::path& file, const MetaHeader& header, const StoredPart& part) {
+void check_packed_size(const fs::path& file, const MetaHeader& header, const StoredPart& part) {
   const std::string text = header.value("CompressedDataSize");
   if (!part.packed || text.empty()) return;
   std::uint64_t size = 0;
@@ -133,7 +133,7 @@ MetaVoxels meta_voxels(const fs::path& file, const MetaHeader& header, std::uint
   if (lower(place) == "local") {
     voxels.parts.push_back({file, header.length, 0, bytes, packed});
     skip_header(file, header, voxels.parts[0]);
-    judge_packed_size(file, header, voxels.parts[0]);
+    check_packed_size(file, header, voxels.parts[0]);
     return voxels;
   }
   const auto files = other_files(file, header, place);
@@ -146,7 +146,7 @@ MetaVoxels meta_voxels(const fs::path& file, const MetaHeader& header, std::uint
     if (!fs::is_regular_file(other, failure)) refuse_missing(file, other);
     voxels.parts.push_back({other, 0, 0, bytes / files.size(), packed});
     skip_header(file, header, voxels.parts.back());
-    if (!several) judge_packed_size(file, header, voxels.parts.back());
+    if (!several) check_packed_size(file, header, voxels.parts.back());
   }
   return voxels;
 }

@@ -162,7 +162,7 @@ constexpr double greatest = 1e12;
 
 bool is_possible(double number) { return std::fabs(number) <= greatest; }
 
-void judge_coordinates(const fs::path& file, const Fields& fields) {
+void check_coordinates(const fs::path& file, const Fields& fields) {
   bool possible = true;
   for (std::size_t i = 0; i < 4; ++i) possible = possible && is_possible(fields.pixdim(i));
   for (std::size_t i = 0; i < 18; ++i)  // what has no code is not looked at by anybody
@@ -258,7 +258,7 @@ NiftiHeader read_nifti_header(const fs::path& file) {
   header.swapped = raw.swapped();
   if (header.version < 0) refuse(file, "is NIfTI of a version that is not known");
   const Fields fields(raw);
-  judge_coordinates(file, fields);
+  check_coordinates(file, fields);
   read_size(file, fields, header);
   header.type = type_of(file, fields.datatype());
   if (fields.bits() != 0 && fields.bits() != static_cast<int>(8 * bytes_of(header.type)))

@@ -25,13 +25,13 @@ bool is_size(const std::string& word) {
   return failure == std::errc() && stop == end && size >= 1 && size <= std::uint64_t{1} << 31;
 }
 
-void judge_sizes(const fs::path& file, const std::string& value) {
+void check_sizes(const fs::path& file, const std::string& value) {
   std::istringstream words(value);
   for (std::string word; words >> word;)
     if (!is_size(word)) refuse(file, "has impossible dimensions");
 }
 
-void judge_encoding(const fs::path& file, const std::string& encoding) {
+void check_encoding(const fs::path& file, const std::string& encoding) {
   constexpr std::string_view known = " raw txt text ascii hex gz gzip ";
   if (encoding == "bz2" || encoding == "bzip2")
     refuse(file, "is packed by bzip2, which is not supported; pack it by gzip");
@@ -63,8 +63,8 @@ struct Reading {
 void read_field(const fs::path& file, const HeaderLine& line, std::istream& stream,
                 NrrdHeader& header, Reading& reading) {
   const std::string key = lower(line.key);
-  if (key == "sizes") judge_sizes(file, line.value);
-  if (key == "encoding") judge_encoding(file, reading.encoding = lower(line.value));
+  if (key == "sizes") check_sizes(file, line.value);
+  if (key == "encoding") check_encoding(file, reading.encoding = lower(line.value));
   if ((key == "line skip" || key == "lineskip" || key == "byte skip" || key == "byteskip") &&
       line.value != "0")
     reading.skips = true;
@@ -73,7 +73,7 @@ void read_field(const fs::path& file, const HeaderLine& line, std::istream& stre
   reading.files = data_files(file, line.value, stream);
 }
 
-void judge_files(const fs::path& file, const Reading& reading) {
+void check_files(const fs::path& file, const Reading& reading) {
   std::error_code failure;
   for (const fs::path& data : reading.files)
     if (!fs::is_regular_file(data, failure))
@@ -111,7 +111,7 @@ NrrdHeader read_nrrd_header(const fs::path& file) {
     else
       read_field(file, split_line(line, ":"), stream, header, reading);
   }
-  judge_files(file, reading);
+  check_files(file, reading);
   const bool packed = reading.encoding == "gzip" || reading.encoding == "gz";
   if (reading.skips || reading.files.size() > 1 || (!packed && reading.encoding != "raw"))
     return header;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What an NRRD file says of itself, judged before ITK believes it.
+/// What an NRRD file says of itself, checked before ITK believes it.
 
 #include <filesystem>
 #include <optional>
@@ -25,7 +25,7 @@ struct NrrdHeader {
 /// Whether a file begins as NRRD does.
 bool is_nrrd(const std::filesystem::path& file);
 
-/// Judges the sizes, of which ITK's reader keeps the lowest 64 bits: each must be a
+/// Checks the sizes, of which ITK's reader keeps the lowest 64 bits: each must be a
 /// whole number from 1 to 2^31; the encoding, for some are not built into ITK; and
 /// that the files are there which the header names.
 /// \throws Error `bad_input`, the sentence names the file.

@@ -29,7 +29,7 @@ struct Link {
   std::int64_t below, above;
 };
 
-/// Union and find over the runs of two layers; what lies behind is only counted.
+/// Union and find over the runs of two layers; the layers before are only counted.
 class PieceCounter {
  public:
   explicit PieceCounter(std::size_t regions) : pieces_(regions, 0) {}

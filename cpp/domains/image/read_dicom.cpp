@@ -1,5 +1,5 @@
 // A folder of DICOM slices as one image.  Each slice is read by ITK's reader; that
-// the slices make a regular grid is judged here.
+// the slices make a regular grid is checked here.
 
 #include <gdcmImageHelper.h>
 #include <itkGDCMImageIO.h>
@@ -44,7 +44,7 @@ Reader::Pointer open(const fs::path& file) {
 }
 
 /// Before ITK's reader sees it.
-void judge_single(const fs::path& file) {
+void check_single(const fs::path& file) {
   const auto header = read_dicom_header(file);
   if (!header || header->holds_frames())
     refuse(file, "is DICOM with several frames in one file, among other files of its series; "
@@ -79,7 +79,7 @@ OneForm form_of_slice(const fs::path& file, const Reader& header) {
   return one;
 }
 
-void judge_same(const fs::path& file, const OneForm& one, const OneForm& first) {
+void check_same(const fs::path& file, const OneForm& one, const OneForm& first) {
   if (one.form.size != first.form.size)
     refuse(file, "has not the size of the series' other slices");
   if (one.bits != first.bits || one.is_signed != first.is_signed)
@@ -110,11 +110,11 @@ Stack read_headers(const fs::path& folder, const std::vector<fs::path>& files) {
   Stack stack;
   stack.files = files;
   for (const fs::path& file : files) {
-    judge_single(file);
+    check_single(file);
     const auto header = open(file);
     const OneForm own = form_of_slice(file, *header);
     if (stack.slices.empty()) stack.form = own;
-    judge_same(file, own, stack.form);
+    check_same(file, own, stack.form);
     stack.types.push_back(own.type);
     stack.slices.push_back(
         {quoted(file), stack.slices.size(),
@@ -128,7 +128,7 @@ Image grid(const fs::path& folder, const Stack& stack) {
   const bool single = stack.slices.size() == 1;
   const double distance =
       single ? stack.form.thickness : slice_distance(folder, stack.slices);
-  judge_straight(folder, stack.slices, stack.form.form);
+  check_straight(folder, stack.slices, stack.form.form);
   Image image = slice_grid(folder, stack.form.form, stack.slices.front().origin,
                            stack.slices.size(), distance);
   if (single)
@@ -187,7 +187,7 @@ Image read_slices(const fs::path& folder, const std::vector<fs::path>& files,
   const std::size_t bytes = stack.one_type() ? bytes_of(stack.types[0]) : sizeof(double);
   const auto count = static_cast<std::int64_t>(files.size());
   const auto& size = stack.form.form.size;
-  judge_memory(folder, judge_count(folder, {size[0], size[1], count}, bytes) * bytes, max_bytes);
+  check_memory(folder, check_count(folder, {size[0], size[1], count}, bytes) * bytes, max_bytes);
   Image image = grid(folder, stack);
   image.voxels = stack.one_type() ? load_same(folder, stack) : load_mixed(stack);
   return image;

@@ -106,7 +106,7 @@ std::vector<std::vector<Slice>> by_position(const std::vector<Slice>& sorted, do
 std::vector<Slice> sorted_slices(const fs::path& file, const DicomFrames& frames) {
   std::vector<Slice> slices = slices_of(frames);
   sort_slices(file, slices, frames.form);
-  judge_straight(file, slices, frames.form);
+  check_straight(file, slices, frames.form);
   return slices;
 }
 
@@ -230,7 +230,7 @@ Image read_segments(const fs::path& file, const DicomFrames& frames, const gdcm:
                     const DicomHeader& header, std::uint64_t max_bytes, const ImageChoice& choice) {
   chosen_volume(file, 1, "", choice.volume);
   SegmentGrid grid = segment_grid(file, frames);
-  judge_memory(file, judge_count(file, grid.image.size, 4) * 4, max_bytes);
+  check_memory(file, check_count(file, grid.image.size, 4) * 4, max_bytes);
   const Stored stored = read_stored(file, data, header, frames.frames.size());
   grid.image.notes = frames.notes;
   const auto numbers = numbers_of(frames.segments);
@@ -259,7 +259,7 @@ Image read_segments(const fs::path& file, const DicomFrames& frames, const gdcm:
 
 Image read_dicom_frames(const fs::path& file, std::uint64_t max_bytes, const ImageChoice& choice) {
   const DicomHeader header = *read_dicom_header(file);
-  judge_memory(file, header.rows * header.columns * header.frames * sizeof(double), max_bytes);
+  check_memory(file, header.rows * header.columns * header.frames * sizeof(double), max_bytes);
   if (header.packed && header.samples == 1 && !header.is_gray())
     refuse(file, "has colours for voxels ('" + header.photometric + "'), not 1 number each");
   gdcm::Reader reader;

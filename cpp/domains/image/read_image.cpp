@@ -78,7 +78,7 @@ Image read_image(const fs::path& file, std::uint64_t max_bytes, const ImageChoic
     Image image = read_any(file, max_bytes, choice);
     if (choice.spacing) {
       image.spacing = *choice.spacing;
-      judge_geometry(image);
+      check_geometry(image);
     }
     return image;
   } catch (const itk::ExceptionObject&) {

@@ -23,9 +23,9 @@ Image read_meta(const std::filesystem::path& file, std::uint64_t max_bytes,
     size.push_back(reader->GetDimensions(d));
   const MetaVoxels voxels = meta_voxels(file, header, form.bytes(), size);
   for (const StoredPart& part : voxels.parts)
-    if (!voxels.text) judge_length(part);
+    if (!voxels.text) check_length(part);
   const bool one = form.components * form.volumes == 1;
-  judge_memory(file, form.bytes() + (one ? 0 : form.voxels * bytes_of(form.type)), max_bytes);
+  check_memory(file, form.bytes() + (one ? 0 : form.voxels * bytes_of(form.type)), max_bytes);
   Image image;
   image.name = file.string();
   read_geometry(*reader, image);

@@ -84,7 +84,7 @@ void place(const NiftiHeader& header, Image& image) {
     for (std::size_t r = 0; r < 3; ++r)
       image.axes[r][a] = (r < 2 ? -1 : 1) * place.rows[r][a] / length + 0.0;
   }
-  judge_geometry(image);
+  check_geometry(image);
   orthonormalise(image);
 }
 
@@ -111,12 +111,12 @@ Image read_nifti(const fs::path& file, std::uint64_t max_bytes, const ImageChoic
   Image image;
   image.name = file.string();
   const std::size_t bytes_of_one = bytes_of(header.type);
-  const std::uint64_t count = judge_count(file, header.size, bytes_of_one);
+  const std::uint64_t count = check_count(file, header.size, bytes_of_one);
   const std::uint64_t volume = chosen_volume(
       file, header.volumes, std::to_string(header.volumes) + " volumes (4 dimensions, not 3)",
       choice.volume);
   const bool as_stored = header.slope == 1 && header.intercept == 0;
-  judge_memory(file, count * (bytes_of_one + (as_stored ? 0 : most_rescaled_bytes)), max_bytes);
+  check_memory(file, count * (bytes_of_one + (as_stored ? 0 : most_rescaled_bytes)), max_bytes);
   place(header, image);
   const bool packed = is_packed(header.voxel_file);
   note_doubts(header.voxel_file, header, packed, image);
@@ -126,7 +126,7 @@ Image read_nifti(const fs::path& file, std::uint64_t max_bytes, const ImageChoic
   const std::uint64_t bytes = count * bytes_of_one;
   StoredPart part{header.voxel_file, packed ? 0 : header.offset,
                   (packed ? header.offset : 0), bytes * header.volumes, packed};
-  judge_length(part);
+  check_length(part);
   part.lead += volume * bytes;
   part.bytes = bytes;
   image.voxels = load_voxels(file, header.type, count, [&](char* to) {

@@ -36,12 +36,12 @@ Image read_nrrd(const fs::path& file, std::uint64_t max_bytes, const ImageChoice
   const std::uint64_t volume = layered ? 0 : choose_volume(file, form, choice);
   if (header.part) {
     header.part->bytes = form.bytes();
-    judge_length(*header.part);
+    check_length(*header.part);
   } else if (!header.detached && form.bytes() / 1040 > fs::file_size(file)) {
     refuse(file, "is too short for the dimensions in its header");
   }
   const bool one = form.components * form.volumes == 1;
-  judge_memory(file, form.bytes() + (one ? 0 : form.voxels * 4), max_bytes);
+  check_memory(file, form.bytes() + (one ? 0 : form.voxels * 4), max_bytes);
   Image image;
   image.name = file.string();
   read_geometry(*reader, image);

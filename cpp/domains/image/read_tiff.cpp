@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What is known of packed voxels: how much they can have shrunk at most.
-void judge_length(const fs::path& file, TIFF* tiff, std::uint64_t bytes) {
+void check_length(const fs::path& file, TIFF* tiff, std::uint64_t bytes) {
   std::uint16_t packing = COMPRESSION_NONE;
   TIFFGetFieldDefaulted(tiff, TIFFTAG_COMPRESSION, &packing);
   const bool known = packing == COMPRESSION_NONE || packing == COMPRESSION_LZW ||
@@ -129,13 +129,13 @@ Voxels load_voxels(const fs::path& file, TIFF* tiff, const TiffPage& page, std::
 Image read_tiff(const fs::path& file, std::uint64_t max_bytes, const ImageChoice& choice) {
   const Tiff tiff = open_tiff(file);
   TiffPage page;
-  const std::uint32_t pages = judge_pages(file, tiff.get(), page);
+  const std::uint32_t pages = check_pages(file, tiff.get(), page);
   chosen_volume(file, 1, "", choice.volume);
   if (page.voxels() > std::numeric_limits<std::int64_t>::max() / pages / 8)
     refuse(file, "has impossible dimensions");
   const std::uint64_t bytes = page.bytes() * pages;
-  judge_length(file, tiff.get(), bytes);
-  judge_memory(file, std::max(bytes, page.voxels() * pages), max_bytes);
+  check_length(file, tiff.get(), bytes);
+  check_memory(file, std::max(bytes, page.voxels() * pages), max_bytes);
   Image image;
   image.name = file.string();
   image.size = {page.width, page.height, pages};
@@ -145,7 +145,7 @@ Image read_tiff(const fs::path& file, std::uint64_t max_bytes, const ImageChoice
   if (page.zero_is_white)
     image.notes.push_back("the file shows its zeros white; its numbers are taken as they are stored, "
                           "and --labels 0 takes the zeros");
-  judge_geometry(image);
+  check_geometry(image);
   image.voxels = load_voxels(file, tiff.get(), page, pages);
   return image;
 }

@@ -43,7 +43,7 @@ void sort_slices(const fs::path& input, std::vector<Slice>& slices, const SliceF
   });
 }
 
-void judge_straight(const fs::path& input, const std::vector<Slice>& slices,
+void check_straight(const fs::path& input, const std::vector<Slice>& slices,
                     const SliceForm& form) {
   for (const Slice& slice : slices)
     for (std::size_t a = 0; a < 2; ++a) {
@@ -84,7 +84,7 @@ Image slice_grid(const fs::path& input, const SliceForm& form, const Point3& ori
   image.origin = origin;
   for (std::size_t r = 0; r < 3; ++r)
     for (std::size_t a = 0; a < 3; ++a) image.axes[r][a] = form.axes[a][r];
-  judge_geometry(image);
+  check_geometry(image);
   orthonormalise(image);
   return image;
 }

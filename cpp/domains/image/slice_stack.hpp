@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Slices that lie anywhere, as one regular grid: judged by their positions alone.
+/// Slices that lie anywhere, as one regular grid: checked by their positions alone.
 
 #include <array>
 #include <cstddef>
@@ -33,14 +33,14 @@ void sort_slices(const std::filesystem::path& input, std::vector<Slice>& slices,
                  const SliceForm& form);
 
 /// \throws Error `bad_input` where slices slide sideways, as those of a tilted gantry do.
-void judge_straight(const std::filesystem::path& input, const std::vector<Slice>& slices,
+void check_straight(const std::filesystem::path& input, const std::vector<Slice>& slices,
                     const SliceForm& form);
 
 /// The distance of neighbours; there are at least two slices.
 /// \throws Error `bad_input` where it is not the same everywhere.
 double slice_distance(const std::filesystem::path& input, const std::vector<Slice>& slices);
 
-/// Size, spacing, origin and axes of a grid of `count` slices, judged.
+/// Size, spacing, origin and axes of a grid of `count` slices, checked.
 Image slice_grid(const std::filesystem::path& input, const SliceForm& form, const Point3& origin,
                  std::size_t count, double distance);
 

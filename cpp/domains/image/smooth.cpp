@@ -19,7 +19,7 @@ namespace {
 using Grid = itk::Image<float, 3>;
 using Filter = itk::RecursiveGaussianImageFilter<Grid, Grid>;
 
-void judge(const Image& image, double sigma) {
+void validate(const Image& image, double sigma) {
   if (!(sigma > 0) || !std::isfinite(sigma))
     throw Error(ErrorCode::bad_option, "the smoothing must be a positive number");
   for (const std::int64_t size : image.size)
@@ -85,7 +85,7 @@ void smooth_along(unsigned axis, double sigma, int threads, const Image& image,
 
 Image smoothed_labels(const Image& image, std::vector<LabelRange> labels, double sigma,
                       int threads) {
-  judge(image, sigma);
+  validate(image, sigma);
   Image smooth;
   smooth.name = image.name;
   smooth.size = image.size;

@@ -111,7 +111,7 @@ bool is_packed(const fs::path& file) {
   return stream && b[0] == '\x1f' && b[1] == '\x8b';
 }
 
-void judge_length(const StoredPart& part) {
+void check_length(const StoredPart& part) {
   const std::uint64_t greatest_ratio = part.packed ? 1040 : 1;
   const std::uint64_t there = bytes_behind(part);
   if ((part.lead + part.bytes) / greatest_ratio <= there) return;
@@ -121,13 +121,13 @@ void judge_length(const StoredPart& part) {
 }
 
 void read_part(const StoredPart& part, char* to) {
-  judge_length(part);
+  check_length(part);
   if (!(part.packed ? unpack(part, to) : copy(part, to)))
     refuse(part.file, "is truncated or damaged");
 }
 
 void check_part(const StoredPart& part) {
-  judge_length(part);
+  check_length(part);
   if (part.packed && !unpack(part, nullptr)) refuse(part.file, "is truncated or damaged");
 }
 

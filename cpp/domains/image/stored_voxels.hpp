@@ -17,17 +17,17 @@ struct StoredPart {
 /// Whether a file begins as one packed by gzip does, whatever its name.
 bool is_packed(const std::filesystem::path& file);
 
-/// Judges, before memory is taken, that the part can be in its file: what is packed
+/// Checks, before memory is taken, that the part can be in its file: what is packed
 /// cannot have shrunk more than deflate can shrink.
 /// \throws Error `bad_input` naming the file.
-void judge_length(const StoredPart& part);
+void check_length(const StoredPart& part);
 
 /// Writes `part.bytes` bytes.  What is packed is unpacked to its end, so that its
-/// checksum is judged too.
+/// checksum is checked too.
 /// \throws Error `bad_input` naming the file, where they are not all there.
 void read_part(const StoredPart& part, char* to);
 
-/// The same for nothing but the judgement.
+/// The same for nothing but the check.
 void check_part(const StoredPart& part);
 
 }  // namespace certet

@@ -25,7 +25,7 @@ std::string by(const TiffPage& page) {
   return std::to_string(page.width) + " x " + std::to_string(page.height);
 }
 
-void judge_page(const fs::path& file, const TiffPage& page) {
+void check_page(const fs::path& file, const TiffPage& page) {
   if (page.samples != 1)
     refuse(file, "has " + std::to_string(page.samples) + " numbers per voxel, not 1");
   if (page.width == 0 || page.height == 0) refuse(file, "has no voxels");
@@ -83,7 +83,7 @@ double pixel(TIFF* tiff, std::uint32_t name) {
   return std::isfinite(length) ? length : 0;
 }
 
-void judge_imagej(const fs::path& file, const ImageJ& imagej, std::uint32_t pages) {
+void check_imagej(const fs::path& file, const ImageJ& imagej, std::uint32_t pages) {
   for (const char* axis : {"channels", "frames"})
     if (imagej.number(axis, 1) > 1)
       refuse(file, std::string("has 4 dimensions, not 3: ") + axis);
@@ -140,9 +140,9 @@ TiffPage page_of(TIFF* tiff) {
   return page;
 }
 
-std::uint32_t judge_pages(const fs::path& file, TIFF* tiff, TiffPage& first) {
+std::uint32_t check_pages(const fs::path& file, TIFF* tiff, TiffPage& first) {
   first = page_of(tiff);
-  judge_page(file, first);
+  check_page(file, first);
   std::uint32_t pages = 1;
   for (; TIFFLastDirectory(tiff) != 1; ++pages) {
     if (TIFFReadDirectory(tiff) != 1) refuse(file, "is truncated or damaged");
@@ -159,7 +159,7 @@ std::uint32_t judge_pages(const fs::path& file, TIFF* tiff, TiffPage& first) {
 TiffSpacing spacing_of(const fs::path& file, TIFF* tiff, std::uint32_t pages) {
   const double x = pixel(tiff, TIFFTAG_XRESOLUTION), y = pixel(tiff, TIFFTAG_YRESOLUTION);
   const ImageJ imagej(tiff);
-  judge_imagej(file, imagej, pages);
+  check_imagej(file, imagej, pages);
   if (!imagej.empty() && (x > 0 || imagej.value("spacing"))) return by_imagej(imagej, x, y);
   const auto unit = tag<std::uint16_t>(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
   if (x == 0 || y == 0 || unit == RESUNIT_NONE)

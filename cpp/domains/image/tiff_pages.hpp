@@ -38,7 +38,7 @@ TiffPage page_of(TIFF* tiff);
 
 /// Goes through all pages, counts them, and returns to the first.
 /// \throws Error `bad_input` where they differ or are not one number per voxel.
-std::uint32_t judge_pages(const std::filesystem::path& file, TIFF* tiff, TiffPage& first);
+std::uint32_t check_pages(const std::filesystem::path& file, TIFF* tiff, TiffPage& first);
 
 /// Size of a voxel by the tags of the first page, in millimetres where they name a
 /// unit, and a sentence that says so.

@@ -7,7 +7,7 @@
 
 namespace certet {
 
-std::uint64_t judge_count(const std::filesystem::path& file,
+std::uint64_t check_count(const std::filesystem::path& file,
                           const std::array<std::int64_t, 3>& size, std::size_t bytes_of_one) {
   std::uint64_t count = 1;
   const std::uint64_t most = std::numeric_limits<std::int64_t>::max() / 16 / bytes_of_one;

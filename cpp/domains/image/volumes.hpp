@@ -12,7 +12,7 @@ namespace certet {
 
 /// \returns the number of voxels.  \throws Error `bad_input` where there are none or
 /// their bytes are beyond counting.
-std::uint64_t judge_count(const std::filesystem::path& file,
+std::uint64_t check_count(const std::filesystem::path& file,
                           const std::array<std::int64_t, 3>& size, std::size_t bytes_of_one);
 
 /// The number, from 0, of the volume that is read from a file of `count`.  `what` it

@@ -36,7 +36,7 @@ bool is_text(const Head& head) {
   return head.text.rfind("solid", 0) == 0 && head.text.find('\0') == std::string::npos;
 }
 
-void judge_stl(const Head& head) {
+void check_stl(const Head& head) {
   constexpr std::uint64_t before = 84, triangle = 50;
   if (is_text(head)) return;
   if (head.size < before) head.refuse("is too short for an STL file");
@@ -67,8 +67,8 @@ bool is_surface_file(const fs::path& file) {
 
 bool is_text_stl(const fs::path& file) { return is_text(Head(file)); }
 
-void judge_announced_counts(const fs::path& file) {
-  if (surface_extension(file) == ".stl") judge_stl(Head(file));
+void check_announced_counts(const fs::path& file) {
+  if (surface_extension(file) == ".stl") check_stl(Head(file));
 }
 
 }  // namespace certet

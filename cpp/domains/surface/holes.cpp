@@ -99,7 +99,7 @@ class LeastArea {
   LeastArea(const HoleLoop& loop, const std::vector<Point3>& points)
       : loop_(loop), count_(loop.size()), area_(count_ * count_, 0), middle_(count_ * count_, 0) {
     for (std::size_t width = 2; width < count_; ++width)
-      for (std::size_t i = 0; i + width < count_; ++i) judge(i, i + width, points);
+      for (std::size_t i = 0; i + width < count_; ++i) weigh(i, i + width, points);
   }
 
   void add(std::size_t i, std::size_t k, TriangleSurface& surface) const {
@@ -111,7 +111,7 @@ class LeastArea {
   }
 
  private:
-  void judge(std::size_t i, std::size_t k, const std::vector<Point3>& points) {
+  void weigh(std::size_t i, std::size_t k, const std::vector<Point3>& points) {
     double least = INFINITY;
     for (std::size_t j = i + 1; j < k; ++j) {
       const double area = area_[i * count_ + j] + area_[j * count_ + k] +

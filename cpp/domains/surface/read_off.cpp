@@ -19,10 +19,10 @@ class OffReader {
 
   void read() {
     next_line();
-    judge_keyword();
+    check_keyword();
     if (rest_.find_first_not_of(blanks) == rest_.npos) next_line();
-    const std::uint64_t points = text_.judged(count_in(word(), file_), 6, "points");
-    const std::uint64_t faces = text_.judged(count_in(word(), file_), 4, "faces");
+    const std::uint64_t points = text_.checked(count_in(word(), file_), 6, "points");
+    const std::uint64_t faces = text_.checked(count_in(word(), file_), 4, "faces");
     surface_.points.reserve(points);
     for (std::uint64_t p = 0; p < points; ++p) point();
     for (std::uint64_t f = 0; f < faces; ++f) face();
@@ -32,7 +32,7 @@ class OffReader {
   static constexpr const char* blanks = " \t\r\v\f";
 
   /// The keyword may be missing; letters before OFF tell what follows coordinates.
-  void judge_keyword() {
+  void check_keyword() {
     const std::string whole = rest_;
     const std::string_view keyword = word();
     if (keyword == "off") return;

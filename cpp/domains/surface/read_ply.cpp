@@ -45,8 +45,8 @@ class PlyReader {
   void read() {
     header();
     for (const Element& element : elements_) {
-      text_.judged(element.count, least_bytes(element), "elements");
-      if (element.name == "vertex") judge_coordinates(element);
+      text_.checked(element.count, least_bytes(element), "elements");
+      if (element.name == "vertex") check_coordinates(element);
       for (std::uint64_t n = 0; n < element.count; ++n) {
         if (form_ == Form::text) next_row(element, n);
         one(element);
@@ -125,7 +125,7 @@ class PlyReader {
     return bytes;
   }
 
-  void judge_coordinates(const Element& element) const {
+  void check_coordinates(const Element& element) const {
     for (const char* name : {"x", "y", "z"})
       if (std::ranges::none_of(element.properties, [&](const Property& property) {
             return property.name == name && !property.count;

@@ -11,7 +11,7 @@
 #include "announced_counts.hpp"
 #include "certet/error.hpp"
 #include "certet/surface.hpp"
-#include "judge_text.hpp"
+#include "check_text.hpp"
 #include "surface_file.hpp"
 
 namespace certet {
@@ -23,14 +23,14 @@ namespace fs = std::filesystem;
   throw Error(ErrorCode::bad_input, "'" + file.string() + "' " + reason);
 }
 
-void judge_file(const fs::path& file) {
+void check_file(const fs::path& file) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) refuse(file, "does not exist");
   if (!fs::is_regular_file(file, ignored)) refuse(file, "is not a file");
   if (!std::ifstream(file)) refuse(file, "cannot be opened");
   if (fs::file_size(file) == 0) refuse(file, "is empty");
   if (!is_surface_file(file)) refuse(file, "is not an STL, OBJ, PLY or OFF file");
-  judge_announced_counts(file);
+  check_announced_counts(file);
 }
 
 /// Assimp's own words, as part of a sentence.
@@ -75,7 +75,7 @@ void read_with_assimp(const fs::path& file, TriangleSurface& surface) {
 bool can_read_surfaces() { return true; }
 
 TriangleSurface read_surface(const fs::path& file) {
-  judge_file(file);
+  check_file(file);
   TriangleSurface surface;
   surface.name = file.string();
   const std::string extension = surface_extension(file);
@@ -85,8 +85,8 @@ TriangleSurface read_surface(const fs::path& file) {
     else if (extension == ".off")
       read_off(formats::InputFile(file), surface);
     else {
-      if (extension == ".obj") judge_obj(formats::InputFile(file));
-      else if (is_text_stl(file)) judge_text_stl(formats::InputFile(file));
+      if (extension == ".obj") check_obj(formats::InputFile(file));
+      else if (is_text_stl(file)) check_text_stl(formats::InputFile(file));
       read_with_assimp(file, surface);
     }
   } catch (const std::bad_alloc&) {

@@ -62,7 +62,7 @@ class Repeats {
     std::map<std::uint32_t, Patch> patches;
     for (std::uint32_t r = 0; r < repeats_.size(); ++r)
       patches[sets.find(r)].balanced &= repeats_[r].balanced;
-    for_each_edge(sides, [&](std::span<const TriangleSide> edge) { judge(edge, sets, patches); });
+    for_each_edge(sides, [&](std::span<const TriangleSide> edge) { join_or_drop(edge, sets, patches); });
     return drop(sets, patches);
   }
 
@@ -102,7 +102,7 @@ class Repeats {
     }
   }
 
-  void judge(std::span<const TriangleSide> edge, DisjointSets& sets,
+  void join_or_drop(std::span<const TriangleSide> edge, DisjointSets& sets,
              std::map<std::uint32_t, Patch>& patches) const {
     std::uint64_t others = 0, kept = 0;
     std::uint32_t patch = none;

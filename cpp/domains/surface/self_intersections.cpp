@@ -48,7 +48,7 @@ class Search {
     }
     BoxTree(std::move(boxes)).for_each_pair([&](std::uint32_t a, std::uint32_t b) {
       if (seen_++ % 0x10000 == 0) stop_if_cancelled(context_);
-      if (!share_edge(a, b)) judge(a, b);
+      if (!share_edge(a, b)) test_pair(a, b);
     });
     return found_;
   }
@@ -68,12 +68,12 @@ class Search {
     return shared >= 2;
   }
 
-  void judge(std::uint32_t a, std::uint32_t b) {
-    if (!judge_edges(a, b)) judge_edges(b, a);
+  void test_pair(std::uint32_t a, std::uint32_t b) {
+    if (!check_edges(a, b)) check_edges(b, a);
   }
 
   /// Whether an edge of the first passes through the second.
-  bool judge_edges(std::uint32_t edges, std::uint32_t through) {
+  bool check_edges(std::uint32_t edges, std::uint32_t through) {
     const Corners from = corners(edges), to = corners(through);
     const exact::Normal n = exact::normal(to);
     for (std::size_t c = 0; c < 3; ++c)

@@ -85,7 +85,7 @@ void Cursor::go_to(std::uint64_t position) {
   at_ = end_ = 0;
 }
 
-std::uint64_t Cursor::judged(std::uint64_t count, std::uint64_t least_bytes,
+std::uint64_t Cursor::checked(std::uint64_t count, std::uint64_t least_bytes,
                              const char* things) const {
   if (count > remaining() / least_bytes)
     file_.fail("it is too short for the " + std::to_string(count) + " " + things +

@@ -56,7 +56,7 @@ class Cursor {
 
   /// A count of things to come, each of so many bytes at least: not believed
   /// before the rest of the file is long enough for them.
-  std::uint64_t judged(std::uint64_t count, std::uint64_t least_bytes, const char* things) const;
+  std::uint64_t checked(std::uint64_t count, std::uint64_t least_bytes, const char* things) const;
 
  private:
   static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }

@@ -42,7 +42,7 @@ class GmshReader {
   void read_elements_22();
   void read_element_block_22(std::int32_t type, std::uint64_t count, std::uint64_t tags);
   void take_tet(std::uint64_t tag, std::int32_t label);
-  void judge_type(std::int32_t type) const;
+  void check_type(std::int32_t type) const;
   [[nodiscard]] bool is_border(std::int32_t type, std::int32_t group) const {
     return type == gmsh_triangle && border_group_ == group;
   }
@@ -68,9 +68,9 @@ class GmshReader {
     return binary_ ? static_cast<std::uint64_t>(cursor_.binary<std::int32_t>())
                    : cursor_.number<std::uint64_t>("a tag");
   }
-  std::uint64_t judged(std::uint64_t count, std::uint64_t words, std::uint64_t bytes,
+  std::uint64_t checked(std::uint64_t count, std::uint64_t words, std::uint64_t bytes,
                        const char* things) const {
-    return cursor_.judged(count, binary_ ? bytes : 2 * words, things);
+    return cursor_.checked(count, binary_ ? bytes : 2 * words, things);
   }
   /// Binary numbers begin on the line after the words.
   void to_next_line() {
@@ -126,7 +126,7 @@ void GmshReader::read_format() {
 /// Always in words; those of volumes are kept, and which surfaces are the border.
 void GmshReader::read_names() {
   const auto count =
-      cursor_.judged(cursor_.number<std::uint64_t>("a number"), 6, "physical names");
+      cursor_.checked(cursor_.number<std::uint64_t>("a number"), 6, "physical names");
   for (std::uint64_t i = 0; i < count; ++i) {
     const auto dimension = cursor_.number<int>("a dimension");
     const auto tag = cursor_.number<std::int32_t>("a tag");
@@ -144,14 +144,14 @@ void GmshReader::read_names() {
 /// bounds it.  \returns the first group, or 0.
 std::int32_t GmshReader::read_entity(std::uint64_t coordinates) {
   for (std::uint64_t i = 0; i < coordinates; ++i) real();
-  const std::uint64_t groups = judged(size(), 1, 4, "physical groups");
+  const std::uint64_t groups = checked(size(), 1, 4, "physical groups");
   std::int32_t first = 0;
   for (std::uint64_t i = 0; i < groups; ++i) {
     const std::int32_t group = integer();
     if (i == 0) first = group;
   }
   if (coordinates == 6) {
-    const std::uint64_t bounds = judged(size(), 1, 4, "tags");
+    const std::uint64_t bounds = checked(size(), 1, 4, "tags");
     for (std::uint64_t i = 0; i < bounds; ++i) integer();
   }
   return first;
@@ -160,7 +160,7 @@ std::int32_t GmshReader::read_entity(std::uint64_t coordinates) {
 void GmshReader::read_entities() {
   to_next_line();
   std::array<std::uint64_t, 4> counts;
-  for (std::uint64_t& count : counts) count = judged(size(), 5, 4 + 24 + 8, "entities");
+  for (std::uint64_t& count : counts) count = checked(size(), 5, 4 + 24 + 8, "entities");
   for (std::size_t dimension = 0; dimension < 4; ++dimension)
     for (std::uint64_t i = 0; i < counts[dimension]; ++i) {
       const std::int32_t tag = integer();
@@ -172,8 +172,8 @@ void GmshReader::read_entities() {
 
 void GmshReader::read_nodes() {
   to_next_line();
-  const std::uint64_t blocks = judged(size(), 4, 3 * 4 + 8, "blocks of nodes");
-  const std::uint64_t total = judged(size(), 4, 8 + 24, "nodes");
+  const std::uint64_t blocks = checked(size(), 4, 3 * 4 + 8, "blocks of nodes");
+  const std::uint64_t total = checked(size(), 4, 8 + 24, "nodes");
   size(), size();  // the least and the greatest tag
   point_tags_.reserve(total);
   mesh_.points.reserve(total);
@@ -181,7 +181,7 @@ void GmshReader::read_nodes() {
     const std::int32_t dimension = integer();
     integer();  // of the entity
     const bool parametric = integer() != 0;
-    const std::uint64_t count = judged(size(), 4, 8 + 24, "nodes");
+    const std::uint64_t count = checked(size(), 4, 8 + 24, "nodes");
     if (count > total - point_tags_.size()) file_.fail("it has more nodes than it announces");
     for (std::uint64_t i = 0; i < count; ++i) point_tags_.push_back(size());
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -194,7 +194,7 @@ void GmshReader::read_nodes() {
 
 void GmshReader::read_nodes_22() {
   const std::uint64_t total =
-      judged(cursor_.number<std::uint64_t>("a number"), 4, 4 + 24, "nodes");
+      checked(cursor_.number<std::uint64_t>("a number"), 4, 4 + 24, "nodes");
   to_next_line();
   point_tags_.reserve(total);
   mesh_.points.reserve(total);
@@ -205,7 +205,7 @@ void GmshReader::read_nodes_22() {
   }
 }
 
-void GmshReader::judge_type(std::int32_t type) const {
+void GmshReader::check_type(std::int32_t type) const {
   if (type < 1 || type >= static_cast<std::int32_t>(corners_of.size()) ||
       corners_of[static_cast<std::size_t>(type)] == 0)
     file_.fail("it has elements of the type " + std::to_string(type) + ", which is not known");
@@ -215,17 +215,17 @@ void GmshReader::judge_type(std::int32_t type) const {
 
 void GmshReader::read_elements() {
   to_next_line();
-  const std::uint64_t blocks = judged(size(), 4, 3 * 4 + 8, "blocks of elements");
-  judged(size(), 2, 16, "elements");
+  const std::uint64_t blocks = checked(size(), 4, 3 * 4 + 8, "blocks of elements");
+  checked(size(), 2, 16, "elements");
   size(), size();  // the least and the greatest tag
   for (std::uint64_t block = 0; block < blocks; ++block) {
     integer();  // the dimension
     const std::int32_t entity = integer();
     const std::int32_t type = integer();
-    judge_type(type);
+    check_type(type);
     const auto corners = corners_of[static_cast<std::size_t>(type)];
     const std::uint64_t words = 1 + std::uint64_t{corners};
-    const std::uint64_t count = judged(size(), words, 8 * words, "elements");
+    const std::uint64_t count = checked(size(), words, 8 * words, "elements");
     const auto& groups = type == gmsh_triangle ? group_of_surface_ : group_of_volume_;
     const auto group = groups.find(entity);
     const std::int32_t label = group == groups.end() ? entity : group->second;
@@ -245,7 +245,7 @@ void GmshReader::read_elements() {
 
 void GmshReader::read_elements_22() {
   const std::uint64_t total =
-      judged(cursor_.number<std::uint64_t>("a number"), 4, 4 + 4, "elements");
+      checked(cursor_.number<std::uint64_t>("a number"), 4, 4 + 4, "elements");
   to_next_line();
   for (std::uint64_t done = 0; done < total;) {
     if (!binary_) {
@@ -254,7 +254,7 @@ void GmshReader::read_elements_22() {
       continue;
     }
     const std::int32_t type = integer();
-    const std::uint64_t count = judged(tag_22(), 1, 8, "elements");
+    const std::uint64_t count = checked(tag_22(), 1, 8, "elements");
     const std::uint64_t tags = tag_22();
     if (count == 0 || count > total - done) file_.fail("it has more elements than it announces");
     read_element_block_22(type, count, tags);
@@ -271,9 +271,9 @@ void GmshReader::read_element_block_22(std::int32_t type, std::uint64_t count,
       type = integer();
       tags = tag_22();
     }
-    judge_type(type);
+    check_type(type);
     std::int32_t label = 0;
-    judged(tags, 1, 4, "tags");
+    checked(tags, 1, 4, "tags");
     for (std::uint64_t t = 0; t < tags; ++t) {
       // The physical group, or where there is none the elementary one.
       const std::int32_t tag = integer();

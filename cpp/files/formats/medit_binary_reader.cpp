@@ -86,7 +86,7 @@ void MeditBinaryReader::read_block(std::int32_t keyword) {
 
 void MeditBinaryReader::read_points() {
   const std::uint64_t bytes = (version_ == 1 ? 12 : 24) + index_bytes();
-  mesh_.points.resize(cursor_.judged(place(), bytes, "vertices"));
+  mesh_.points.resize(cursor_.checked(place(), bytes, "vertices"));
   for (Point3& point : mesh_.points) {
     for (double& number : point) number = coordinate();
     index();
@@ -100,7 +100,7 @@ std::uint64_t MeditBinaryReader::vertex() {
 }
 
 void MeditBinaryReader::read_triangles() {
-  const std::uint64_t triangles = cursor_.judged(place(), 4 * index_bytes(), "triangles");
+  const std::uint64_t triangles = cursor_.checked(place(), 4 * index_bytes(), "triangles");
   for (std::uint64_t i = 0; i < triangles; ++i) {
     std::array<std::uint64_t, 3> face;
     for (std::uint64_t& point : face) point = vertex();
@@ -109,7 +109,7 @@ void MeditBinaryReader::read_triangles() {
 }
 
 void MeditBinaryReader::read_tets() {
-  const std::uint64_t tets = cursor_.judged(place(), 5 * index_bytes(), "tetrahedra");
+  const std::uint64_t tets = cursor_.checked(place(), 5 * index_bytes(), "tetrahedra");
   mesh_.tets.resize(tets);
   mesh_.labels.resize(tets);
   bool labelled = false;

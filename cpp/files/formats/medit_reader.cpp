@@ -72,7 +72,7 @@ void MeditReader::read_heading() {
 }
 
 std::uint64_t MeditReader::count(std::uint64_t shortest_line) {
-  return words_.judged(words_.number<std::uint64_t>("a count"), shortest_line, "lines");
+  return words_.checked(words_.number<std::uint64_t>("a count"), shortest_line, "lines");
 }
 
 bool MeditReader::pass_over(std::string_view section) {

@@ -65,7 +65,7 @@ Point3 normal_of(const Triangle3& triangle) {
   return {n[0] / length, n[1] / length, n[2] / length};
 }
 
-void SingleJudge::add(const Triangle3& triangle) {
+void SinglePrecisionCheck::add(const Triangle3& triangle) {
   ++triangles_;
   const Point3 before = normal_of(triangle);
   if (before == Point3{}) return;
@@ -74,7 +74,7 @@ void SingleJudge::add(const Triangle3& triangle) {
   if (!(dot(before, after) >= least_cosine)) ++turned_;
 }
 
-void SingleJudge::add(std::span<const Point3> points) {
+void SinglePrecisionCheck::add(std::span<const Point3> points) {
   points_ += points.size();
   std::vector<Placed> placed;
   placed.reserve(points.size());
@@ -94,7 +94,7 @@ void SingleJudge::add(std::span<const Point3> points) {
       ++joined_;
 }
 
-std::string SingleJudge::loss() const {
+std::string SinglePrecisionCheck::loss() const {
   std::string words;
   const auto add = [&words](std::uint64_t count, std::uint64_t all, const char* what) {
     if (count == 0) return;

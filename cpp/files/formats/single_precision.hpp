@@ -25,7 +25,7 @@ Point3 normal_of(const Triangle3& triangle);
 /// normal but for 4.5 degrees: less than half of the least angle between two faces of a
 /// tetrahedron that any theorem gives, so that two triangles of one tetrahedron cannot
 /// be folded upon each other.
-class SingleJudge {
+class SinglePrecisionCheck {
  public:
   void add(const Triangle3& triangle);
   /// All of them at once.  Those that are not finite to begin with are left out.

@@ -30,13 +30,13 @@ class StlWriter final : public SurfaceWriter {
     out.append_all(std::span<const char>(heading));
     const auto count = static_cast<std::uint32_t>(survey().boundary.size());
     out.append_all(std::span(&count, 1));
-    SingleJudge judge;
-    judge.add(kept());
+    SinglePrecisionCheck check;
+    check.add(kept());
     for (const BoundaryFace& face : survey().boundary) {
       const auto [a, b, c] = face.points;
       const Triangle3 triangle{kept()[rank(a)], kept()[rank(b)], kept()[rank(c)]};
       const auto& [p, q, r] = triangle;
-      judge.add(triangle);
+      check.add(triangle);
       const std::array<Single3, 4> record{single(normal_of(triangle)), single(p), single(q),
                                           single(r)};
       const std::uint16_t attribute = 0;
@@ -44,7 +44,7 @@ class StlWriter final : public SurfaceWriter {
       out.append_all(std::span(&attribute, 1));
     }
     out.flush();
-    if (const std::string loss = judge.loss(); !loss.empty())
+    if (const std::string loss = check.loss(); !loss.empty())
       file_.fail("single precision, which STL has, cannot hold the surface: " + loss +
                  "; .ply holds it, and --origin 0 brings it near 0");
   }

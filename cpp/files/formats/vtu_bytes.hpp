@@ -19,7 +19,7 @@ class ByteSource {
 };
 
 /// The bytes of an array that must have so many; not for ASCII.  Its size in the
-/// file is judged before this returns.  `end` is where the data end in the file.
+/// file is checked before this returns.  `end` is where the data end in the file.
 /// \throws Error `bad_input`.
 std::unique_ptr<ByteSource> open_vtu_array(const InputFile& file, const VtuHeader& header,
                                            const std::string& name, const VtuArrayEntry& entry,

@@ -111,7 +111,7 @@ template <class To, class Work>
 void VtuReader::for_each_word(const Array& array, Work work) const {
   Cursor words(file_);
   words.go_to(array.entry.place);
-  words.judged(array.count, 2, "numbers");
+  words.checked(array.count, 2, "numbers");
   for (std::uint64_t i = 0; i < array.count; ++i) work(words.number<To>("a number"));
 }
 

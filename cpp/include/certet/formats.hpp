@@ -119,7 +119,7 @@ void write(const Mesh& mesh, const std::filesystem::path& file, Format format, C
 void write(const Mesh& mesh, const std::filesystem::path& file, Context& context);
 void write(const Mesh& mesh, const std::filesystem::path& file);
 
-/// The same of what a file held, as it is: its angles are not judged.
+/// The same of what a file held, as it is: its angles are not checked.
 /// \throws Error `bad_input` besides, for tetrahedra that name points which are not there.
 void write(const FileMesh& mesh, const std::filesystem::path& file, Format format,
            Context& context);

@@ -62,7 +62,7 @@ struct ImageChoice {
 
 /// Reads an image of three dimensions and one number per voxel: a NIfTI, NRRD,
 /// MetaImage or TIFF file, a folder that holds a DICOM series, or a DICOM file of
-/// several frames.  The header is judged before memory is taken for the voxels.
+/// several frames.  The header is checked before memory is taken for the voxels.
 ///
 /// Values are what the file means and not what it stores: slope and intercept of
 /// NIfTI and DICOM are applied.  Segmentations whose segments may overlap (3D Slicer's

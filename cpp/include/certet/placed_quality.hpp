@@ -29,9 +29,9 @@ enum class Standing {
   outside,  ///< outside of them, and rounding is no excuse
 };
 
-/// The theorem speaks of the lattice, which is judged but for the errors of measuring;
-/// the world is judged as `shown_rounding` says.
-Standing judge(const PlacedQuality& placed, const AngleBounds& bounds);
+/// The theorem speaks of the lattice, which is checked but for the errors of measuring;
+/// the world is checked as `shown_rounding` says.
+Standing standing_of(const PlacedQuality& placed, const AngleBounds& bounds);
 
 /// A bound, in degrees, on how far rounding to the world's doubles can turn a dihedral
 /// angle of a mesh that stuffing made: from how far apart doubles are at its origin,
@@ -58,7 +58,7 @@ std::uint64_t count_coincident(std::span<const Point3> points);
 PlacedQuality measure_placed(const Mesh& mesh, std::span<const Point3> world);
 
 /// The dihedral angles (degrees) and the volume of a mesh, in exact coordinates and in
-/// world units; `judge` compares them with `facts(mesh.method).bounds`.
+/// world units; `standing_of` compares them with `facts(mesh.method).bounds`.
 /// \throws Error `too_large` (out of memory).
 PlacedQuality quality(const Mesh& mesh);
 

@@ -88,11 +88,11 @@ Quality measure_lattice(std::span<const Coord3> points, std::uint64_t first_poin
 bool within(const Quality& quality, const AngleBounds& bounds, double rounding);
 
 /// Angles are shown in thousandths of a degree, and those of world coordinates are
-/// judged as they are shown: rounding has its part in them, and a theorem whose
+/// checked as they are shown: rounding has its part in them, and a theorem whose
 /// bounds are attained leaves it no room.
 inline constexpr double shown_rounding = 0.0005;
 
-/// What is wrong with the angles of a mesh in world coordinates, judged as they are
+/// What is wrong with the angles of a mesh in world coordinates, checked as they are
 /// shown, in one sentence; empty where nothing is.  `whose` says where the bounds
 /// come from.  Tetrahedra that are not positive have no angles.
 std::string angle_defect(const Quality& world, const AngleBounds& bounds,

@@ -30,7 +30,7 @@ bool is_surface_file(const std::filesystem::path& file);
 
 /// Reads an STL, OBJ, PLY or OFF file in world coordinates, which are the
 /// file's, rounded to 24 bits.  Polygons are cut into triangles, and points that
-/// are equal become one.  Counts are judged by the length of the file before
+/// are equal become one.  Counts are checked by the length of the file before
 /// memory is taken for them.
 /// \throws Error `bad_input` where the file is missing, truncated, not such a
 /// file, or has no triangle; the sentence names it.

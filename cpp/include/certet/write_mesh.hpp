@@ -38,7 +38,7 @@ struct WrittenMesh : PlacedQuality {
 /// Writes all points, then all tetrahedra, with labels if the domain has any.
 /// `known` are the materials that a survey of this mesh found; the domain is asked if
 /// there are none.  While one slab is written, the next is made.
-/// Does not finish the file, so that the caller may `judge` the mesh first.  What
+/// Does not finish the file, so that the caller may ask `standing_of` the mesh first.  What
 /// is written and returned (but for the seconds) does not depend on slabs and
 /// threads.
 /// \throws Error `write_failed`, `cancelled`, `too_large` (out of memory), and as

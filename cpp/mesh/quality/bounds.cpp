@@ -9,7 +9,7 @@ namespace {
 
 std::string degrees(double angle) {
   std::array<char, 40> text;
-  // As many digits as are judged, but none that are zeros at the end.
+  // As many digits as are checked, but none that are zeros at the end.
   angle = std::round(angle * 1000) / 1000;
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), angle).ptr};
 }

@@ -40,7 +40,7 @@ bool excused(const PlacedQuality& placed, const AngleBounds& bounds) {
 
 }  // namespace
 
-Standing judge(const PlacedQuality& placed, const AngleBounds& bounds) {
+Standing standing_of(const PlacedQuality& placed, const AngleBounds& bounds) {
   if (placed.lattice.tets != placed.world.tets ||
       !within(placed.lattice, bounds, lattice_error))
     return Standing::outside;

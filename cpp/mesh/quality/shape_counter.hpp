@@ -90,16 +90,16 @@ struct LatticeShape {
 /// depending on the cuts.  Remembers some, and lets go of those in the way.
 class ShapeCounter {
  public:
-  /// Counts a shape; one that is new is first given to `judge(shape)`, and one
+  /// Counts a shape; one that is new is first given to `first_seen(shape)`, and one
   /// that has to go to `release(shape, count)`.
-  template <class Judge, class Release>
-  void add(const LatticeShape& shape, const Judge& judge, const Release& release) {
+  template <class FirstSeen, class Release>
+  void add(const LatticeShape& shape, const FirstSeen& first_seen, const Release& release) {
     // What came next the last time mostly does so again.
     std::uint32_t at = entries_[last_].next;
     if (entries_[at].shape != shape || entries_[at].count == 0) {
       at = slot(shape);
       if (entries_[at].shape != shape || entries_[at].count == 0) {
-        judge(shape);
+        first_seen(shape);
         if (entries_[at].count != 0) release(entries_[at].shape, entries_[at].count);
         entries_[at] = {shape, 0, at};
       }

@@ -77,7 +77,7 @@ soak::Trial trial_of(Bytes bytes) {
   return trial;
 }
 
-void judge(Bytes bytes, soak::Plant plant) {
+void examine(Bytes bytes, soak::Plant plant) {
   if (bytes.size() < 3) return;
   const soak::Verdict verdict = soak::verify(trial_of(bytes), plant);
   if (!verdict.faults.empty()) throw Finding(verdict.faults.front());
@@ -85,11 +85,11 @@ void judge(Bytes bytes, soak::Plant plant) {
 
 }  // namespace
 
-void core(Bytes bytes) { judge(bytes, soak::Plant::nothing); }
+void core(Bytes bytes) { examine(bytes, soak::Plant::nothing); }
 
 void planted_core(Bytes bytes) {
   if (bytes.size() < 3) return;
-  judge(bytes, static_cast<soak::Plant>(1 + bytes[2] % 4));
+  examine(bytes, static_cast<soak::Plant>(1 + bytes[2] % 4));
 }
 
 }  // namespace fuzz

@@ -9,10 +9,10 @@ namespace certet {
 
 /// Points of an OBJ file have three numbers or more, and faces name points by numbers
 /// that are there.  \throws Error `bad_input`, the sentence names the line.
-void judge_obj(const formats::InputFile& file);
+void check_obj(const formats::InputFile& file);
 
 /// Points of an STL file that is text have three numbers, and triangles three points.
 /// \throws Error `bad_input`, the sentence names the line.
-void judge_text_stl(const formats::InputFile& file);
+void check_text_stl(const formats::InputFile& file);
 
 }  // namespace certet

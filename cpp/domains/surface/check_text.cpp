@@ -1,4 +1,4 @@
-#include "judge_text.hpp"
+#include "check_text.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -37,7 +37,7 @@ class TextLines {
   }
 
   /// Three numbers, or more.
-  void judge_point() {
+  void check_point() {
     for (int n = 0; n < 3; ++n) {
       const std::string_view next = word();
       if (next.empty()) fail("has a point of fewer than three numbers");
@@ -66,7 +66,7 @@ class TextLines {
 
 }  // namespace
 
-void judge_obj(const InputFile& file) {
+void check_obj(const InputFile& file) {
   TextLines lines(file);
   std::int64_t points = 0, greatest = 0;
   std::uint64_t line_of_greatest = 0;
@@ -74,7 +74,7 @@ void judge_obj(const InputFile& file) {
     const std::string_view first = lines.word();
     if (first == "v") {
       ++points;
-      lines.judge_point();
+      lines.check_point();
     }
     if (first != "f") continue;
     for (;;) {
@@ -99,7 +99,7 @@ void judge_obj(const InputFile& file) {
                                         ", but there are " + std::to_string(points));
 }
 
-void judge_text_stl(const InputFile& file) {
+void check_text_stl(const InputFile& file) {
   TextLines lines(file);
   std::uint64_t corners = 0, begun = 0;
   while (lines.next()) {
@@ -111,7 +111,7 @@ void judge_text_stl(const InputFile& file) {
     }
     if (first == "vertex") {
       ++corners;
-      lines.judge_point();
+      lines.check_point();
     }
     if (first != "endfacet") continue;
     if (begun != 0 && corners < 3)
