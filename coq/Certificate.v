@@ -1150,7 +1150,8 @@ Proof. exact TwoSidesFillProof.OtherSidePlaced. Qed.
 (** ** Beyond the paper: the pieces of a label image
 
     Read [Topology/VoxelSpec.v]: which voxel a lattice point lies in, and how it is
-    sampled. *)
+    sampled.  The library takes every point in the image as inside, odd ones too:
+    of such samples this is not proved. *)
 
 (** If no voxel is narrower than the lattice's long edge, wherever the lattice lies,
     the pieces of the samples by edges are the pieces of the image by faces, *)
@@ -1194,8 +1195,9 @@ Theorem VoxelNoPieceLost :
       Joined (fun y => image y = true) Beside x (Owner grid q).
 Proof. exact VoxelMeshProof.VoxelNoPieceLost. Qed.
 
-(** The same of the warp that keeps the shape, as it runs, and of any image: the
-    pieces of the mesh by faces are the pieces of the image by faces, *)
+(** The same of the warp that keeps the shape, as it runs, given these samples of
+    any image: the pieces of the mesh by faces are the pieces of the image by
+    faces, *)
 Theorem SettledVoxelPieces :
   forall grid image th cut gap vs p q t u,
     let sign := OpenSigns (VoxelSigns grid image) in
