@@ -146,8 +146,7 @@ TEST_F(ReferenceProgram, MeshesASampledDomain) {
   const PlacedTets theirs =
       reference("--guarantee angles --signs " + (folder / "noise.signs").string());
   EXPECT_GT(theirs.size(), 50U);
-  EXPECT_TRUE(engine(domain, lattice, {certet::Cuts::bisect, certet::Guarantee::angles}) ==
-              theirs);
+  EXPECT_TRUE(engine(domain, lattice) == theirs);
 }
 
 TEST_F(ReferenceProgram, SaysWhatIsWrong) {
