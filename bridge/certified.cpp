@@ -124,6 +124,22 @@ Coord3 warped_position(Coord3 v, Warping w) {
       .coord3();
 }
 
+bool is_disk(const std::array<Sign, certet::direction_count>& link) {
+  std::int64_t signs = 0;  // two bits each
+  for (std::size_t d = 0; d < link.size(); ++d)
+    signs |= static_cast<std::int64_t>(link[d]) << (2 * d);
+  return call_int("certified.is_disk", {signs}) != 0;
+}
+
+std::vector<LinkSet> disks(LinkSet plus) {
+  std::vector<LinkSet> found;
+  for (const std::int64_t set : call_ints("certified.disks", {plus}))
+    found.push_back(static_cast<LinkSet>(set));
+  return found;
+}
+
+bool in_one_piece(LinkSet set) { return call_int("certified.in_one_piece", {set}) != 0; }
+
 std::int64_t bisect(const std::function<Sign(std::int64_t)>& sign) {
   const closures::Bisect closures{sign};
   Frame frame(&closures);
@@ -156,6 +172,19 @@ std::vector<PlacedTet> stuff(Thresholds t, const certet::Lattice& lattice,
   runtime::call("certified.stuff",
                 {frame.handle(), t.long_edge, t.short_edge, origin.x, origin.y, origin.z,
                  cells[0], cells[1], cells[2]},
+                &frame);
+  return tets;
+}
+
+std::vector<PlacedTet> settle(Thresholds t, Gap gap, const certet::Lattice& lattice,
+                              const Domain& domain) {
+  std::vector<PlacedTet> tets;
+  const closures::Stuffing closures{domain, tets};
+  Frame frame(&closures);
+  const auto& [origin, cells] = lattice;
+  runtime::call("certified.settle",
+                {frame.handle(), t.long_edge, t.short_edge, gap == Gap::strict ? 1 : 0, origin.x,
+                 origin.y, origin.z, cells[0], cells[1], cells[2]},
                 &frame);
   return tets;
 }

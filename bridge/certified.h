@@ -66,6 +66,9 @@ int certified_warp_vertex(int64_t alpha_long, int64_t alpha_short, int sign,
                           const struct certified_edge_closures* closures, int* direction,
                           int64_t* distance);
 
+/** `IsDisk` of the signs of the fourteen neighbours: whether they are a strict disk. */
+int certified_is_disk(const int signs[14], int* disk);
+
 /** `Bisect`; the closure tells the sign at some steps from the + end. */
 int certified_find_cut(int (*sign_at)(void* self, int64_t step, int* sign), void* self,
                        int64_t* cut);
@@ -82,6 +85,13 @@ struct certified_domain_closures {
 int certified_stuff_lattice(int64_t alpha_long, int64_t alpha_short, const int64_t origin[3],
                             const int64_t cells[3],
                             const struct certified_domain_closures* closures);
+
+/** The whole mesh by the warp that keeps the shape, in the order of
+ * certified_stuff_lattice; `strict` is 1 for `StrictGap` and 0 for `LevelGap`, the
+ * product's. */
+int certified_settle_lattice(int64_t alpha_long, int64_t alpha_short, int strict,
+                             const int64_t origin[3], const int64_t cells[3],
+                             const struct certified_domain_closures* closures);
 
 #ifdef __cplusplus
 }

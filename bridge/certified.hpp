@@ -93,6 +93,19 @@ Warping warp(Thresholds thresholds, Sign sign, const std::function<Sign(int)>& n
 Sign warped_sign(Sign sign, Warping w);
 Coord3 warped_position(Coord3 v, Warping w);
 
+/// Some of the fourteen neighbours of a vertex: bit d for direction d.
+using LinkSet = std::uint32_t;
+
+/// `IsDisk` of the signs of the neighbours.
+bool is_disk(const std::array<Sign, certet::direction_count>& link);
+
+/// `DiskOf`: with just these neighbours +, the sets of neighbours that may be 0 if the
+/// link is to be a strict disk; ascending.
+std::vector<LinkSet> disks(LinkSet plus);
+
+/// `InOnePiece`; the empty set is in none.
+bool in_one_piece(LinkSet set);
+
 /// `Bisect`; the closure gets steps from the + end.
 std::int64_t bisect(const std::function<Sign(std::int64_t)>& sign);
 
@@ -117,5 +130,18 @@ std::vector<PlacedTet> stuff_tet(Thresholds thresholds, const Domain& domain,
 /// outermost points count as outside.
 std::vector<PlacedTet> stuff(Thresholds thresholds, const certet::Lattice& lattice,
                              const Domain& domain);
+
+/// What is left between two vertices that move towards each other.
+enum class Gap {
+  level,   ///< `LevelGap`, the product's: they may come level
+  strict,  ///< `StrictGap`
+};
+
+/// The whole mesh by the warp that keeps the shape: `Settle` over all points of the
+/// lattice `InTurn`, and `PlacedNames` with `PlacedPosition`; in the order of `stuff`.
+/// The lattice's outermost points count as outside, and so does what is sampled on the
+/// surface: `OpenSigns` and `OpenCuts`.
+std::vector<PlacedTet> settle(Thresholds thresholds, Gap gap, const certet::Lattice& lattice,
+                              const Domain& domain);
 
 }  // namespace certified

@@ -72,6 +72,18 @@ Domain domain_of(const certified_domain_closures& c) {
           }};
 }
 
+certet::Lattice lattice_of(const int64_t origin[3], const int64_t cells[3]) {
+  return {coord3(origin), {narrow(cells[0]), narrow(cells[1]), narrow(cells[2])}};
+}
+
+void hand_over(const std::vector<PlacedTet>& tets, const certified_domain_closures& c) {
+  for (const PlacedTet& tet : tets) {
+    int64_t positions[4][3];
+    for (std::size_t n = 0; n < 4; ++n) write(tet[n], positions[n]);
+    demand(c.tet(c.self, positions));
+  }
+}
+
 }  // namespace
 
 extern "C" {
@@ -140,6 +152,14 @@ int certified_warp_vertex(int64_t alpha_long, int64_t alpha_short, int sign,
   });
 }
 
+int certified_is_disk(const int signs[14], int* disk) {
+  return guarded([&] {
+    std::array<Sign, certet::direction_count> link{};
+    for (std::size_t d = 0; d < link.size(); ++d) link[d] = sign_of(signs[d]);
+    *disk = is_disk(link) ? 1 : 0;
+  });
+}
+
 int certified_find_cut(int (*sign_at)(void*, int64_t, int*), void* self, int64_t* cut) {
   return guarded([&] {
     *cut = bisect([&](std::int64_t step) {
@@ -154,13 +174,18 @@ int certified_stuff_lattice(int64_t alpha_long, int64_t alpha_short, const int64
                             const int64_t cells[3],
                             const certified_domain_closures* closures) {
   return guarded([&] {
-    const certet::Lattice lattice{
-        coord3(origin), {narrow(cells[0]), narrow(cells[1]), narrow(cells[2])}};
-    for (const PlacedTet& tet : stuff({alpha_long, alpha_short}, lattice, domain_of(*closures))) {
-      int64_t positions[4][3];
-      for (std::size_t n = 0; n < 4; ++n) write(tet[n], positions[n]);
-      demand(closures->tet(closures->self, positions));
-    }
+    hand_over(stuff({alpha_long, alpha_short}, lattice_of(origin, cells), domain_of(*closures)),
+              *closures);
+  });
+}
+
+int certified_settle_lattice(int64_t alpha_long, int64_t alpha_short, int strict,
+                             const int64_t origin[3], const int64_t cells[3],
+                             const certified_domain_closures* closures) {
+  return guarded([&] {
+    hand_over(settle({alpha_long, alpha_short}, strict != 0 ? Gap::strict : Gap::level,
+                     lattice_of(origin, cells), domain_of(*closures)),
+              *closures);
   });
 }
 

@@ -115,6 +115,30 @@ let warped_position x y z direction distance =
   Array.of_list
     (ints_of_coord3 (warpedPosition (coord3 x y z) (warping direction distance)))
 
+(* {1 Links} *)
+
+let numbers = gather int_of_direction
+
+(* A set of neighbours: bit n for the direction with number n. *)
+let link_of_set set = gather (fun d -> (set lsr at numbers d) land 1 <> 0)
+
+(* Two bits for each sign. *)
+let is_disk signs =
+  let sign d = sign_of_int ((signs lsr (2 * at numbers d)) land 3) in
+  if isDisk (gather sign) then 1 else 0
+
+(* The sets of 0 neighbours that leave a strict disk, in ascending order. *)
+let disks plus =
+  let is_disk = diskOf (link_of_set plus) in
+  let rest = ((1 lsl List.length allDirections) - 1) land lnot plus in
+  let rec from zero found =
+    let found = if is_disk (link_of_set zero) then zero :: found else found in
+    if zero = rest then List.rev found else from ((zero - rest) land rest) found
+  in
+  Array.of_list (from 0 [])
+
+let in_one_piece set = if inOnePiece (link_of_set set) then 1 else 0
+
 (* {1 Cuts} *)
 
 let bisection frame =
@@ -132,12 +156,18 @@ let domain frame =
   in
   { Domain.sign; cut }
 
-let emit_tet frame thresholds domain (UT (a, b, c, d)) =
-  let position v =
-    let { Convert.x; y; z } = Mesher.position thresholds domain v in
+let emit_placed frame position (UT (a, b, c, d)) =
+  let coordinates v =
+    let { Convert.x; y; z } = position v in
     [ x; y; z ]
   in
-  emit frame (Array.of_list (List.concat_map position [ a; b; c; d ]))
+  emit frame (Array.of_list (List.concat_map coordinates [ a; b; c; d ]))
+
+let emit_tet frame thresholds domain =
+  emit_placed frame (Mesher.position thresholds domain)
+
+let lattice ox oy oz nx ny nz =
+  { Lattice.origin = { x = ox; y = oy; z = oz }; cells = { x = nx; y = ny; z = nz } }
 
 let stuff_one frame long short x y z case =
   let thresholds = thresholds long short in
@@ -147,11 +177,16 @@ let stuff_one frame long short x y z case =
 
 let stuff_all frame long short ox oy oz nx ny nz =
   let thresholds = thresholds long short in
-  let lattice =
-    { Lattice.origin = { x = ox; y = oy; z = oz }; cells = { x = nx; y = ny; z = nz } }
-  in
+  let lattice = lattice ox oy oz nx ny nz in
   let domain = Domain.within lattice (domain frame) in
   Mesher.iter_tets thresholds lattice domain (emit_tet frame thresholds domain)
+
+let settle_all frame long short strict ox oy oz nx ny nz =
+  let lattice = lattice ox oy oz nx ny nz in
+  let gap = if strict <> 0 then strictGap else levelGap in
+  let domain = Domain.within lattice (domain frame) in
+  let settled = Settler.settle gap (thresholds long short) lattice domain in
+  Settler.iter_tets settled (emit_placed frame (Settler.position settled))
 
 let () =
   Callback.register_exception "certified.parked" Parked;
@@ -164,7 +199,11 @@ let () =
   Callback.register "certified.warp" warp_vertex;
   Callback.register "certified.warped_sign" warped_sign;
   Callback.register "certified.warped_position" warped_position;
+  Callback.register "certified.is_disk" is_disk;
+  Callback.register "certified.disks" disks;
+  Callback.register "certified.in_one_piece" in_one_piece;
   Callback.register "certified.bisect" bisection;
   Callback.register "certified.point_on_edge" edge_point;
   Callback.register "certified.stuff_tet" stuff_one;
-  Callback.register "certified.stuff" stuff_all
+  Callback.register "certified.stuff" stuff_all;
+  Callback.register "certified.settle" settle_all

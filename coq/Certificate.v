@@ -1,50 +1,82 @@
 (** * The certificate
 
-    Everything that is proved about the mesher, on one page.  Each theorem is
-    spelled out in full over the functions that are extracted and run; the
-    definitions it speaks of are in the files exported here, which hold no
-    proofs.  Proof files are only required for the [exact] of each theorem.
+    Everything that is proved about the mesher, on one page.  The first theorem
+    is the one to read: what is certified of every mesh that the product makes.
+    What follows it is the rest, each theorem spelled out in full over the
+    functions that are extracted and run; the definitions that they speak of are
+    in the files exported here, which hold no proofs.  Proof files are only
+    required for the [exact] of each theorem, which has the same name there.
 
     [make audit] checks these statements against the committed ones, and that
-    none of them rests on an axiom; but for those in degrees, which rest on the
-    axioms of Coq's real numbers. *)
+    none of them rests on an axiom; but for those in degrees, [CertifiedMesh]
+    among them, which rest on the axioms of Coq's real numbers.
 
-From Coq Require Import ZArith Reals List.
+    The paper's own list of statements is in [PaperCertificate.v]. *)
 
-(** What runs. *)
-From Certet Require Export Lattice.Coord3 Lattice.Direction.
-From Certet Require Export Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Export Warp.Cut Warp.Warp.
+(** Read [Mesh/Method.v], the product's methods and the mesh that each makes of a
+    domain, and [Mesh/CertifiedSpec.v], a definition for each line below. *)
 From Certet Require Export Stuffing.Stuffing Stuffing.Domain.
+From Certet Require Export Mesh.Method Mesh.CertifiedSpec.
+From Certet Require Mesh.CertifiedMeshProof.
 
-(** What no program runs yet: a warp with a rule of who stays. *)
+(** Whatever the method, whatever the domain, and whichever lattice points are
+    taken as inside: every tetrahedron has positive volume; every dihedral angle
+    is within the method's bounds; both sides of a face have the same triangles;
+    a triangle that only one tetrahedron has lies on the surface; and no integer
+    overflows. *)
+Theorem CertifiedMesh :
+  forall (method : Method) (sign : SignField) (domain : PositionSigns),
+    let mesh := MeshOf method sign domain in
+    TetsPositive mesh /\
+    AnglesBetween mesh (LeastAngle method) (GreatestAngle method) /\
+    FacesConform mesh /\
+    BoundaryIsSurface mesh /\
+    NothingOverflows mesh (MethodThresholds method).
+Proof. exact CertifiedMeshProof.CertifiedMesh. Qed.
+
+(** ** The rest *)
+
+From Coq Require Import ZArith Reals List Permutation.
+
+(** The paper's own statements. *)
+From Certet Require Export PaperCertificate.
+
+(** What runs, besides [Stuffing]. *)
+From Certet Require Export Lattice.Direction.
+From Certet Require Export Warp.Cut Warp.Warp.
+
+(** A warp with a rule of who stays: by turns, as no program runs it, and as one
+    sweep over a list, which is what runs. *)
 From Certet Require Export Embedding.WarpOrClamp Embedding.DiskRule.
+From Certet Require Export Embedding.DiskTables Embedding.Settle.
 
 (** What is meant. *)
-From Certet Require Export Lattice.StructuredTetSpec Lattice.NeighborSpec.
-From Certet Require Export Stencil.CompatibilitySpec.
-From Certet Require Export Stencil.StencilSet Stencil.OtherStencils.
+From Certet Require Export Lattice.NeighborSpec Lattice.Tiling.
+From Certet Require Export Stencil.StencilSet Stencil.TilingSpec.
+From Certet Require Export Stencil.OtherStencils.
 From Certet Require Export Stencil.TriangleSpec Stuffing.MeshSpec.
 From Certet Require Export Warp.WarpSpec.
 From Certet Require Export Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
 From Certet Require Export Embedding.EmbeddingSpec Embedding.PiecesSpec.
+From Certet Require Export Embedding.SettleSpec.
+From Certet Require Export Topology.SurfaceSpec Topology.TwoSidesSpec.
+From Certet Require Export Topology.VoxelSpec.
 From Certet Require Export Range.RangeSpec.
 
 (** Why it holds. *)
-From Certet Require Lattice.StructuredTetProof Lattice.NeighborProof.
+From Certet Require Lattice.TilingProof Lattice.NeighborProof.
 From Certet Require Lattice.FaceProof.
+From Certet Require Stencil.LatticeCompatibilityProof.
 From Certet Require Stencil.CompatibilityChecker.
 From Certet Require Stencil.CompatibilityCheckerProof.
-From Certet Require Stencil.CompatibilityProof.
-From Certet Require Stencil.LatticeCompatibilityProof.
 From Certet Require Stencil.OtherStencilsProof.
 From Certet Require Stencil.TriangleChecker Stuffing.GappedStencilsProof.
 From Certet Require Stuffing.MeshProof Stuffing.OnceProof.
 From Certet Require Warp.WarpProof Warp.CutProof.
 From Certet Require Angles.ApexProof.
 From Certet Require Angles.AngleTheorems Angles.LatticeProof.
-From Certet Require Angles.DegreesProof Angles.SharpnessProof.
-From Certet Require Angles.DomainProof Angles.DomainDegreesProof.
+From Certet Require Angles.Degrees.DegreesProof Angles.Degrees.SharpnessProof.
+From Certet Require Angles.DomainProof Angles.Degrees.DomainDegreesProof.
 From Certet Require Embedding.WarpedLatticeProof Embedding.MeshEmbedsProof.
 From Certet Require Embedding.LatticeVolumeProof.
 From Certet Require Embedding.LatticeCoversProof.
@@ -52,105 +84,17 @@ From Certet Require Embedding.MeshApartProof Embedding.FoldWitness.
 From Certet Require Embedding.WarpOrClampProof Embedding.RuledMeshProof.
 From Certet Require Embedding.RuledDegreesProof.
 From Certet Require Embedding.PiecesProof Embedding.DiskPiecesProof.
+From Certet Require Embedding.DiskTablesProof Embedding.SettleProof.
+From Certet Require Embedding.SettledMeshProof Embedding.SettleOrderProof.
+From Certet Require Topology.EdgeProof Topology.DiskKeptProof.
+From Certet Require Topology.DiskManifoldProof Topology.SettledSurfaceProof.
+From Certet Require Topology.TwoSidesFillProof Topology.TwoSidesMeetProof.
+From Certet Require Topology.SettledTwoSidesProof.
+From Certet Require Topology.VoxelProof Topology.VoxelMeshProof.
+From Certet Require Topology.SettledVoxelProof.
 From Certet Require Range.RangeProof.
 
 Open Scope Z_scope.
-
-(** ** The paper's certificate *)
-
-(** Every structured tetrahedron knows its four face neighbours: lined up by
-    the order it gives, their vertices are its own except the one across
-    (section 4.2). *)
-Theorem FacesCorrect :
-  forall tid : StructuredTetId,
-    match GetStructuredTet tid with
-      ST v1 v2 v3 v4 (tid1, o1) (tid2, o2) (tid3, o3) (tid4, o4) =>
-        (Face1Correct v1 v2 v3 v4 tid1 o1) /\
-        (Face2Correct v1 v2 v3 v4 tid2 o2) /\
-        (Face3Correct v1 v2 v3 v4 tid3 o3) /\
-        (Face4Correct v1 v2 v3 v4 tid4 o4)
-    end.
-Proof. exact StructuredTetProof.FacesCorrect. Qed.
-
-(** Whatever the vertices, the signs and the cuts, no two edges of the stencils
-    on the two sides of a shared face meet in their interiors, if the two
-    tetrahedra stand in one of six arrangements (section 5.2). *)
-Lemma CompatibilityOrders :
-  forall Vertex GetSign GetIntersection f1 f2 f3 p q,
-    let P := AllEdgesCompatible Vertex GetSign
-               GetIntersection f1 f2 f3 p q in
-    P p f1 f2 f3 q f1 f2 f3 /\
-    P p f1 f2 f3 f1 q f3 f2 /\
-    P f1 p f2 f3 q f1 f3 f2 /\
-    P f1 p f2 f3 f1 q f2 f3 /\
-    P f1 f2 p f3 f1 f2 q f3 /\
-    P f1 f2 f3 p f1 f2 f3 q.
-Proof. exact CompatibilityProof.CompatibilityOrders. Qed.
-
-(** The lattice has no other arrangement, so its stencils are compatible across
-    the first face of every structured tetrahedron (section 6), *)
-Theorem Face1Compatible :
-  forall GetSign GetIntersection tid,
-    match GetStructuredTet tid with
-      ST v1 v2 v3 v4 (tid1, order1) _ _ _ =>
-        match GetStructuredTet tid1 with
-          ST u1 u2 u3 u4 _ _ _ _ =>
-            let '(w1, w2, w3, w4) :=
-              order1 u1 u2 u3 u4 in
-            AllEdgesCompatible Coord3 GetSign
-              GetIntersection w2 w3 w4 v1 w1
-              v1 v2 v3 v4 u1 u2 u3 u4
-        end
-    end.
-Proof. exact LatticeCompatibilityProof.Face1Compatible. Qed.
-
-(** across the second, *)
-Theorem Face2Compatible :
-  forall GetSign GetIntersection tid,
-    match GetStructuredTet tid with
-      ST v1 v2 v3 v4 _ (tid2, order2) _ _ =>
-        match GetStructuredTet tid2 with
-          ST u1 u2 u3 u4 _ _ _ _ =>
-            let '(w1, w2, w3, w4) :=
-              order2 u1 u2 u3 u4 in
-            AllEdgesCompatible Coord3 GetSign
-              GetIntersection w1 w3 w4 v2 w2
-              v1 v2 v3 v4 u1 u2 u3 u4
-        end
-    end.
-Proof. exact LatticeCompatibilityProof.Face2Compatible. Qed.
-
-(** across the third, *)
-Theorem Face3Compatible :
-  forall GetSign GetIntersection tid,
-    match GetStructuredTet tid with
-      ST v1 v2 v3 v4 _ _ (tid3, order3) _ =>
-        match GetStructuredTet tid3 with
-          ST u1 u2 u3 u4 _ _ _ _ =>
-            let '(w1, w2, w3, w4) :=
-              order3 u1 u2 u3 u4 in
-            AllEdgesCompatible Coord3 GetSign
-              GetIntersection w1 w2 w4 v3 w3
-              v1 v2 v3 v4 u1 u2 u3 u4
-        end
-    end.
-Proof. exact LatticeCompatibilityProof.Face3Compatible. Qed.
-
-(** and across the fourth. *)
-Theorem Face4Compatible :
-  forall GetSign GetIntersection tid,
-    match GetStructuredTet tid with
-      ST v1 v2 v3 v4 _ _ _ (tid4, order4) =>
-        match GetStructuredTet tid4 with
-          ST u1 u2 u3 u4 _ _ _ _ =>
-            let '(w1, w2, w3, w4) :=
-              order4 u1 u2 u3 u4 in
-            AllEdgesCompatible Coord3 GetSign
-              GetIntersection w1 w2 w3 v4 w4
-              v1 v2 v3 v4 u1 u2 u3 u4
-        end
-    end.
-Proof. exact LatticeCompatibilityProof.Face4Compatible. Qed.
 
 (** ** Beyond the paper: the verification is not tied to these stencils *)
 
@@ -175,6 +119,34 @@ Proof. exact OtherStencilsProof.HoledStencilsIncompatible. Qed.
 Theorem HoledStencilsRejected :
   CompatibilityChecker.CheckCompatibility HoledStencils = false.
 Proof. exact OtherStencilsProof.HoledStencilsRejected. Qed.
+
+(** ** Beyond the paper: nor to this lattice
+
+    Read [Lattice/Tiling.v]: tetrahedra, their vertices and their neighbours as
+    data. *)
+
+(** Compatible stencils fit any tiling whose neighbours share their faces, and
+    are lined up as the lattice's are. *)
+Theorem StencilsFitTiling :
+  forall (S : StencilSet) (T : Tiling),
+    CompatibleStencils S -> TilingFacesCorrect T -> OrdersKnown T ->
+    CompatibleInTiling S T.
+Proof. exact LatticeCompatibilityProof.StencilsFitTiling. Qed.
+
+(** The lattice is such a tiling, *)
+Theorem LatticeFacesCorrect : TilingFacesCorrect LatticeTiling.
+Proof. exact TilingProof.LatticeFacesCorrect. Qed.
+
+Theorem LatticeOrdersKnown : OrdersKnown LatticeTiling.
+Proof. exact TilingProof.LatticeOrdersKnown. Qed.
+
+(** of tetrahedra with four vertices each, *)
+Theorem LatticeVerticesApart : VerticesApart LatticeTiling.
+Proof. exact TilingProof.LatticeVerticesApart. Qed.
+
+(** whose neighbours are mutual. *)
+Theorem LatticeInvolution : TilingInvolution LatticeTiling.
+Proof. exact TilingProof.LatticeInvolution. Qed.
 
 (** ** What compatible edges do not tell
 
@@ -453,7 +425,7 @@ Theorem DihedralBounds :
     Admissible before warping cut AngleThresholds (Corners tid) ->
     forall t, In t (PlacedTets before warping cut tid) ->
       WellShaped (AB (CotSq 221 8) (CotSq 1751 130)) t.
-Proof. exact AngleTheorems.WidestGuaranteed. Qed.
+Proof. exact AngleTheorems.DihedralBounds. Qed.
 
 (** and between 9.27 and 161.46 degrees at 64/256 and 105/256. *)
 Theorem DihedralBoundsEmbedding :
@@ -461,7 +433,7 @@ Theorem DihedralBoundsEmbedding :
     Admissible before warping cut EmbeddingThresholds (Corners tid) ->
     forall t, In t (PlacedTets before warping cut tid) ->
       WellShaped (AB (CotSq 563 15) (CotSq 80 9)) t.
-Proof. exact AngleTheorems.EmbeddingGuaranteed. Qed.
+Proof. exact AngleTheorems.DihedralBoundsEmbedding. Qed.
 
 (** A domain that is in or out, cut in the middle of its edges: the squares of
     the cotangents are at most 3 and 1. *)
@@ -472,7 +444,7 @@ Theorem MidpointBounds :
     In t (map (MapTet (MeshPosition NoWarpThresholds decided cut))
             (StuffTet NoWarpThresholds decided cut tid)) ->
     WellShaped (AB (CotSq 3 1) (CotSq 1 1)) t.
-Proof. exact AngleTheorems.StuffedInOrOut. Qed.
+Proof. exact AngleTheorems.MidpointBounds. Qed.
 
 (** The theorem that users read: every tetrahedron that the product makes, of
     any domain, has positive volume and dihedral angles between 10.77 and
@@ -482,7 +454,7 @@ Theorem DihedralBoundsInDegrees :
     In t (map (MapTet (MeshPosition AngleThresholds sign cut))
             (StuffTet AngleThresholds sign cut tid)) ->
     WithinDegrees (1077 / 100) (16476 / 100) t.
-Proof. exact DegreesProof.AngleBounds_73_102. Qed.
+Proof. exact DegreesProof.DihedralBoundsInDegrees. Qed.
 
 (** between 9.27 and 161.46 degrees with the thresholds that embed, *)
 Theorem DihedralBoundsEmbeddingInDegrees :
@@ -490,7 +462,7 @@ Theorem DihedralBoundsEmbeddingInDegrees :
     In t (map (MapTet (MeshPosition EmbeddingThresholds sign cut))
             (StuffTet EmbeddingThresholds sign cut tid)) ->
     WithinDegrees (927 / 100) (16146 / 100) t.
-Proof. exact DegreesProof.AngleBounds_64_105. Qed.
+Proof. exact DegreesProof.DihedralBoundsEmbeddingInDegrees. Qed.
 
 (** and between 30 and 135 degrees with cuts in the middle. *)
 Theorem MidpointBoundsInDegrees :
@@ -500,14 +472,14 @@ Theorem MidpointBoundsInDegrees :
     In t (map (MapTet (MeshPosition NoWarpThresholds decided cut))
             (StuffTet NoWarpThresholds decided cut tid)) ->
     WithinDegrees 30 135 t.
-Proof. exact DegreesProof.AngleBounds_InOrOut. Qed.
+Proof. exact DegreesProof.MidpointBoundsInDegrees. Qed.
 
 (** At 64/256 and 105/256 no structured tetrahedron, kept or dropped, is turned
     over by warping: what is dropped never covers what is kept. *)
 Theorem WarpedLatticePositive :
   forall sign cut tid, CutsOnEdges sign cut ->
     Positive (WarpedTet EmbeddingThresholds sign cut tid).
-Proof. exact LatticeProof.LatticePositive. Qed.
+Proof. exact LatticeProof.WarpedLatticePositive. Qed.
 
 (** No bound can be improved by 0.02 degrees: there are domains of which the
     product itself makes such angles. *)
@@ -651,7 +623,7 @@ Theorem UncrossedKeepsShortEdges :
   forall warping,
     MovesAtMost AngleThresholds warping -> Uncrossed warping ->
     KeepsShortEdges (fun v => WarpedPosition v (warping v)).
-Proof. exact WarpedLatticeProof.UncrossedMoves. Qed.
+Proof. exact WarpedLatticeProof.UncrossedKeepsShortEdges. Qed.
 
 (** so that the structured tetrahedra leave no gaps either, *)
 Theorem UncrossedLatticeCovers :
@@ -694,14 +666,25 @@ Theorem RuledBounds :
     forall tid t,
       In t (WarpOrClamp AngleThresholds sign cut stays limit tid) ->
       WellShaped (AB (CotSq 221 8) (CotSq 1751 130)) t.
-Proof. exact RuledMeshProof.RuledWidest. Qed.
+Proof. exact RuledMeshProof.RuledBounds. Qed.
 
 (** and in degrees. *)
 Theorem RuledBoundsInDegrees :
   forall sign cut stays limit tid t, CutsOnEdges sign cut ->
     In t (WarpOrClamp AngleThresholds sign cut stays limit tid) ->
     WithinDegrees (1077 / 100) (16476 / 100) t.
-Proof. exact RuledDegreesProof.RuledBounds. Qed.
+Proof. exact RuledDegreesProof.RuledBoundsInDegrees. Qed.
+
+(** The rest of [CertifiedMesh] holds as well. *)
+Theorem CertifiedRuledMesh :
+  forall sign cut stays limit, CutsOnEdges sign cut ->
+    let mesh := RuledMesh AngleThresholds sign cut stays limit in
+    TetsPositive mesh /\
+    AnglesBetween mesh 1077 16476 /\
+    FacesConform mesh /\
+    BoundaryIsSurface mesh /\
+    NothingOverflows mesh AngleThresholds.
+Proof. exact CertifiedMeshProof.CertifiedRuledMesh. Qed.
 
 (** The paper's rule is the one by which nobody stays. *)
 Theorem NobodyStays :
@@ -846,6 +829,396 @@ Theorem OneMeshHasItAll :
        Joined (PlusBefore sign) Adjacent p q).
 Proof. exact DiskPiecesProof.OneMeshHasItAll. Qed.
 
+(** ** Beyond the paper: the warp that keeps the shape, as it runs
+
+    Read [Embedding/Settle.v], which begins with the rule in words, and
+    [Embedding/DiskTables.v].  [Settle] is extracted and run, and the production
+    library is compared with it.  Nothing below asks who is in the list of
+    vertices, or in what order they have their turns. *)
+
+(** The disks it looks for are those of [DiskRule]. *)
+Theorem IsDiskCorrect : forall now, IsDisk (Gather now) = StrictDisk now.
+Proof. exact DiskTablesProof.IsDiskCorrect. Qed.
+
+(** And these are, in so many words: on the sphere of a vertex's neighbours the +
+    are in one piece and the others too, around each 0 the + are one run or none,
+    and no edge from 0 to 0 has + on both sides. *)
+Theorem StrictDiskIff :
+  forall now v, StrictDisk (LinkOf now v) = true <-> DiskAround now v.
+Proof. exact SettledSurfaceProof.StrictDiskIff. Qed.
+
+(** Signs change only as they may: one vertex after the other becomes 0, each when
+    its link is a strict disk. *)
+Theorem SettledByDisks :
+  forall th sign cut gap vs,
+    ByDisks sign (SignAmong sign (Settle th sign cut gap vs)).
+Proof. exact SettleProof.SettledByDisks. Qed.
+
+(** Who has become 0 keeps its disk, whatever its neighbours do later: at the end
+    every 0 has a strict disk around it, or nothing inside. *)
+Theorem SettledDisksAround :
+  forall th sample cut gap vs,
+    let sign := OpenSigns sample in
+    DisksAround (SignAmong sign (Settle th sign cut gap vs)).
+Proof. exact SettledSurfaceProof.SettledDisksAround. Qed.
+
+(** In the product's order each vertex of a list that is violated has its turn, and
+    nobody else. *)
+Theorem EachHasATurn :
+  forall th sign cut, CutsOnEdges sign cut -> forall vs v,
+    In v (InTurn th sign cut vs) <-> In v vs /\ Violated th sign cut v = true.
+Proof. exact SettleOrderProof.EachHasATurn. Qed.
+
+(** Within a colour the order is free: those of one colour may have their turns at
+    once. *)
+Theorem ColourInAnyOrder :
+  forall th sign cut gap first class class' last,
+    Permutation class class' ->
+    (forall u v, In u class -> In v class -> Colour u = Colour v) ->
+    forall v, PlaceIn (Settle th sign cut gap (first ++ class ++ last)) v
+            = PlaceIn (Settle th sign cut gap (first ++ class' ++ last)) v.
+Proof. exact SettleOrderProof.ColourInAnyOrder. Qed.
+
+(** It is one of the rules by which any violated vertex may stay, so that every
+    tetrahedron is admissible. *)
+Theorem SettledIsWarpOrClamp :
+  forall th sign cut gap vs,
+    AtMostHalf th -> CutsOnEdges sign cut -> (forall s s', gap s s' <= 1) ->
+    exists stays limit, forall tid,
+      SettledTets th sign cut (Settle th sign cut gap vs) tid
+      = WarpOrClamp th sign cut stays limit tid.
+Proof. exact SettledMeshProof.SettledIsWarpOrClamp. Qed.
+
+(** Samples that lie on the surface are cut at that end of the edge, so that the
+    cuts stay on their edges. *)
+Theorem OpenCutsOnEdges :
+  forall sample cut, CutsOnEdges sample cut ->
+    CutsOnEdges (OpenSigns sample) (OpenCuts sample cut).
+Proof. exact SettledMeshProof.OpenCutsOnEdges. Qed.
+
+(** The mesh of the product: every tetrahedron has dihedral angles between 10.77
+    and 164.76 degrees. *)
+Theorem SettledBoundsInDegrees :
+  forall sample cut vs tids t, CutsOnEdges sample cut ->
+    In t (SettledMesh AngleThresholds (OpenSigns sample) (OpenCuts sample cut)
+            LevelGap vs tids) ->
+    WithinDegrees (1077 / 100) (16476 / 100) t.
+Proof. exact RuledDegreesProof.SettledBoundsInDegrees. Qed.
+
+(** And all at once, whatever the samples: the angles (as integers tell it); no
+    point is inside two tetrahedra; the pieces of the mesh by faces are those of
+    the samples by edges, and none is lost; the outside, with the surface, keeps
+    its pieces too, and no cavity is made. *)
+Theorem SettledMeshHasItAll :
+  forall sample cut vs, CutsOnEdges sample cut ->
+    let th := AngleThresholds in
+    let sign := OpenSigns sample in
+    let cuts := OpenCuts sample cut in
+    let warping := PlaceIn (Settle th sign cuts LevelGap vs) in
+    let place := PlacedPosition warping (ClampedCut th cuts) in
+    (forall tids t, In t (SettledMesh th sign cuts LevelGap vs tids) ->
+       WellShaped (AB (CotSq 221 8) (CotSq 1751 130)) t) /\
+    (forall tid tid' t t', InLattice tid -> InLattice tid' ->
+       In t (PlacedNames sign warping tid) ->
+       In t' (PlacedNames sign warping tid') ->
+       Overlap (MapTet place t) (MapTet place t') -> tid = tid' /\ t = t') /\
+    (forall p q t u,
+       PlusAfter sign warping p -> PlusAfter sign warping q ->
+       MadeAt sign warping p t -> MadeAt sign warping q u ->
+       Joined (InMesh sign warping) ShareFace t u <->
+       Joined (PlusBefore sign) Adjacent p q) /\
+    (forall p, PlusBefore sign p ->
+       (exists tid, InLattice tid /\ In p (Corners tid)) ->
+       exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
+         Joined (PlusBefore sign) Adjacent p q) /\
+    (forall p q, ~ PlusBefore sign p -> ~ PlusBefore sign q ->
+       Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q <->
+       Joined (fun v => ~ PlusBefore sign v) Adjacent p q) /\
+    (forall p, ~ PlusAfter sign warping p ->
+       exists q, ~ PlusBefore sign q /\
+         Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q).
+Proof. exact SettledMeshProof.SettledMeshHasItAll. Qed.
+
+(** The product lets two vertices come level, so that flat walls are flat.  With a
+    step left between any two, the mesh embeds as well. *)
+Theorem SettledMeshEmbeds :
+  forall sign cut vs tid tid' t t',
+    let warping := PlaceIn (Settle AngleThresholds sign cut StrictGap vs) in
+    CutsOnEdges sign cut -> InLattice tid -> InLattice tid' ->
+    In t (PlacedNames sign warping tid) ->
+    In t' (PlacedNames sign warping tid') ->
+    MeetInSharedVertices
+      (PlacedPosition warping (ClampedCut AngleThresholds cut)) t t'.
+Proof. exact SettledMeshProof.SettledMeshEmbeds. Qed.
+
+(** ** Beyond the paper: the surface is a manifold
+
+    Read [Topology/SurfaceSpec.v]: the surface are the triangles that belong to
+    exactly one tetrahedron.  Not proved is that tunnels are kept as pieces and
+    cavities are: that a vertex with a strict disk takes away, or adds, a ball along
+    a disk. *)
+
+(** Whatever the domain and the warp, the surface is closed: every edge of it lies
+    in an even number of its triangles. *)
+Theorem BoundaryClosed :
+  forall before warping a b c,
+    SurfaceTriangle before warping a b c ->
+    exists thirds : list MeshVertex, NoDup thirds /\
+      (forall d, In d thirds <-> SurfaceTriangle before warping a b d) /\
+      Nat.Even (length thirds).
+Proof. exact EdgeProof.BoundaryClosed. Qed.
+
+(** At a cut it is a manifold, whatever the domain and the warp: an edge there lies
+    in exactly two triangles, and all triangles there are one fan.  So it may touch
+    itself at 0 corners alone. *)
+Theorem CutsManifold :
+  forall before warping p m b c,
+    SurfaceTriangle before warping (Cut p m) b c ->
+    (exists d, d <> c /\ SurfaceTriangle before warping (Cut p m) b d /\
+       forall e, SurfaceTriangle before warping (Cut p m) b e -> e = c \/ e = d) /\
+    (forall x, InFan before warping (Cut p m) x ->
+       JoinedInFan before warping (Cut p m) b x).
+Proof. exact DiskManifoldProof.CutsManifold. Qed.
+
+(** If every vertex on the surface that has an inner neighbour has a strict disk,
+    whatever rule has seen to that, it is a manifold everywhere: every edge of it
+    lies in exactly two of its triangles, and the triangles at every vertex are one
+    fan, in which each has an edge in common with the next. *)
+Theorem SurfaceManifold :
+  forall before warping a b c,
+    DisksAround (SignAfter before warping) ->
+    SurfaceTriangle before warping a b c ->
+    (exists d, d <> c /\ SurfaceTriangle before warping a b d /\
+       forall e, SurfaceTriangle before warping a b e -> e = c \/ e = d) /\
+    (forall x, InFan before warping a x -> JoinedInFan before warping a b x).
+Proof. exact DiskManifoldProof.SurfaceManifold. Qed.
+
+(** Vertices that become 0 because they have strict disks, no two of them adjacent,
+    leave the others theirs, *)
+Theorem DisksAroundKept :
+  forall sign sign' : SignField,
+    DisksAround sign ->
+    (forall v, sign' v = sign v \/
+       sign' v = OnSurface /\ sign v <> OnSurface /\
+       StrictDisk (LinkOf sign v) = true) ->
+    (forall u v, sign' u <> sign u -> sign' v <> sign v -> ~ Adjacent u v) ->
+    DisksAround sign'.
+Proof. exact DiskKeptProof.DisksAroundKept. Qed.
+
+(** so that the rule of the strict disk gives a manifold; *)
+Theorem DiskSurfaceManifold :
+  forall th sign cut limit a b c,
+    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+    (forall v, sign v <> OnSurface) ->
+    SurfaceTriangle sign warping a b c ->
+    (exists d, d <> c /\ SurfaceTriangle sign warping a b d /\
+       forall e, SurfaceTriangle sign warping a b e -> e = c \/ e = d) /\
+    (forall x, InFan sign warping a x -> JoinedInFan sign warping a b x).
+Proof. exact DiskManifoldProof.DiskSurfaceManifold. Qed.
+
+(** so does the warp that keeps the shape, as it runs, whatever the samples, whoever
+    is in the list and in what order; *)
+Theorem SettledSurfaceManifold :
+  forall th sample cut gap vs a b c,
+    let sign := OpenSigns sample in
+    let warping := PlaceIn (Settle th sign cut gap vs) in
+    SurfaceTriangle sign warping a b c ->
+    (exists d, d <> c /\ SurfaceTriangle sign warping a b d /\
+       forall e, SurfaceTriangle sign warping a b e -> e = c \/ e = d) /\
+    (forall x, InFan sign warping a x -> JoinedInFan sign warping a b x).
+Proof. exact SettledSurfaceProof.SettledSurfaceManifold. Qed.
+
+(** and so do cuts in the middle, which leave no 0 corners. *)
+Theorem MidpointSurfaceManifold :
+  forall sign a b c,
+    let decided v := InOrOut (sign v) in
+    let warping := WarpVertex NoWarpThresholds decided (fun _ _ => MidpointCut) in
+    SurfaceTriangle decided warping a b c ->
+    (exists d, d <> c /\ SurfaceTriangle decided warping a b d /\
+       forall e, SurfaceTriangle decided warping a b e -> e = c \/ e = d) /\
+    (forall x, InFan decided warping a x -> JoinedInFan decided warping a b x).
+Proof. exact DiskManifoldProof.MidpointSurfaceManifold. Qed.
+
+(** ** Beyond the paper: inside and outside fill space
+
+    Read [Topology/TwoSidesSpec.v]: the mesh of the other side.  For a warp that
+    lets ends of short edges come level, as [UncrossedOrLevel] does, this is not
+    proved. *)
+
+(** Every rational point, [x] over [n], is in a tetrahedron of the mesh, in one of
+    the mesh of the other side, or in a structured tetrahedron that both drop because
+    all its corners are on the surface. *)
+Theorem TwoSidesFill :
+  forall before warping cut,
+    CutsInside before warping cut ->
+    forall n x,
+      MovesAtMost AngleThresholds warping -> Uncrossed warping -> 0 < n ->
+      exists tid t w, InLattice tid /\
+        (In t (PlacedNames before warping tid) \/
+         In t (OtherNames before warping tid) \/
+         t = MapTet Corner (LatticeTet tid) /\
+           forall c, In c (Corners tid) -> SignAfter before warping c = OnSurface) /\
+        NonNegative w /\ 0 < Total w /\
+        Scale n (PointOf w (MapTet (PlacedPosition warping cut) t))
+        = Scale (Total w) x.
+Proof. exact TwoSidesFillProof.TwoSidesFill. Qed.
+
+(** A point of both meshes is a mean of vertices that they share, with the same
+    weights seen from either side; *)
+Theorem TwoSidesMeet :
+  forall before warping cut,
+    CutsInside before warping cut ->
+    forall tid tid' t t',
+      MovesAtMost AngleThresholds warping -> Uncrossed warping ->
+      InLattice tid -> InLattice tid' ->
+      In t (PlacedNames before warping tid) ->
+      In t' (OtherNames before warping tid') ->
+      MeetInSharedVertices (PlacedPosition warping cut) t t'.
+Proof. exact TwoSidesMeetProof.TwoSidesMeet. Qed.
+
+(** these are on the surface. *)
+Theorem TwoSidesShare :
+  forall before warping tid tid' t t' v,
+    InLattice tid -> InLattice tid' ->
+    In t (PlacedNames before warping tid) ->
+    In t' (OtherNames before warping tid') ->
+    In v (TetCorners t) -> In v (TetCorners t') ->
+    PlacedSign before warping v = OnSurface.
+Proof. exact TwoSidesMeetProof.TwoSidesShare. Qed.
+
+(** The same of the paper's warp, with thresholds that embed: its mesh and
+    that of the other side fill space, *)
+Theorem WarpedTwoSidesFill :
+  forall long short sign cut n x,
+    0 < long <= 64 -> 0 < short <= 128 -> CutsOnEdges sign cut -> 0 < n ->
+    let warping := WarpVertex (TH long short) sign cut in
+    exists tid t w, InLattice tid /\
+      (In t (PlacedNames sign warping tid) \/
+       In t (OtherNames sign warping tid) \/
+       t = MapTet Corner (LatticeTet tid) /\
+         forall c, In c (Corners tid) -> SignAfter sign warping c = OnSurface) /\
+      NonNegative w /\ 0 < Total w /\
+      Scale n (PointOf w (MapTet (PlacedPosition warping cut) t))
+      = Scale (Total w) x.
+Proof. exact TwoSidesFillProof.WarpedTwoSidesFill. Qed.
+
+(** and meet in what they share. *)
+Theorem WarpedTwoSidesMeet :
+  forall long short sign cut tid tid' t t',
+    0 < long <= 64 -> 0 < short <= 128 -> CutsOnEdges sign cut ->
+    let warping := WarpVertex (TH long short) sign cut in
+    InLattice tid -> InLattice tid' ->
+    In t (PlacedNames sign warping tid) ->
+    In t' (OtherNames sign warping tid') ->
+    MeetInSharedVertices (PlacedPosition warping cut) t t'.
+Proof. exact TwoSidesMeetProof.WarpedTwoSidesMeet. Qed.
+
+(** The warp that keeps the shape fills space and meets so if a step is left between
+    any two vertices, as in [SettledMeshEmbeds]. *)
+Theorem SettledTwoSidesFill :
+  forall sign cut vs, CutsOnEdges sign cut ->
+    let warping := PlaceIn (Settle AngleThresholds sign cut StrictGap vs) in
+    let place := PlacedPosition warping (ClampedCut AngleThresholds cut) in
+    forall n x, 0 < n ->
+      exists tid t w, InLattice tid /\
+        (In t (PlacedNames sign warping tid) \/
+         In t (OtherNames sign warping tid) \/
+         t = MapTet Corner (LatticeTet tid) /\
+           forall c, In c (Corners tid) -> SignAfter sign warping c = OnSurface) /\
+        NonNegative w /\ 0 < Total w /\
+        Scale n (PointOf w (MapTet place t)) = Scale (Total w) x.
+Proof. exact SettledTwoSidesProof.SettledTwoSidesFill. Qed.
+
+Theorem SettledTwoSidesMeet :
+  forall sign cut vs, CutsOnEdges sign cut ->
+    let warping := PlaceIn (Settle AngleThresholds sign cut StrictGap vs) in
+    let place := PlacedPosition warping (ClampedCut AngleThresholds cut) in
+    forall tid tid' t t', InLattice tid -> InLattice tid' ->
+      In t (PlacedNames sign warping tid) ->
+      In t' (OtherNames sign warping tid') ->
+      MeetInSharedVertices place t t'.
+Proof. exact SettledTwoSidesProof.SettledTwoSidesMeet. Qed.
+
+(** By the names it has when it is made, the mesh of the other side lies where it
+    does by these. *)
+Theorem OtherSidePlaced :
+  forall warping cut t,
+    MapTet (PlacedPosition warping cut) (MapTet NameHere t)
+    = MapTet (PlacedPosition warping (OtherCuts cut)) t.
+Proof. exact TwoSidesFillProof.OtherSidePlaced. Qed.
+
+(** ** Beyond the paper: the pieces of a label image
+
+    Read [Topology/VoxelSpec.v]: which voxel a lattice point lies in, and how it is
+    sampled.  The library takes every point in the image as inside, odd ones too:
+    of such samples this is not proved. *)
+
+(** If no voxel is narrower than the lattice's long edge, wherever the lattice lies,
+    the pieces of the samples by edges are the pieces of the image by faces, *)
+Theorem VoxelPiecesKept :
+  forall grid image p q,
+    let sign := VoxelSigns grid image in
+    FineEnough grid -> OfLattice p -> OfLattice q ->
+    sign p = Plus -> sign q = Plus ->
+    Joined (fun v => sign v = Plus) Adjacent p q <->
+    Joined (fun x => image x = true) Beside (Owner grid p) (Owner grid q).
+Proof. exact VoxelProof.VoxelPiecesKept. Qed.
+
+(** every voxel of the image has a sample, *)
+Theorem VoxelsSampled :
+  forall grid image x,
+    FineEnough grid -> image x = true ->
+    exists p, OfLattice p /\ VoxelSigns grid image p = Plus /\ Owner grid p = x.
+Proof. exact VoxelProof.VoxelsSampled. Qed.
+
+(** and so the pieces of the mesh of the strict disk by faces are the pieces of the
+    image by faces: none is cut or joined to another, *)
+Theorem VoxelMeshPieces :
+  forall grid image voxels th cut limit p q t u,
+    let sign := VoxelSigns grid image in
+    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+    FineEnough grid -> (forall x, image x = true -> In x voxels) ->
+    PlusAfter sign warping p -> PlusAfter sign warping q ->
+    MadeAt sign warping p t -> MadeAt sign warping q u ->
+    Joined (InMesh sign warping) ShareFace t u <->
+    Joined (fun x => image x = true) Beside (Owner grid p) (Owner grid q).
+Proof. exact VoxelMeshProof.VoxelMeshPieces. Qed.
+
+(** and none is lost. *)
+Theorem VoxelNoPieceLost :
+  forall grid image voxels th cut limit x,
+    let sign := VoxelSigns grid image in
+    let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+    FineEnough grid -> (forall y, image y = true -> In y voxels) ->
+    image x = true ->
+    exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
+      Joined (fun y => image y = true) Beside x (Owner grid q).
+Proof. exact VoxelMeshProof.VoxelNoPieceLost. Qed.
+
+(** The same of the warp that keeps the shape, as it runs, given these samples of
+    any image: the pieces of the mesh by faces are the pieces of the image by
+    faces, *)
+Theorem SettledVoxelPieces :
+  forall grid image th cut gap vs p q t u,
+    let sign := OpenSigns (VoxelSigns grid image) in
+    let warping := PlaceIn (Settle th sign cut gap vs) in
+    FineEnough grid ->
+    PlusAfter sign warping p -> PlusAfter sign warping q ->
+    MadeAt sign warping p t -> MadeAt sign warping q u ->
+    Joined (InMesh sign warping) ShareFace t u <->
+    Joined (fun x => image x = true) Beside (Owner grid p) (Owner grid q).
+Proof. exact SettledVoxelProof.SettledVoxelPieces. Qed.
+
+(** and none is lost. *)
+Theorem SettledVoxelNoPieceLost :
+  forall grid image th cut gap vs x,
+    let sign := OpenSigns (VoxelSigns grid image) in
+    let warping := PlaceIn (Settle th sign cut gap vs) in
+    FineEnough grid -> image x = true ->
+    exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
+      Joined (fun y => image y = true) Beside x (Owner grid q).
+Proof. exact SettledVoxelProof.SettledVoxelNoPieceLost. Qed.
+
 (** ** Beyond the paper: no overflow
 
     Read [Range/RangeSpec.v]: the formulas of the production library, and what
@@ -865,8 +1238,21 @@ Theorem DoorSuffices :
          <= LatticeLimit).
 Proof. exact RangeProof.DoorSuffices. Qed.
 
-(** and so are the corners of every structured tetrahedron with an anchor within
-    [AnchorLimit]. *)
+(** and so are the vertices of whatever stands within [AnchorLimit], in a tiling
+    that reaches no farther than the 8 units between the two limits. *)
+Theorem TilingCornersInRange :
+  forall (T : Tiling) reach (id : Identifier T) v,
+    TilingReaches reach T -> reach <= LatticeLimit - AnchorLimit ->
+    Bounded AnchorLimit (AnchorOf id) -> In v (VerticesOf T id) ->
+    Bounded LatticeLimit v.
+Proof. exact RangeProof.TilingCornersInRange. Qed.
+
+(** The lattice reaches 3 units far, *)
+Theorem LatticeReaches : TilingReaches 3 LatticeTiling.
+Proof. exact RangeProof.LatticeReaches. Qed.
+
+(** so that this goes for the corners of every structured tetrahedron with an
+    anchor within [AnchorLimit]. *)
 Theorem CornersInRange :
   forall anchor case v,
     Bounded AnchorLimit anchor -> In v (Corners (STId anchor case)) ->
@@ -924,7 +1310,25 @@ Theorem VolumesFit :
     Computes 64 (DeterminantFormula a b c d) (SixVolume a b c d).
 Proof. exact RangeProof.VolumesFit. Qed.
 
-(** and those of the output, and of the warped lattice, are half as long. *)
+(** Between vertices that are made of corners no farther apart than some width,
+    they are two units longer at most; so that a tiling may be six units wide,
+    which with two more are [WidthLimit]. *)
+Theorem PlacedNarrow :
+  forall before warping cut width corners,
+    NoWider width corners -> Moderate before warping cut corners ->
+    forall m n,
+      OfCorners before warping corners m ->
+      OfCorners before warping corners n ->
+      Bounded ((width + 2) * Steps)
+        (Difference (PlacedPosition warping cut m)
+                    (PlacedPosition warping cut n)).
+Proof. exact RangeProof.PlacedNarrow. Qed.
+
+(** The lattice is two units wide, *)
+Theorem LatticeNoWider : TilingNoWider 2 LatticeTiling.
+Proof. exact RangeProof.LatticeNoWider. Qed.
+
+(** so that edges of the output, and of the warped lattice, are half as long. *)
 Theorem TetsNarrow :
   forall th sign cut, AtMostHalf th -> CutsOnEdges sign cut ->
     forall tid t,

@@ -11,6 +11,9 @@ From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp.
 From Certet Require Import Stuffing.Stuffing Stuffing.Domain.
+From Certet Require Import Angles.AnglesSpec Embedding.EmbeddingSpec.
+From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
+From Certet Require Import Embedding.DiskTables Embedding.Settle.
 
 Extraction Language OCaml.
 
@@ -29,4 +32,9 @@ Extraction "certified.ml"
   (* the whole of it *)
   MeshVertexSign MeshIntersection MeshPosition Orient WarpVertex StuffTet
   (* domains *)
-  SampledSigns BisectedCuts MidpointCuts Decided.
+  SampledSigns BisectedCuts MidpointCuts Decided
+  (* the warp that keeps the shape *)
+  Gather At InOnePiece TwoPieces Pinched Walls DiskOf IsDisk
+  OpenSigns OpenCuts Turn Turns InTurn LevelGap StrictGap
+  Embedding.Settle.Settle PlaceIn ClampedCut SettledTets SettledMesh
+  PlacedNames PlacedPosition.

@@ -14,11 +14,14 @@ let usage =
 
 exception Usage of string
 
+(* Which theorems shall cover the mesh. *)
+type guarantee = Pieces | Angles | Embedding
+
 type request = {
   mutable solid : string option;
   mutable lattice : string option;
   mutable signs : string option;
-  mutable thresholds : thresholds;
+  mutable guarantee : guarantee;
   mutable midpoint : bool;
   mutable output : string option;
 }
@@ -35,26 +38,27 @@ let read_request () =
       solid = None;
       lattice = None;
       signs = None;
-      thresholds = angleThresholds;
+      guarantee = Pieces;
       midpoint = false;
       output = None;
     }
   in
   let set_guarantee = function
-    | "embedding" -> r.thresholds <- embeddingThresholds
-    | _ -> r.thresholds <- angleThresholds
-  in
-  let midpoint () =
-    r.midpoint <- true;
-    r.thresholds <- noWarpThresholds
+    | "embedding" -> r.guarantee <- Embedding
+    | "angles" -> r.guarantee <- Angles
+    | _ -> r.guarantee <- Pieces
   in
   let options =
     [
       ("--solid", Arg.String (fun s -> r.solid <- Some s), "SOLID a formula");
       ("--lattice", Arg.String (fun s -> r.lattice <- Some s), "BOX what is searched");
       ("--signs", Arg.String (fun s -> r.signs <- Some s), "FILE a sampled domain");
-      ("--guarantee", Arg.Symbol ([ "angles"; "embedding" ], set_guarantee), " default angles");
-      ("--midpoint", Arg.Unit midpoint, " cut edges in the middle, warp nothing");
+      ( "--guarantee",
+        Arg.Symbol ([ "pieces"; "angles"; "embedding" ], set_guarantee),
+        " default pieces" );
+      ( "--midpoint",
+        Arg.Unit (fun () -> r.midpoint <- true),
+        " cut edges in the middle, warp nothing" );
     ]
   in
   (match Arg.parse_argv Sys.argv options (fun s -> r.output <- Some s) usage with
@@ -91,8 +95,21 @@ let domain_of request =
   in
   (lattice, Domain.within lattice domain)
 
+(* How to visit the tetrahedra, and where their vertices lie. *)
+let mesh_of request lattice domain =
+  let by_the_paper thresholds =
+    (Mesher.iter_tets thresholds lattice domain, Mesher.position thresholds domain)
+  in
+  match request.guarantee with
+  | _ when request.midpoint -> by_the_paper noWarpThresholds
+  | Angles -> by_the_paper angleThresholds
+  | Embedding -> by_the_paper embeddingThresholds
+  | Pieces ->
+      let settled = Settler.settle levelGap angleThresholds lattice domain in
+      (Settler.iter_tets settled, Settler.position settled)
+
 (* Numbers vertices from 1 in order of appearance. *)
-let numbered thresholds lattice domain =
+let numbered (iter_tets, position) =
   let numbers = Hashtbl.create 4096 in
   let points = ref [] in
   let tets = ref [] in
@@ -106,10 +123,10 @@ let numbered thresholds lattice domain =
     | None ->
         let n = Hashtbl.length numbers + 1 in
         Hashtbl.add numbers (key v) n;
-        points := Mesher.position thresholds domain v :: !points;
+        points := position v :: !points;
         n
   in
-  Mesher.iter_tets thresholds lattice domain (fun (UT (a, b, c, d)) ->
+  iter_tets (fun (UT (a, b, c, d)) ->
       let a = number a in
       let b = number b in
       let c = number c in
@@ -125,7 +142,7 @@ let run () =
     | None -> raise (Usage "the output is missing")
   in
   let lattice, domain = domain_of request in
-  match numbered request.thresholds lattice domain with
+  match numbered (mesh_of request lattice domain) with
   | _, [] -> failwith "nothing is inside: there is no mesh to make"
   | points, tets -> Medit.write output points tets
 

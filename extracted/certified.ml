@@ -1,8 +1,37 @@
 (* Generated from coq/Extraction.v by "make -C coq extract": do not edit. *)
 
+(** val negb : bool -> bool **)
+
+let negb = function
+| true -> false
+| false -> true
+
 type nat =
 | O
 | S of nat
+
+(** val fst : ('a1 * 'a2) -> 'a1 **)
+
+let fst = function
+| (x, _) -> x
+
+(** val snd : ('a1 * 'a2) -> 'a2 **)
+
+let snd = function
+| (_, y) -> y
+
+(** val length : 'a1 list -> nat **)
+
+let rec length = function
+| [] -> O
+| _ :: l' -> S (length l')
+
+(** val app : 'a1 list -> 'a1 list -> 'a1 list **)
+
+let rec app l m =
+  match l with
+  | [] -> m
+  | a :: l1 -> a :: (app l1 m)
 
 type comparison =
 | Eq
@@ -16,6 +45,22 @@ let compOpp = function
 | Lt -> Gt
 | Gt -> Lt
 
+module Coq__1 = struct
+ (** val add : nat -> nat -> nat **)
+ let rec add n m =
+   match n with
+   | O -> m
+   | S p -> S (add p m)
+end
+include Coq__1
+
+(** val mul : nat -> nat -> nat **)
+
+let rec mul n m =
+  match n with
+  | O -> O
+  | S p -> add m (mul p m)
+
 type positive =
 | XI of positive
 | XO of positive
@@ -25,6 +70,29 @@ type z =
 | Z0
 | Zpos of positive
 | Zneg of positive
+
+module Nat =
+ struct
+  (** val eqb : nat -> nat -> bool **)
+
+  let rec eqb n m =
+    match n with
+    | O -> (match m with
+            | O -> true
+            | S _ -> false)
+    | S n' -> (match m with
+               | O -> false
+               | S m' -> eqb n' m')
+
+  (** val leb : nat -> nat -> bool **)
+
+  let rec leb n m =
+    match n with
+    | O -> true
+    | S n' -> (match m with
+               | O -> false
+               | S m' -> leb n' m')
+ end
 
 module Pos =
  struct
@@ -132,6 +200,19 @@ module Pos =
     | XH -> (match q with
              | XH -> true
              | _ -> false)
+
+  (** val iter_op : ('a1 -> 'a1 -> 'a1) -> positive -> 'a1 -> 'a1 **)
+
+  let rec iter_op op p a =
+    match p with
+    | XI p0 -> op a (iter_op op p0 (op a a))
+    | XO p0 -> iter_op op p0 (op a a)
+    | XH -> a
+
+  (** val to_nat : positive -> nat **)
+
+  let to_nat x =
+    iter_op Coq__1.add x (S O)
 
   (** val of_succ_nat : nat -> positive **)
 
@@ -283,6 +364,26 @@ module Z =
                  | Zneg q -> Pos.eqb p q
                  | _ -> false)
 
+  (** val max : z -> z -> z **)
+
+  let max n m =
+    match compare n m with
+    | Lt -> m
+    | _ -> n
+
+  (** val min : z -> z -> z **)
+
+  let min n m =
+    match compare n m with
+    | Gt -> m
+    | _ -> n
+
+  (** val to_nat : z -> nat **)
+
+  let to_nat = function
+  | Zpos p -> Pos.to_nat p
+  | _ -> O
+
   (** val of_nat : nat -> z **)
 
   let of_nat = function
@@ -335,20 +436,68 @@ module Z =
 
   let div a b =
     let (q, _) = div_eucl a b in q
+
+  (** val even : z -> bool **)
+
+  let even = function
+  | Z0 -> true
+  | Zpos p -> (match p with
+               | XO _ -> true
+               | _ -> false)
+  | Zneg p -> (match p with
+               | XO _ -> true
+               | _ -> false)
  end
 
 (** val map : ('a1 -> 'a2) -> 'a1 list -> 'a2 list **)
 
 let rec map f = function
 | [] -> []
-| a :: t -> (f a) :: (map f t)
+| a :: t0 -> (f a) :: (map f t0)
+
+(** val flat_map : ('a1 -> 'a2 list) -> 'a1 list -> 'a2 list **)
+
+let rec flat_map f = function
+| [] -> []
+| x :: t0 -> app (f x) (flat_map f t0)
 
 (** val fold_left : ('a1 -> 'a2 -> 'a1) -> 'a2 list -> 'a1 -> 'a1 **)
 
 let rec fold_left f l a0 =
   match l with
   | [] -> a0
-  | b :: t -> fold_left f t (f a0 b)
+  | b :: t0 -> fold_left f t0 (f a0 b)
+
+(** val existsb : ('a1 -> bool) -> 'a1 list -> bool **)
+
+let rec existsb f = function
+| [] -> false
+| a :: l0 -> (||) (f a) (existsb f l0)
+
+(** val forallb : ('a1 -> bool) -> 'a1 list -> bool **)
+
+let rec forallb f = function
+| [] -> true
+| a :: l0 -> (&&) (f a) (forallb f l0)
+
+(** val filter : ('a1 -> bool) -> 'a1 list -> 'a1 list **)
+
+let rec filter f = function
+| [] -> []
+| x :: l0 -> if f x then x :: (filter f l0) else filter f l0
+
+(** val list_prod : 'a1 list -> 'a2 list -> ('a1 * 'a2) list **)
+
+let rec list_prod l l' =
+  match l with
+  | [] -> []
+  | x :: t0 -> app (map (fun y -> (x, y)) l') (list_prod t0 l')
+
+(** val seq : nat -> nat -> nat list **)
+
+let rec seq start = function
+| O -> []
+| S len0 -> start :: (seq (S start) len0)
 
 type coord3 =
 | C3 of z * z * z
@@ -900,8 +1049,8 @@ let inOrOut = function
 
 (** val pointOnEdge : coord3 -> coord3 -> z -> coord3 **)
 
-let pointOnEdge a b t =
-  translate (scale steps a) (scale t (difference a b))
+let pointOnEdge a b t0 =
+  translate (scale steps a) (scale t0 (difference a b))
 
 type thresholds =
 | TH of z * z
@@ -994,7 +1143,7 @@ let warpedSign sign0 = function
 
 let warpedPosition v = function
 | Stays -> scale steps v
-| Moves (d, t) -> translate (scale steps v) (scale t (offset d))
+| Moves (d, t0) -> translate (scale steps v) (scale t0 (offset d))
 
 type signField = coord3 -> sign
 
@@ -1046,10 +1195,10 @@ let meshPosition th sign0 cut = function
 (** val orient :
     handedness -> meshVertex unstructuredTet -> meshVertex unstructuredTet **)
 
-let orient h t =
+let orient h t0 =
   match h with
-  | RightHanded -> t
-  | LeftHanded -> let UT (a, b, c, d) = t in UT (a, b, d, c)
+  | RightHanded -> t0
+  | LeftHanded -> let UT (a, b, c, d) = t0 in UT (a, b, d, c)
 
 (** val stuffTet :
     thresholds -> signField -> cutField -> structuredTetId -> meshVertex
@@ -1072,7 +1221,7 @@ let sampledSigns domain v =
 (** val bisectedCuts : positionSigns -> cutField **)
 
 let bisectedCuts domain plus minus =
-  bisect (fun t -> domain (pointOnEdge plus minus t))
+  bisect (fun t0 -> domain (pointOnEdge plus minus t0))
 
 (** val midpointCuts : cutField **)
 
@@ -1083,3 +1232,434 @@ let midpointCuts _ _ =
 
 let decided sign0 v =
   inOrOut (sign0 v)
+
+(** val mapTet :
+    ('a1 -> 'a2) -> 'a1 unstructuredTet -> 'a2 unstructuredTet **)
+
+let mapTet f = function
+| UT (a, b, c, d) -> UT ((f a), (f b), (f c), (f d))
+
+(** val dot : coord3 -> coord3 -> z **)
+
+let dot u v =
+  let C3 (ux, uy, uz) = u in
+  let C3 (vx, vy, vz) = v in
+  Z.add (Z.add (Z.mul ux vx) (Z.mul uy vy)) (Z.mul uz vz)
+
+(** val placedSign :
+    signField -> (coord3 -> warping) -> meshVertex -> sign **)
+
+let placedSign before warping0 = function
+| Corner c -> warpedSign (before c) (warping0 c)
+| Cut (_, _) -> OnSurface
+
+(** val placedPosition :
+    (coord3 -> warping) -> cutField -> meshVertex -> coord3 **)
+
+let placedPosition warping0 cut = function
+| Corner c -> warpedPosition c (warping0 c)
+| Cut (plus, minus) -> pointOnEdge plus minus (cut plus minus)
+
+(** val placedTets :
+    signField -> (coord3 -> warping) -> cutField -> structuredTetId -> coord3
+    unstructuredTet list **)
+
+let placedTets before warping0 cut = function
+| STId (c, case) ->
+  let ST (v1, v2, v3, v4, _, _, _, _) = getStructuredTet (STId (c, case)) in
+  map (mapTet (placedPosition warping0 cut))
+    (map (orient (caseHandedness case))
+      (getUnstructuredTets (placedSign before warping0) meshIntersection
+        (Corner v1) (Corner v2) (Corner v3) (Corner v4)))
+
+(** val placedNames :
+    signField -> (coord3 -> warping) -> structuredTetId -> meshVertex
+    unstructuredTet list **)
+
+let placedNames before warping0 = function
+| STId (c, case) ->
+  let ST (v1, v2, v3, v4, _, _, _, _) = getStructuredTet (STId (c, case)) in
+  map (orient (caseHandedness case))
+    (getUnstructuredTets (placedSign before warping0) meshIntersection
+      (Corner v1) (Corner v2) (Corner v3) (Corner v4))
+
+(** val kindBetween : coord3 -> coord3 -> edgeKind **)
+
+let kindBetween a b =
+  let C3 (x, _, _) = difference a b in if Z.even x then Long else Short
+
+(** val clampedCut : thresholds -> cutField -> coord3 -> coord3 -> z **)
+
+let clampedCut th cut a b =
+  let alpha = thresholdSteps th (kindBetween a b) in
+  Z.max alpha (Z.min (Z.sub steps alpha) (cut a b))
+
+(** val sameDirection : direction -> direction -> bool **)
+
+let sameDirection d e =
+  coord3Equal (offset d) (offset e)
+
+(** val nextInLink : direction -> direction -> bool **)
+
+let nextInLink d e =
+  existsb (fun f ->
+    coord3Equal (offset f) (difference (offset d) (offset e))) allDirections
+
+(** val isInner : (direction -> sign) -> direction -> bool **)
+
+let isInner now d =
+  match now d with
+  | Plus -> true
+  | _ -> false
+
+(** val isZero : (direction -> sign) -> direction -> bool **)
+
+let isZero now d =
+  match now d with
+  | OnSurface -> true
+  | _ -> false
+
+(** val violated : thresholds -> signField -> cutField -> coord3 -> bool **)
+
+let violated th sign0 cut v =
+  match warpVertex th sign0 cut v with
+  | Stays -> false
+  | Moves (_, _) -> true
+
+(** val colour : coord3 -> nat **)
+
+let colour = function
+| C3 (x, y, z0) ->
+  add (if Z.even x then O else S (S O))
+    (if Z.even (Z.div (Z.add (Z.add x y) z0) (Zpos (XO XH))) then O else S O)
+
+(** val turn : thresholds -> signField -> cutField -> coord3 -> nat **)
+
+let turn th sign0 cut v =
+  match warpVertex th sign0 cut v with
+  | Stays -> O
+  | Moves (d, t0) ->
+    add
+      (add
+        (mul (S (S (S (S (S (S (S (S O))))))))
+          (Z.to_nat
+            (Z.div (Z.mul (Zpos (XO (XO XH))) t0)
+              (thresholdSteps th (directionKind d)))))
+        (match sign0 v with
+         | Minus -> O
+         | _ -> S (S (S (S O))))) (colour v)
+
+(** val turns : nat **)
+
+let turns =
+  S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S
+    (S (S (S (S (S (S (S O)))))))))))))))))))))))))))))))
+
+type 'a link =
+| L14 of 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a
+
+(** val gather : (direction -> 'a1) -> 'a1 link **)
+
+let gather f =
+  L14 ((f Dir_p00), (f Dir_m00), (f Dir_0p0), (f Dir_0m0), (f Dir_00p),
+    (f Dir_00m), (f Dir_ppp), (f Dir_mmm), (f Dir_ppm), (f Dir_mmp),
+    (f Dir_pmp), (f Dir_mpm), (f Dir_mpp), (f Dir_pmm))
+
+(** val at : 'a1 link -> direction -> 'a1 **)
+
+let at l d =
+  let L14 (p00, m00, q0p0, q0m0, q00p, q00m, ppp, mmm, ppm, mmp, pmp, mpm,
+           mpp, pmm) = l
+  in
+  (match d with
+   | Dir_p00 -> p00
+   | Dir_m00 -> m00
+   | Dir_0p0 -> q0p0
+   | Dir_0m0 -> q0m0
+   | Dir_00p -> q00p
+   | Dir_00m -> q00m
+   | Dir_ppp -> ppp
+   | Dir_mmm -> mmm
+   | Dir_ppm -> ppm
+   | Dir_mmp -> mmp
+   | Dir_pmp -> pmp
+   | Dir_mpm -> mpm
+   | Dir_mpp -> mpp
+   | Dir_pmm -> pmm)
+
+(** val neighborTable : direction list link **)
+
+let neighborTable =
+  gather (fun d -> filter (nextInLink d) allDirections)
+
+(** val ringTable : (direction * direction) list link **)
+
+let ringTable =
+  gather (fun d ->
+    filter (fun pat -> let (e, f) = pat in nextInLink e f)
+      (list_prod (at neighborTable d) (at neighborTable d)))
+
+(** val wallTable :
+    ((direction * direction) * (direction * direction)) list **)
+
+let wallTable =
+  flat_map (fun d ->
+    flat_map (fun e ->
+      let sides = filter (nextInLink e) (at neighborTable d) in
+      map (fun x -> ((d, e), x))
+        (filter (fun pat -> let (f, g) = pat in negb (sameDirection f g))
+          (list_prod sides sides))) (at neighborTable d)) allDirections
+
+(** val spread : bool link -> bool link -> bool link **)
+
+let spread part reached =
+  gather (fun d ->
+    (&&) (at part d)
+      ((||) (at reached d) (existsb (at reached) (at neighborTable d))))
+
+(** val spreadFor : nat -> bool link -> bool link -> bool link **)
+
+let rec spreadFor rounds part reached =
+  match rounds with
+  | O -> reached
+  | S fewer -> spreadFor fewer part (spread part reached)
+
+(** val inOnePiece : bool link -> bool **)
+
+let inOnePiece part =
+  match filter (at part) allDirections with
+  | [] -> false
+  | first :: _ ->
+    let reached =
+      spreadFor (S (S (S (S (S (S (S (S (S (S (S (S (S O))))))))))))) part
+        (gather (sameDirection first))
+    in
+    forallb (fun d -> (||) (negb (at part d)) (at reached d)) allDirections
+
+(** val twoPieces : bool link -> bool **)
+
+let twoPieces plus =
+  (&&) (inOnePiece plus) (inOnePiece (gather (fun d -> negb (at plus d))))
+
+(** val pinched : bool link -> direction -> bool **)
+
+let pinched plus d =
+  negb
+    ((&&) (existsb (fun e -> negb (at plus e)) (at neighborTable d))
+      (Nat.leb
+        (length
+          (filter (fun pat ->
+            let (e, f) = pat in (&&) (at plus e) (negb (at plus f)))
+            (at ringTable d))) (S (S O))))
+
+(** val walls : bool link -> (direction * direction) list **)
+
+let walls plus =
+  map fst
+    (filter (fun pat ->
+      let (_, y0) = pat in let (f, g) = y0 in (&&) (at plus f) (at plus g))
+      wallTable)
+
+(** val diskOf : bool link -> bool link -> bool **)
+
+let diskOf plus =
+  if twoPieces plus
+  then let pinched0 = filter (pinched plus) allDirections in
+       let walls0 = walls plus in
+       (fun zero ->
+       (&&) (forallb (fun d -> negb (at zero d)) pinched0)
+         (forallb (fun pat ->
+           let (d, e) = pat in negb ((&&) (at zero d) (at zero e))) walls0))
+  else (fun _ -> false)
+
+(** val isDisk : sign link -> bool **)
+
+let isDisk link0 =
+  diskOf (gather (isInner (at link0))) (gather (isZero (at link0)))
+
+module PositiveMap =
+ struct
+  type key = positive
+
+  type 'a tree =
+  | Leaf
+  | Node of 'a tree * 'a option * 'a tree
+
+  type 'a t = 'a tree
+
+  (** val empty : 'a1 t **)
+
+  let empty =
+    Leaf
+
+  (** val find : key -> 'a1 t -> 'a1 option **)
+
+  let rec find i = function
+  | Leaf -> None
+  | Node (l, o, r) ->
+    (match i with
+     | XI ii -> find ii r
+     | XO ii -> find ii l
+     | XH -> o)
+
+  (** val add : key -> 'a1 -> 'a1 t -> 'a1 t **)
+
+  let rec add i v = function
+  | Leaf ->
+    (match i with
+     | XI ii -> Node (Leaf, None, (add ii v Leaf))
+     | XO ii -> Node ((add ii v Leaf), None, Leaf)
+     | XH -> Node (Leaf, (Some v), Leaf))
+  | Node (l, o, r) ->
+    (match i with
+     | XI ii -> Node (l, o, (add ii v r))
+     | XO ii -> Node ((add ii v l), o, r)
+     | XH -> Node (l, (Some v), r))
+ end
+
+(** val openSigns : signField -> signField **)
+
+let openSigns sample v =
+  match sample v with
+  | Plus -> Plus
+  | _ -> Minus
+
+(** val openCuts : signField -> cutField -> cutField **)
+
+let openCuts sample cut plus minus =
+  match sample minus with
+  | OnSurface -> steps
+  | _ -> cut plus minus
+
+(** val spelled : positive -> positive -> positive **)
+
+let rec spelled p rest =
+  match p with
+  | XI q -> XI (XI (spelled q rest))
+  | XO q -> XI (XO (spelled q rest))
+  | XH -> XO rest
+
+(** val positiveOf : z -> positive **)
+
+let positiveOf = function
+| Z0 -> XH
+| Zpos p -> XO p
+| Zneg p -> XI p
+
+(** val pointKey : coord3 -> positive **)
+
+let pointKey = function
+| C3 (x, y, z0) ->
+  spelled (positiveOf x) (spelled (positiveOf y) (positiveOf z0))
+
+type zeros = warping PositiveMap.t
+
+(** val noZeros : zeros **)
+
+let noZeros =
+  PositiveMap.empty
+
+(** val placeIn : zeros -> coord3 -> warping **)
+
+let placeIn zeros0 v =
+  match PositiveMap.find (pointKey v) zeros0 with
+  | Some w -> w
+  | None -> Stays
+
+type gap = sign -> sign -> z
+
+(** val levelGap : gap **)
+
+let levelGap s s' =
+  match s with
+  | Minus -> (match s' with
+              | Minus -> Zpos XH
+              | _ -> Z0)
+  | _ -> Z0
+
+(** val strictGap : gap **)
+
+let strictGap _ _ =
+  Zpos XH
+
+(** val signAmong : signField -> zeros -> coord3 -> sign **)
+
+let signAmong sign0 zeros0 v =
+  warpedSign (sign0 v) (placeIn zeros0 v)
+
+(** val linkAmong : signField -> zeros -> coord3 -> sign link **)
+
+let linkAmong sign0 zeros0 v =
+  gather (fun d -> signAmong sign0 zeros0 (translate v (offset d)))
+
+(** val shortOf :
+    signField -> gap -> zeros -> coord3 -> direction -> z -> direction -> z **)
+
+let shortOf sign0 gap0 zeros0 v e t0 d =
+  let w = translate v (offset d) in
+  (match directionKind d with
+   | Long -> t0
+   | Short ->
+     (match placeIn zeros0 w with
+      | Stays -> t0
+      | Moves (e', t') ->
+        if (&&) (Z.ltb Z0 (dot (offset d) (offset e)))
+             (coord3Equal (translate (offset e) (offset e')) (C3 (Z0, Z0,
+               Z0)))
+        then Z.min t0
+               (Z.sub (Z.sub (Z.div steps (Zpos (XO XH))) t')
+                 (gap0 (sign0 v) (sign0 w)))
+        else t0))
+
+(** val shortened :
+    signField -> gap -> zeros -> coord3 -> direction -> z -> z **)
+
+let shortened sign0 gap0 zeros0 v e t0 =
+  match directionKind e with
+  | Long -> fold_left (shortOf sign0 gap0 zeros0 v e) allDirections t0
+  | Short -> t0
+
+(** val settleOne :
+    thresholds -> signField -> cutField -> gap -> zeros -> coord3 -> zeros **)
+
+let settleOne th sign0 cut gap0 zeros0 v =
+  match warpVertex th sign0 cut v with
+  | Stays -> zeros0
+  | Moves (e, t0) ->
+    if isDisk (linkAmong sign0 zeros0 v)
+    then PositiveMap.add (pointKey v) (Moves (e,
+           (shortened sign0 gap0 zeros0 v e t0))) zeros0
+    else zeros0
+
+(** val settle :
+    thresholds -> signField -> cutField -> gap -> coord3 list -> zeros **)
+
+let settle th sign0 cut gap0 vs =
+  fold_left (settleOne th sign0 cut gap0) vs noZeros
+
+(** val inTurn :
+    thresholds -> signField -> cutField -> coord3 list -> coord3 list **)
+
+let inTurn th sign0 cut vs =
+  let turned =
+    map (fun v -> ((turn th sign0 cut v), v))
+      (filter (violated th sign0 cut) vs)
+  in
+  flat_map (fun n ->
+    map snd (filter (fun pat -> let (m, _) = pat in Nat.eqb m n) turned))
+    (seq O turns)
+
+(** val settledTets :
+    thresholds -> signField -> cutField -> zeros -> structuredTetId -> coord3
+    unstructuredTet list **)
+
+let settledTets th sign0 cut zeros0 tid =
+  placedTets sign0 (placeIn zeros0) (clampedCut th cut) tid
+
+(** val settledMesh :
+    thresholds -> signField -> cutField -> gap -> coord3 list ->
+    structuredTetId list -> coord3 unstructuredTet list **)
+
+let settledMesh th sign0 cut gap0 vs tids =
+  let zeros0 = settle th sign0 cut gap0 vs in
+  flat_map (settledTets th sign0 cut zeros0) tids

@@ -1,8 +1,18 @@
 (* Generated from coq/Extraction.v by "make -C coq extract": do not edit. *)
 
+val negb : bool -> bool
+
 type nat =
 | O
 | S of nat
+
+val fst : ('a1 * 'a2) -> 'a1
+
+val snd : ('a1 * 'a2) -> 'a2
+
+val length : 'a1 list -> nat
+
+val app : 'a1 list -> 'a1 list -> 'a1 list
 
 type comparison =
 | Eq
@@ -10,6 +20,10 @@ type comparison =
 | Gt
 
 val compOpp : comparison -> comparison
+
+val add : nat -> nat -> nat
+
+val mul : nat -> nat -> nat
 
 type positive =
 | XI of positive
@@ -20,6 +34,13 @@ type z =
 | Z0
 | Zpos of positive
 | Zneg of positive
+
+module Nat :
+ sig
+  val eqb : nat -> nat -> bool
+
+  val leb : nat -> nat -> bool
+ end
 
 module Pos :
  sig
@@ -40,6 +61,10 @@ module Pos :
   val compare : positive -> positive -> comparison
 
   val eqb : positive -> positive -> bool
+
+  val iter_op : ('a1 -> 'a1 -> 'a1) -> positive -> 'a1 -> 'a1
+
+  val to_nat : positive -> nat
 
   val of_succ_nat : nat -> positive
  end
@@ -74,6 +99,12 @@ module Z :
 
   val eqb : z -> z -> bool
 
+  val max : z -> z -> z
+
+  val min : z -> z -> z
+
+  val to_nat : z -> nat
+
   val of_nat : nat -> z
 
   val pos_div_eucl : positive -> z -> z * z
@@ -81,11 +112,25 @@ module Z :
   val div_eucl : z -> z -> z * z
 
   val div : z -> z -> z
+
+  val even : z -> bool
  end
 
 val map : ('a1 -> 'a2) -> 'a1 list -> 'a2 list
 
+val flat_map : ('a1 -> 'a2 list) -> 'a1 list -> 'a2 list
+
 val fold_left : ('a1 -> 'a2 -> 'a1) -> 'a2 list -> 'a1 -> 'a1
+
+val existsb : ('a1 -> bool) -> 'a1 list -> bool
+
+val forallb : ('a1 -> bool) -> 'a1 list -> bool
+
+val filter : ('a1 -> bool) -> 'a1 list -> 'a1 list
+
+val list_prod : 'a1 list -> 'a2 list -> ('a1 * 'a2) list
+
+val seq : nat -> nat -> nat list
 
 type coord3 =
 | C3 of z * z * z
@@ -260,3 +305,132 @@ val bisectedCuts : positionSigns -> cutField
 val midpointCuts : cutField
 
 val decided : signField -> signField
+
+val mapTet : ('a1 -> 'a2) -> 'a1 unstructuredTet -> 'a2 unstructuredTet
+
+val dot : coord3 -> coord3 -> z
+
+val placedSign : signField -> (coord3 -> warping) -> meshVertex -> sign
+
+val placedPosition : (coord3 -> warping) -> cutField -> meshVertex -> coord3
+
+val placedTets :
+  signField -> (coord3 -> warping) -> cutField -> structuredTetId -> coord3
+  unstructuredTet list
+
+val placedNames :
+  signField -> (coord3 -> warping) -> structuredTetId -> meshVertex
+  unstructuredTet list
+
+val kindBetween : coord3 -> coord3 -> edgeKind
+
+val clampedCut : thresholds -> cutField -> coord3 -> coord3 -> z
+
+val sameDirection : direction -> direction -> bool
+
+val nextInLink : direction -> direction -> bool
+
+val isInner : (direction -> sign) -> direction -> bool
+
+val isZero : (direction -> sign) -> direction -> bool
+
+val violated : thresholds -> signField -> cutField -> coord3 -> bool
+
+val colour : coord3 -> nat
+
+val turn : thresholds -> signField -> cutField -> coord3 -> nat
+
+val turns : nat
+
+type 'a link =
+| L14 of 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a
+
+val gather : (direction -> 'a1) -> 'a1 link
+
+val at : 'a1 link -> direction -> 'a1
+
+val neighborTable : direction list link
+
+val ringTable : (direction * direction) list link
+
+val wallTable : ((direction * direction) * (direction * direction)) list
+
+val spread : bool link -> bool link -> bool link
+
+val spreadFor : nat -> bool link -> bool link -> bool link
+
+val inOnePiece : bool link -> bool
+
+val twoPieces : bool link -> bool
+
+val pinched : bool link -> direction -> bool
+
+val walls : bool link -> (direction * direction) list
+
+val diskOf : bool link -> bool link -> bool
+
+val isDisk : sign link -> bool
+
+module PositiveMap :
+ sig
+  type key = positive
+
+  type 'a tree =
+  | Leaf
+  | Node of 'a tree * 'a option * 'a tree
+
+  type 'a t = 'a tree
+
+  val empty : 'a1 t
+
+  val find : key -> 'a1 t -> 'a1 option
+
+  val add : key -> 'a1 -> 'a1 t -> 'a1 t
+ end
+
+val openSigns : signField -> signField
+
+val openCuts : signField -> cutField -> cutField
+
+val spelled : positive -> positive -> positive
+
+val positiveOf : z -> positive
+
+val pointKey : coord3 -> positive
+
+type zeros = warping PositiveMap.t
+
+val noZeros : zeros
+
+val placeIn : zeros -> coord3 -> warping
+
+type gap = sign -> sign -> z
+
+val levelGap : gap
+
+val strictGap : gap
+
+val signAmong : signField -> zeros -> coord3 -> sign
+
+val linkAmong : signField -> zeros -> coord3 -> sign link
+
+val shortOf :
+  signField -> gap -> zeros -> coord3 -> direction -> z -> direction -> z
+
+val shortened : signField -> gap -> zeros -> coord3 -> direction -> z -> z
+
+val settleOne :
+  thresholds -> signField -> cutField -> gap -> zeros -> coord3 -> zeros
+
+val settle :
+  thresholds -> signField -> cutField -> gap -> coord3 list -> zeros
+
+val inTurn : thresholds -> signField -> cutField -> coord3 list -> coord3 list
+
+val settledTets :
+  thresholds -> signField -> cutField -> zeros -> structuredTetId -> coord3
+  unstructuredTet list
+
+val settledMesh :
+  thresholds -> signField -> cutField -> gap -> coord3 list ->
+  structuredTetId list -> coord3 unstructuredTet list

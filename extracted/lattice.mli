@@ -11,6 +11,9 @@ val is_inner : t -> Convert.point -> bool
 (** Whether a lattice point is in the piece and not among the outermost, those
     with the first or last index of an axis. *)
 
+val points : t -> Certified.coord3 list
+(** All of them, row by row: x innermost, then y, then z, even points first. *)
+
 val iter_tets : t -> (Certified.structuredTetId -> unit) -> unit
 (** Visits the structured tetrahedra that can hold an inner point: reference
     points with z outermost, then y, then x, and for each of them the twelve

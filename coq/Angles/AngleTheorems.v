@@ -7,9 +7,9 @@ From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.CheckerProof Angles.Configurations.
-From Certet Require Import Angles.SymmetryProof.
-From Certet Require Import Angles.ReductionProof Angles.AdmissibleProof.
+From Certet Require Import Angles.Forms.CheckerProof Angles.Cases.Configurations.
+From Certet Require Import Angles.Cases.SymmetryProof.
+From Certet Require Import Angles.Cases.ReductionProof Angles.Cases.AdmissibleProof.
 From Certet Require Import Angles.Jobs.AnglesFewSurface.
 From Certet Require Import Angles.Jobs.AnglesManySurface.
 From Certet Require Import Angles.Jobs.EmbeddingFewSurface.
@@ -71,7 +71,7 @@ Proof.
     exact (AllPlacementsWithin bounds (RangesOf th) B L _ Many tid _ _ _ M C E').
 Qed.
 
-Theorem WidestGuaranteed : Guarantees AngleThresholds WidestAngles.
+Theorem DihedralBounds : Guarantees AngleThresholds WidestAngles.
 Proof.
   apply GuaranteeByJobs.
   - cbn. lia.
@@ -80,7 +80,7 @@ Proof.
   - exact AnglesManySurface.
 Qed.
 
-Theorem EmbeddingGuaranteed : Guarantees EmbeddingThresholds EmbeddingAngles.
+Theorem DihedralBoundsEmbedding : Guarantees EmbeddingThresholds EmbeddingAngles.
 Proof.
   apply GuaranteeByJobs.
   - cbn. lia.
@@ -99,8 +99,8 @@ Theorem PositiveVolume th tid before warping cut t :
   In t (PlacedTets before warping cut tid) -> Positive t.
 Proof.
   intros [-> | ->] A I.
-  - exact (WellShapedPositive _ _ (WidestGuaranteed tid _ _ _ A t I)).
-  - exact (WellShapedPositive _ _ (EmbeddingGuaranteed tid _ _ _ A t I)).
+  - exact (WellShapedPositive _ _ (DihedralBounds tid _ _ _ A t I)).
+  - exact (WellShapedPositive _ _ (DihedralBoundsEmbedding tid _ _ _ A t I)).
 Qed.
 
 Theorem WarpIsAdmissible th sign cut tid :
@@ -129,7 +129,7 @@ Theorem StuffedWidest sign cut tid t : CutsOnEdges sign cut ->
   In t (StuffedTets AngleThresholds sign cut tid) -> WellShaped WidestAngles t.
 Proof.
   apply GuaranteeStuffed;
-    [exact AngleThresholdsAtMostHalf | exact WidestGuaranteed].
+    [exact AngleThresholdsAtMostHalf | exact DihedralBounds].
 Qed.
 
 Theorem StuffedEmbedding sign cut tid t : CutsOnEdges sign cut ->
@@ -137,7 +137,7 @@ Theorem StuffedEmbedding sign cut tid t : CutsOnEdges sign cut ->
   WellShaped EmbeddingAngles t.
 Proof.
   apply GuaranteeStuffed;
-    [exact EmbeddingThresholdsAtMostHalf | exact EmbeddingGuaranteed].
+    [exact EmbeddingThresholdsAtMostHalf | exact DihedralBoundsEmbedding].
 Qed.
 
 (** ** Midpoint cuts, no warping *)
@@ -180,7 +180,7 @@ Qed.
 Lemma InOrOutDecides s : InOrOut s <> OnSurface.
 Proof. destruct s; discriminate. Qed.
 
-Theorem StuffedInOrOut sign tid t :
+Theorem MidpointBounds sign tid t :
   let decided v := InOrOut (sign v) in
   In t (StuffedTets NoWarpThresholds decided (fun _ _ => MidpointCut) tid) ->
   WellShaped MidpointAngles t.

@@ -9,7 +9,7 @@ From Certet Require Import Stencil.StencilSet Stencil.TriangleSpec.
 From Certet Require Import Warp.Cut Warp.Warp Warp.CutProof.
 From Certet Require Import Stuffing.Stuffing Stuffing.Domain.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.AdmissibleProof Angles.AngleTheorems.
+From Certet Require Import Angles.Cases.AdmissibleProof Angles.AngleTheorems.
 From Certet Require Import Angles.LatticeProof.
 From Certet Require Import Stuffing.NameProof Stuffing.VerticesProof.
 Import ListNotations.
@@ -139,7 +139,7 @@ Qed.
 
 Theorem BisectedLatticePositive sign domain tid :
   Positive (WarpedTet EmbeddingThresholds sign (BisectedCuts domain) tid).
-Proof. exact (LatticePositive _ _ tid (BisectedOnEdges _ _)). Qed.
+Proof. exact (WarpedLatticePositive _ _ tid (BisectedOnEdges _ _)). Qed.
 
 (** ** Cuts in the middle *)
 
@@ -149,4 +149,4 @@ Proof. exact (NeverWarped _ _ v (MidpointOnEdges _)). Qed.
 
 Theorem MidpointPositiveVolume sign tid t :
   In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts tid) -> Positive t.
-Proof. intros I. exact (WellShapedPositive _ _ (StuffedInOrOut sign tid t I)). Qed.
+Proof. intros I. exact (WellShapedPositive _ _ (MidpointBounds sign tid t I)). Qed.

@@ -9,10 +9,11 @@ From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.TensorProof Angles.EdgeProof Angles.CheckerProof.
-From Certet Require Import Angles.SymmetryProof.
-From Certet Require Import Angles.Configurations Angles.Isometry.
-From Certet Require Import Angles.ReductionProof Angles.AdmissibleProof.
+From Certet Require Import Angles.Forms.BoxFormProof.
+From Certet Require Import Angles.Forms.EdgeProof Angles.Forms.CheckerProof.
+From Certet Require Import Angles.Cases.SymmetryProof.
+From Certet Require Import Angles.Cases.Configurations Angles.Cases.Isometry.
+From Certet Require Import Angles.Cases.ReductionProof Angles.Cases.AdmissibleProof.
 From Certet Require Import Angles.AngleTheorems Angles.Jobs.LatticeKeepsVolume.
 Import ListNotations.
 Open Scope Z_scope.
@@ -168,7 +169,7 @@ Section Lattice.
   Qed.
 End Lattice.
 
-Theorem LatticePositive sign cut tid : CutsOnEdges sign cut ->
+Theorem WarpedLatticePositive sign cut tid : CutsOnEdges sign cut ->
   Positive (WarpedTet EmbeddingThresholds sign cut tid).
 Proof.
   intros C. destruct tid as [anchor case].

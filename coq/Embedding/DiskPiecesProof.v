@@ -120,7 +120,7 @@ Theorem OneMeshHasItAll sign cut all :
      Joined (PlusBefore sign) Adjacent p q).
 Proof.
   intros C D B th stays limit warping place. split; [|split].
-  - intros tid t. apply RuledWidest, C.
+  - intros tid t. apply RuledBounds, C.
   - intros tid tid' t t'. apply RuledInteriorsApart; [exact C|].
     apply AtQuarterUncrossedOrLevel, C.
   - intros p q t u. exact (DiskPiecesKept th sign cut limit all p q t u D B).

@@ -5,11 +5,13 @@ From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet.
 From Certet Require Import Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec Angles.Isometry.
+From Certet Require Import Angles.AnglesSpec Angles.Cases.Isometry.
 From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
 From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
-From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
+From Certet Require Import Embedding.SettleSpec.
+From Certet Require Import Embedding.GreedyProof.
 From Certet Require Import Embedding.LeavingProof Embedding.LinkProof.
+From Certet Require Import Embedding.DiskStepProof.
 Import ListNotations.
 
 (** Checking a proof needs their names, never what they are. *)
@@ -69,40 +71,7 @@ Section Rule.
 
   (** ** No walls *)
 
-  Definition NoWallNow (n : nat) : Prop :=
-    forall a b c p q,
-      Adjacent a b -> Adjacent a c -> Adjacent b c ->
-      Adjacent a p -> Adjacent b p -> Adjacent c p ->
-      Adjacent a q -> Adjacent b q -> Adjacent c q ->
-      now n a = OnSurface -> now n b = OnSurface -> now n c = OnSurface ->
-      now n p = Plus -> now n q = Plus -> p = q.
-
-  (** The link of [a] sees it when [a] is the last. *)
-  Lemma SeenFrom n a b c p q :
-    Adjacent a b -> Adjacent a c -> Adjacent b c ->
-    Adjacent a p -> Adjacent b p -> Adjacent c p ->
-    Adjacent a q -> Adjacent b q -> Adjacent c q ->
-    StrictDisk (fun d => now n (Translate a (Offset d))) = true ->
-    now n b = OnSurface -> now n c = OnSurface ->
-    now n p = Plus -> now n q = Plus -> p = q.
-  Proof.
-    intros [d ->] [e ->] Bc [f ->] Bp Cp [g ->] Bq Cq D B C P Q.
-    unfold StrictDisk in D. apply andb_prop in D. destruct D as [_ D].
-    rewrite forallb_forall in D. specialize (D d (InAllDirections d)).
-    unfold IsZero in D. rewrite B in D. cbn [negb orb] in D.
-    apply andb_prop in D. destruct D as [_ D].
-    rewrite forallb_forall in D. specialize (D e (InAllDirections e)).
-    rewrite C, (proj2 (NextInLinkMeans a d e) Bc) in D. cbn [negb orb andb] in D.
-    unfold NoWallBetween, IsInner in D.
-    rewrite forallb_forall in D. specialize (D f (InAllDirections f)).
-    rewrite forallb_forall in D. specialize (D g (InAllDirections g)).
-    rewrite P, Q, (proj2 (NextInLinkMeans a d f) Bp),
-      (proj2 (NextInLinkMeans a e f) Cp), (proj2 (NextInLinkMeans a d g) Bq),
-      (proj2 (NextInLinkMeans a e g) Cq) in D.
-    cbn [negb orb andb] in D. apply SameDirectionMeans in D. subst g. reflexivity.
-  Qed.
-
-  Lemma NoWallEver n : NoWallNow n.
+  Lemma NoWallByTurns n : NoWallIn (now n).
   Proof.
     induction n as [|n IH].
     - intros a b c p q _ _ _ _ _ _ _ _ _ A. apply NowZero in A. discriminate A.
@@ -116,12 +85,12 @@ Section Rule.
       destruct (settled n a) eqn:A', (settled n b) eqn:B', (settled n c) eqn:C'.
       + apply (IH a b c); try assumption; apply NowZero; assumption.
       + destruct (SettledMeans n c C C') as (_ & _ & D).
-        apply (SeenFrom n c a b p q); try apply NowZero; auto using AdjacentMutual.
+        apply (DiskSees (now n) c D a b p q); try apply NowZero; auto using AdjacentMutual.
       + destruct (SettledMeans n b B B') as (_ & _ & D).
-        apply (SeenFrom n b a c p q); try apply NowZero; auto using AdjacentMutual.
+        apply (DiskSees (now n) b D a c p q); try apply NowZero; auto using AdjacentMutual.
       + destruct (NotAdjacent n b c B B' C C' Bc).
       + destruct (SettledMeans n a A A') as (_ & _ & D).
-        apply (SeenFrom n a b c p q); try apply NowZero; auto.
+        apply (DiskSees (now n) a D b c p q); try apply NowZero; auto.
       + destruct (NotAdjacent n a c A A' C C' Ac).
       + destruct (NotAdjacent n a b A A' B B' Ab).
       + destruct (NotAdjacent n a b A A' B B' Ab).
@@ -132,30 +101,12 @@ Section Rule.
   Variable all : list Coord3.
   Hypothesis Bounded : forall v, sign v = Plus -> In v all.
 
-  Lemma NeverNext v : ~ Adjacent v v.
-  Proof.
-    intros [d E]. destruct v as [x y z], d; cbn [Translate Offset] in E;
-      injection E; lia.
-  Qed.
-
   Lemma NowMayLeave n v : settled (S n) v = true -> settled n v = false ->
     sign v = Plus -> MayLeave Coord3 Adjacent (fun x => now n x = Plus) v.
   Proof.
     intros S S' P. destruct (SettledMeans n v S S') as (_ & _ & D).
-    unfold StrictDisk in D. apply andb_prop in D. destruct D as [D _].
-    apply andb_prop in D. destruct D as [D _].
-    destruct (OnePieceMeans v _ D) as [(x & X) J].
-    assert (E : forall y, InPart v (IsInner (fun d => now n (Translate v (Offset d)))) y
-      <-> now n y = Plus /\ Adjacent v y).
-    { intros y. unfold InPart, IsInner, Adjacent. split.
-      - intros (d & -> & I). split; [|eauto].
-        destruct (now n (Translate v (Offset d))); congruence.
-      - intros (I & d & ->). exists d. rewrite I. auto. }
     split; [apply NowPlus; auto|]. split; [apply NeverNext|].
-    split; [exists x; apply E in X; tauto|].
-    intros u w U W Iu Iw.
-    apply (JoinedWider (InPart v (IsInner (fun d => now n (Translate v (Offset d))))));
-      [intros y Y; apply E, Y|]. apply J; apply E; auto.
+    exact (InsideAround (now n) v D).
   Qed.
 
   (** The + vertices that become 0 in one turn. *)
@@ -200,30 +151,19 @@ Section Rule.
   Lemma OutsideMayLeave n v : settled (S n) v = true -> settled n v = false ->
     MayLeave Coord3 Adjacent (outside (S n)) v.
   Proof.
-    intros S S' . destruct (SettledMeans n v S S') as (_ & _ & D).
-    unfold StrictDisk in D. apply andb_prop in D. destruct D as [D _].
-    apply andb_prop in D. destruct D as [_ D].
-    destruct (OnePieceMeans v _ D) as [(x & X) J].
-    set (part := fun d => negb (IsInner (fun d => now n (Translate v (Offset d))) d))
-      in *.
-    assert (E : forall y, InPart v part y <-> outside (Datatypes.S n) y /\ Adjacent v y).
-    { intros y. unfold InPart, part, IsInner, Adjacent. split.
-      - intros (d & -> & I). split; [|eauto]. apply NowOutsideLater. unfold outside.
-        destruct (now n (Translate v (Offset d))); discriminate.
-      - intros (I & d & ->). exists d. split; [reflexivity|].
-        destruct (now n (Translate v (Offset d))) eqn:P; try reflexivity.
-        exfalso. apply NowPlus in P. destruct P as [P Q].
-        apply I, NowPlus. split; [|exact Q].
-        destruct (settled (Datatypes.S n) (Translate v (Offset d))) eqn:R;
-          [|reflexivity].
-        exfalso. apply (NotAdjacent n v (Translate v (Offset d))); auto. exists d.
-        reflexivity. }
+    intros S S'. destruct (SettledMeans n v S S') as (_ & _ & D).
     split; [unfold outside; rewrite NowPlus, S; intros [H _]; discriminate H|].
     split; [apply NeverNext|].
-    split; [exists x; apply E in X; tauto|].
-    intros u w U W Iu Iw.
-    apply (JoinedWider (InPart v part)); [intros y Y; apply E, Y|].
-    apply J; apply E; auto.
+    apply (PieceAround v (fun d => negb (IsInner (LinkOf (now n) v) d))).
+    - unfold StrictDisk in D. rewrite !andb_true_iff in D. apply D.
+    - intros d. set (u := Translate v (Offset d)).
+      assert (E : outside n u <-> outside (Datatypes.S n) u).
+      { split; [apply NowOutsideLater|]. intros O P. apply O, NowPlus.
+        apply NowPlus in P. split; [|tauto].
+        destruct (settled (Datatypes.S n) u) eqn:R; [|reflexivity].
+        exfalso. apply (NotAdjacent n v u); try tauto. exists d. reflexivity. }
+      rewrite <- E. unfold outside, IsInner, LinkOf. fold u.
+      destruct (now n u); split; cbn; congruence.
   Qed.
 
   Lemma OutsideByTurns n : AllLeave Adjacent (outside n) (fun v => sign v <> Plus).
@@ -276,22 +216,7 @@ Section Rule.
 
   Theorem DiskNoWall : NoWall sign warping.
   Proof.
-    intros a b c p q Nab Nbc Nac Z P Q (tid & _ & I) (tid' & _ & J).
-    unfold PlusAfter in P, Q. rewrite AfterDisk in P, Q.
-    assert (Z' : forall v, In v [a; b; c] -> now turns v = OnSurface)
-      by (intros v V; rewrite <- AfterDisk; auto).
-    assert (N : forall v x, In v [a; b; c] -> now turns x = Plus -> v <> x)
-      by (intros v x V X ->; rewrite (Z' x V) in X; discriminate X).
-    assert (E : forall own u v, incl [a; b; c; own] (Corners tid) ->
-      In u [a; b; c; own] -> In v [a; b; c; own] -> u <> v -> Adjacent u v).
-    { intros own u v Sub U V D.
-      destruct (EdgeBetween tid u v (Sub u U) (Sub v V) D) as [d X]. exists d. exact X. }
-    assert (E' : forall own u v, incl [a; b; c; own] (Corners tid') ->
-      In u [a; b; c; own] -> In v [a; b; c; own] -> u <> v -> Adjacent u v).
-    { intros own u v Sub U V D.
-      destruct (EdgeBetween tid' u v (Sub u U) (Sub v V) D) as [d X]. exists d. exact X. }
-    cbn [In] in *.
-    apply (NoWallEver turns a b c p q); auto 6;
-      solve [apply (E p); cbn [In]; auto 6 | apply (E' q); cbn [In]; auto 6].
+    apply NoWallInMesh. intros a b c p q. rewrite !AfterDisk.
+    apply NoWallByTurns.
   Qed.
 End Rule.

@@ -10,7 +10,7 @@ From Coq Require Import ZArith List Bool Lia.
 From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
 From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec Angles.Witnesses.
+From Certet Require Import Angles.AnglesSpec Angles.Degrees.Witnesses.
 From Certet Require Import Embedding.EmbeddingSpec.
 Import ListNotations.
 Open Scope Z_scope.

@@ -13,7 +13,7 @@ From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Import Stencil.TriangleSpec.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.AdmissibleProof.
+From Certet Require Import Angles.Cases.AdmissibleProof.
 From Certet Require Import Embedding.EmbeddingSpec Embedding.Rounding.
 From Certet Require Import Embedding.LatticeEmbedsProof Embedding.EdgeRank.
 From Certet Require Import Embedding.WarpedLatticeProof Embedding.MeshEmbedsProof.
@@ -278,7 +278,7 @@ Theorem UncrossedLatticeCovers warping m x :
       (MapTet (fun v => WarpedPosition v (warping v)) (LatticeTet tid)))
     = Scale (Total w) x.
 Proof.
-  intros M U. apply (LatticeCovers _ (5 * Steps)); [apply UncrossedMoves; assumption|].
+  intros M U. apply (LatticeCovers _ (5 * Steps)); [apply UncrossedKeepsShortEdges; assumption|].
   intros v d. apply PlacedNoLonger. intros u e t E. pose proof (M u e t E) as B.
   change (ThresholdSteps AngleThresholds (DirectionKind e))
     with (match DirectionKind e with Long => 18688 | Short => 26112 end) in B.

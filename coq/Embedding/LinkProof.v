@@ -2,7 +2,7 @@
 
 From Coq Require Import ZArith List Bool Lia.
 From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Angles.Isometry.
+From Certet Require Import Angles.Cases.Isometry.
 From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
 From Certet Require Import Embedding.LeavingProof.
 Import ListNotations.

@@ -13,7 +13,7 @@ From Certet Require Import Lattice.StructuredTet.
 From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Import Stencil.TriangleSpec.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec Angles.AdmissibleProof.
+From Certet Require Import Angles.AnglesSpec Angles.Cases.AdmissibleProof.
 From Certet Require Import Embedding.EmbeddingSpec.
 From Certet Require Import Embedding.LatticeEmbedsProof.
 From Certet Require Import Embedding.WarpedLatticeProof.
@@ -276,5 +276,5 @@ Theorem PlacedEmbeds before warping cut tid tid' t t' :
   MeetInSharedVertices (PlacedPosition warping cut) t t'.
 Proof.
   intros M U C. apply PlacedMeshEmbeds; [exact C|].
-  apply UncrossedMoves; assumption.
+  apply UncrossedKeepsShortEdges; assumption.
 Qed.

@@ -7,7 +7,7 @@ From Certet Require Import Lattice.StructuredTet.
 From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Isometry Angles.AngleTheorems.
+From Certet Require Import Angles.Cases.Isometry Angles.AngleTheorems.
 From Certet Require Import Embedding.EmbeddingSpec Embedding.WarpOrClamp.
 From Certet Require Import Embedding.MeshEmbedsProof Embedding.LevelProof.
 From Certet Require Import Embedding.WarpOrClampProof.
@@ -21,11 +21,11 @@ Section Mesh.
   Let warping := RuledWarping AngleThresholds sign cut stays limit.
   Let clamped := ClampedCut AngleThresholds cut.
 
-  Theorem RuledWidest tid t :
+  Theorem RuledBounds tid t :
     In t (WarpOrClamp AngleThresholds sign cut stays limit tid) ->
     WellShaped WidestAngles t.
   Proof.
-    apply WidestGuaranteed.
+    apply DihedralBounds.
     apply AnySubsetStays; [exact AngleThresholdsAtMostHalf|exact OnEdges].
   Qed.
 
@@ -53,7 +53,7 @@ Section Mesh.
   Proof.
     intros U E E' I I'. apply (LevelInteriorsApart sign warping clamped);
       try assumption; [apply RuledMovesAtMost, OnEdges|exact RuledInside|].
-    apply (WellShapedPositive WidestAngles), (RuledWidest tid').
+    apply (WellShapedPositive WidestAngles), (RuledBounds tid').
     unfold WarpOrClamp. rewrite PlacedByName. apply in_map, I'.
   Qed.
 End Mesh.

@@ -8,7 +8,7 @@ From Coq Require Import ZArith List Bool Lia.
 From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
 From Certet Require Import Stuffing.MeshSpec.
-From Certet Require Import Angles.AnglesSpec Angles.Isometry.
+From Certet Require Import Angles.AnglesSpec Angles.Cases.Isometry.
 From Certet Require Import Embedding.EmbeddingSpec Embedding.EdgeRank.
 Import ListNotations.
 Open Scope Z_scope.

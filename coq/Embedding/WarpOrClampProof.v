@@ -8,7 +8,7 @@ From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Import Stencil.SymbolProof Stencil.TriangleSpec.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.AdmissibleProof.
+From Certet Require Import Angles.Cases.AdmissibleProof.
 From Certet Require Import Embedding.EmbeddingSpec Embedding.WarpOrClamp.
 From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
 From Certet Require Import Embedding.MeshEmbedsProof.

@@ -9,7 +9,7 @@ From Certet Require Import Lattice.NeighborSpec.
 From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.AdmissibleProof.
+From Certet Require Import Angles.Cases.AdmissibleProof.
 From Certet Require Import Embedding.EmbeddingSpec.
 From Certet Require Import Embedding.LatticeEmbedsProof.
 Open Scope Z_scope.
@@ -109,7 +109,7 @@ Section Keeps.
     all: destruct d; try discriminate K; try discriminate D; reflexivity.
   Qed.
 
-  Lemma UncrossedMoves : MovesAtMost AngleThresholds warping ->
+  Lemma UncrossedKeepsShortEdges : MovesAtMost AngleThresholds warping ->
     Uncrossed warping -> KeepsShortEdges (fun v => WarpedPosition v (warping v)).
   Proof.
     intros M U. apply KeepsByAxis. intros f v d F K.

@@ -2,13 +2,16 @@
 
 From Coq Require Import ZArith List Lia.
 From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
+From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
+From Certet Require Import Lattice.Tiling Lattice.FaceProof.
+From Certet Require Import Stencil.UnstructuredTet.
 From Certet Require Import Stencil.StencilSet Stencil.TriangleSpec.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Stuffing.NameProof Stuffing.VerticesProof.
 From Certet Require Import Stuffing.Domain.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.AdmissibleProof Angles.DomainProof.
+From Certet Require Import Angles.Cases.AdmissibleProof Angles.DomainProof.
+From Certet Require Import Embedding.EmbeddingSpec.
 From Certet Require Import Range.RangeSpec.
 Import ListNotations.
 Open Scope Z_scope.
@@ -171,90 +174,134 @@ Proof.
   intros. split; (split; [repeat split; lia | ring]).
 Qed.
 
-(** ** The tetrahedra of the output are narrow *)
+(** ** The tetrahedra of a mesh are narrow *)
 
-(** The least coordinates of a structured tetrahedron's corners. *)
-Definition Least (tid : StructuredTetId) (k : Axis) : Z :=
-  match GetStructuredTet tid with
-    ST v1 v2 v3 v4 _ _ _ _ =>
-      Z.min (Z.min (Along k v1) (Along k v2)) (Z.min (Along k v3) (Along k v4))
-  end.
+(** A corner moves by half an edge at most, along an axis by one unit, and a cut
+    lies between corners: so two vertices are no more than two units farther
+    apart than the corners. *)
+Section Placed.
+  Variables (before : SignField) (warping : Coord3 -> Warping) (cut : CutField).
+  Variable corners : list Coord3.
+  Hypothesis Sane : Moderate before warping cut corners.
 
-Lemma CornersNear tid v k :
-  In v (Corners tid) -> Least tid k <= Along k v <= Least tid k + 2.
+  Local Notation place := (PlacedPosition warping cut).
+  Local Notation Made := (OfCorners before warping corners).
+
+  Lemma BetweenCorners m k : Made m -> exists v w,
+    In v corners /\ In w corners /\
+    Steps * (Along k v - 1) <= Along k (place m) <= Steps * (Along k w + 1).
+  Proof.
+    destruct m as [v | p q]; intros M.
+    - exists v, v. repeat (split; [exact M|]). cbn [PlacedPosition].
+      destruct (warping v) as [|d t] eqn:W.
+      + destruct v, k; cbn [WarpedPosition Scale Along]; rewrite StepsIs; lia.
+      + pose proof (proj1 Sane v d t M W) as T.
+        pose proof (ProductBound t (Along k (Offset d)) 32768 2
+                      ltac:(rewrite StepsIs in T; lia) (OffsetBound d k)).
+        rewrite AlongWarped, StepsIs. lia.
+    - pose proof (proj2 Sane p q M) as T. destruct M as (I & J & _ & _).
+      cbn [PlacedPosition]. rewrite AlongEdge.
+      destruct (Z.le_ge_cases (Along k p) (Along k q)) as [L|L];
+        [exists p, q | exists q, p]; repeat (split; [assumption|]).
+      + assert (0 <= cut p q * (Along k q - Along k p)) by nia.
+        assert (0 <= (Steps - cut p q) * (Along k q - Along k p)) by nia.
+        rewrite StepsIs in *. nia.
+      + assert (0 <= cut p q * (Along k p - Along k q)) by nia.
+        assert (0 <= (Steps - cut p q) * (Along k p - Along k q)) by nia.
+        rewrite StepsIs in *. nia.
+  Qed.
+
+  Lemma NarrowBetween width m n :
+    NoWider width corners -> Made m -> Made n ->
+    Bounded ((width + 2) * Steps) (Difference (place m) (place n)).
+  Proof.
+    intros W M N k.
+    destruct (BetweenCorners m k M) as (v & w & V & U & Lm & Um).
+    destruct (BetweenCorners n k N) as (v' & w' & V' & U' & Ln & Un).
+    pose proof (W v w' V U' k) as A. pose proof (W w v' U V' k) as B.
+    assert (E : forall p q, Along k (Difference p q) = Along k q - Along k p)
+      by (intros p q; destruct p, q, k; reflexivity).
+    rewrite E in *. rewrite StepsIs in *. lia.
+  Qed.
+
+  Lemma PlacedInType m k :
+    (forall v, In v corners -> Bounded LatticeLimit v) -> Made m ->
+    InType 32 (Along k (place m)).
+  Proof.
+    intros B M. destruct (BetweenCorners m k M) as (v & w & V & W & L & U).
+    specialize (B v V k) as Bv. specialize (B w W k) as Bw. reckon. lia.
+  Qed.
+End Placed.
+
+Theorem PlacedNarrow before warping cut width corners :
+  NoWider width corners -> Moderate before warping cut corners ->
+  forall m n,
+    OfCorners before warping corners m -> OfCorners before warping corners n ->
+    Bounded ((width + 2) * Steps)
+      (Difference (PlacedPosition warping cut m) (PlacedPosition warping cut n)).
+Proof. intros W S m n. apply NarrowBetween; assumption. Qed.
+
+(** ** The lattice as a tiling *)
+
+Theorem LatticeNoWider : TilingNoWider 2 LatticeTiling.
 Proof.
-  destruct tid as [[x y z] c]. unfold Corners, Least.
-  destruct c; cbn [GetStructuredTet Translate In]; intros I;
-    repeat (destruct I as [<- | I]; [destruct k; cbn [Along]; lia|]); destruct I.
+  intros [a c] p q I J. unfold VerticesOf in I, J.
+  apply in_map_iff in I as (i & <- & _), J as (j & <- & _).
+  cbn [LatticeTiling VertexOf]. rewrite !VertexMoves.
+  replace (Difference _ _) with (Difference (LocalVertex c i) (LocalVertex c j))
+    by (destruct a, (LocalVertex c i), (LocalVertex c j); cbn; f_equal; ring).
+  destruct c, i, j; intros []; split; discriminate.
 Qed.
 
-Section Narrow.
-  Variables (th : Thresholds) (sign : SignField) (cut : CutField).
-  Hypothesis Hhalf : AtMostHalf th.
-  Hypothesis Hcut : CutsOnEdges sign cut.
-  Variable tid : StructuredTetId.
+Theorem LatticeReaches : TilingReaches 3 LatticeTiling.
+Proof.
+  intros [[x y z] c] i k.
+  destruct c, i; cbn; destruct k; cbn [Along]; lia.
+Qed.
 
-  (** Between one step of the lattice below the corners and one above. *)
-  Let Near (p : Coord3) : Prop := forall k,
-    Steps * (Least tid k - 1) <= Along k p <= Steps * (Least tid k + 3).
+Lemma CornersAreVertices tid : Corners tid = VerticesOf LatticeTiling tid.
+Proof.
+  unfold Corners, VerticesOf. cbn [LatticeTiling VertexOf map].
+  destruct (GetStructuredTet tid). reflexivity.
+Qed.
 
-  Lemma CornerNear v :
-    In v (Corners tid) -> Near (MeshPosition th sign cut (Corner v)).
-  Proof.
-    intros I k. pose proof (CornersNear tid v k I) as N.
-    cbn [MeshPosition]. destruct (WarpVertex th sign cut v) as [|d t] eqn:W.
-    - destruct v, k; cbn [WarpedPosition Scale Along] in *; rewrite StepsIs; lia.
-    - destruct (WarpedMeans th sign cut v d t W) as (-> & O & L).
-      pose proof (CutFromInRange sign cut Hcut v d O) as R.
-      specialize (Hhalf (DirectionKind d)). revert L R.
-      generalize (CutFrom sign cut v d). intros t L R.
-      pose proof (ProductBound t (Along k (Offset d)) 32768 2 ltac:(rewrite StepsIs in *; lia)
-                    (OffsetBound d k)) as P.
-      rewrite AlongWarped, StepsIs in *. lia.
-  Qed.
+Lemma CornersNoWider tid : NoWider 2 (Corners tid).
+Proof. rewrite CornersAreVertices. apply LatticeNoWider. Qed.
 
-  Lemma CutNear p q :
-    In p (Corners tid) -> In q (Corners tid) ->
-    sign p = Plus -> sign q = Minus ->
-    Near (MeshPosition th sign cut (Cut p q)).
-  Proof.
-    intros I J P Q k. pose proof (CornersNear tid p k I) as N.
-    pose proof (CornersNear tid q k J) as M.
-    pose proof (Hcut p q P Q) as T. cbn [MeshPosition]. rewrite AlongEdge.
-    pose proof (ProductBound (cut p q) (Along k q - Along k p) 65536 2
-                  ltac:(rewrite StepsIs in *; lia) ltac:(lia)).
-    assert (0 <= (Steps - cut p q) * (Along k p - Least tid k)) by nia.
-    assert (0 <= cut p q * (Along k q - Least tid k)) by nia.
-    assert (0 <= (Steps - cut p q) * (Least tid k + 2 - Along k p)) by nia.
-    assert (0 <= cut p q * (Least tid k + 2 - Along k q)) by nia.
-    rewrite StepsIs in *. nia.
-  Qed.
+(** ** The product's own tetrahedra *)
 
-  Lemma StuffedNear t m :
-    In t (StuffTet th sign cut tid) -> In m (TetCorners t) ->
-    Near (MeshPosition th sign cut m).
-  Proof.
-    pose proof CornerNear as C. pose proof CutNear as D. revert C D.
-    unfold StuffTet, Corners. destruct tid as [anchor c].
-    destruct (GetStructuredTet (STId anchor c)) as [v1 v2 v3 v4 n1 n2 n3 n4].
-    intros C D I J. apply in_map_iff in I. destruct I as (u & <- & I).
-    apply OrientCorners in J.
-    destruct (StencilVertices _ _ _ _ _ _ _ I J)
-      as [(v & K & ->) | (p & q & P & Q & Sp & Sq & ->)].
-    - apply C, K.
-    - apply D; try assumption;
-        (eapply SignBefore; [eassumption | discriminate]).
-  Qed.
+Lemma PlacedOfCorners before warping tid t m :
+  In t (PlacedNames before warping tid) -> In m (TetCorners t) ->
+  OfCorners before warping (Corners tid) m.
+Proof.
+  unfold PlacedNames, Corners. destruct tid as [anchor c].
+  destruct (GetStructuredTet (STId anchor c)) as [v1 v2 v3 v4 n1 n2 n3 n4].
+  intros I J. apply in_map_iff in I. destruct I as (u & <- & I).
+  apply OrientCorners in J.
+  destruct (StencilVertices _ _ _ _ _ _ _ I J)
+    as [(v & K & ->) | (p & q & P & Q & Sp & Sq & ->)]; cbn [OfCorners]; auto.
+Qed.
 
-  Lemma NearNarrow p q : Near p -> Near q -> Bounded (4 * Steps) (Difference p q).
-  Proof.
-    intros P Q k. specialize (P k). specialize (Q k).
-    replace (Along k (Difference p q)) with (Along k q - Along k p)
-      by (destruct p, q, k; reflexivity).
-    rewrite StepsIs in *. lia.
-  Qed.
+Lemma StuffedByName th sign cut tid :
+  StuffTet th sign cut tid = PlacedNames sign (WarpVertex th sign cut) tid.
+Proof.
+  unfold StuffTet, PlacedNames. destruct tid as [anchor c].
+  destruct (GetStructuredTet (STId anchor c)). reflexivity.
+Qed.
 
-  Theorem TetsNarrow t :
+Lemma StuffedModerate th sign cut corners : AtMostHalf th -> CutsOnEdges sign cut ->
+  Moderate sign (WarpVertex th sign cut) cut corners.
+Proof.
+  intros half on. split.
+  - intros v d t _ W. destruct (WarpedMeans th sign cut v d t W) as (-> & O & L).
+    pose proof (CutFromInRange sign cut on v d O) as R.
+    specialize (half (DirectionKind d)). lia.
+  - intros p q (_ & _ & P & Q).
+    apply on; eapply (SignBefore th sign cut); eassumption || discriminate.
+Qed.
+
+Theorem TetsNarrow th sign cut : AtMostHalf th -> CutsOnEdges sign cut ->
+  forall tid t,
     t = WarpedTet th sign cut tid \/ In t (StuffedTets th sign cut tid) ->
     match t with
       UT _ a b c d =>
@@ -262,23 +309,21 @@ Section Narrow.
         Bounded (4 * Steps) (Difference a c) /\
         Bounded (4 * Steps) (Difference a d)
     end.
-  Proof.
-    intros [-> | I].
-    - assert (C : forall p q, In p (Corners tid) -> In q (Corners tid) ->
-        Bounded (4 * Steps)
-          (Difference (MeshPosition th sign cut (Corner p))
-             (MeshPosition th sign cut (Corner q))))
-        by (intros; apply NearNarrow; apply CornerNear; assumption).
-      revert C. unfold WarpedTet, Corners.
-      destruct tid as [anchor c].
-      destruct (GetStructuredTet (STId anchor c)) as [v1 v2 v3 v4 n1 n2 n3 n4].
-      intros C. destruct (CaseHandedness c); cbn [Orient MapTet];
-        repeat split; apply C; cbn [In]; tauto.
-    - unfold StuffedTets in I. apply in_map_iff in I. destruct I as (u & <- & I).
-      pose proof (StuffedNear u) as N. destruct u as [a b c d]. cbn [MapTet].
-      repeat split; apply NearNarrow; apply (N _ I); cbn [In TetCorners]; tauto.
-  Qed.
-End Narrow.
+Proof.
+  intros half on tid t.
+  pose proof (PlacedNarrow sign (WarpVertex th sign cut) cut 2 (Corners tid)
+    (CornersNoWider tid) (StuffedModerate th sign cut (Corners tid) half on)) as N.
+  intros [-> | I].
+  - revert N. unfold WarpedTet, Corners. destruct tid as [anchor c].
+    destruct (GetStructuredTet (STId anchor c)) as [v1 v2 v3 v4 n1 n2 n3 n4].
+    intros N. destruct (CaseHandedness c); cbn [Orient MapTet];
+      repeat split; apply (N (Corner _) (Corner _)); cbn [OfCorners In]; tauto.
+  - unfold StuffedTets in I. apply in_map_iff in I. destruct I as (u & <- & I).
+    rewrite StuffedByName in I.
+    pose proof (fun m => PlacedOfCorners _ _ tid u m I) as M.
+    destruct u as [a b c d]. cbn [MapTet].
+    repeat split; apply N; apply M; cbn [In TetCorners]; tauto.
+Qed.
 
 Theorem BisectedTetsNarrow th sign domain : AtMostHalf th ->
   forall tid t,
@@ -325,12 +370,21 @@ Proof.
   - intros. reckon. lia.
 Qed.
 
+Theorem TilingCornersInRange (T : Tiling) reach (id : Identifier T) v :
+  TilingReaches reach T -> reach <= LatticeLimit - AnchorLimit ->
+  Bounded AnchorLimit (AnchorOf id) -> In v (VerticesOf T id) ->
+  Bounded LatticeLimit v.
+Proof.
+  intros R L B I k. unfold VerticesOf in I. apply in_map_iff in I.
+  destruct I as (i & <- & _). specialize (R id i k). specialize (B k).
+  destruct (AnchorOf id), (VertexOf id i), k; cbn [Along Difference] in *; lia.
+Qed.
+
 Theorem CornersInRange anchor case v :
   Bounded AnchorLimit anchor -> In v (Corners (STId anchor case)) ->
   Bounded LatticeLimit v.
 Proof.
-  intros B I k. specialize (B k). destruct anchor as [x y z]. unfold Corners in I.
-  destruct case; cbn [GetStructuredTet Translate In] in I;
-    repeat (destruct I as [<- | I]; [destruct k; cbn [Along] in *; reckon; lia|]);
-    destruct I.
+  rewrite CornersAreVertices.
+  apply (TilingCornersInRange LatticeTiling 3 (STId anchor case) v LatticeReaches).
+  discriminate.
 Qed.

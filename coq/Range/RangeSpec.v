@@ -5,9 +5,11 @@
     that a formula fits means that not only its value but every intermediate
     value lies in its type, so that nothing overflows. *)
 
-From Coq Require Import ZArith.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Warp.Cut Warp.Warp.
+From Coq Require Import ZArith List.
+From Certet Require Import Lattice.Coord3 Lattice.Direction Lattice.Tiling.
+From Certet Require Import Stencil.UnstructuredTet.
+From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
+From Certet Require Import Angles.AnglesSpec.
 Open Scope Z_scope.
 
 (** ** Formulas *)
@@ -63,6 +65,42 @@ Definition Along (k : Axis) (v : Coord3) : Z :=
 (** Every coordinate is at most [limit] in absolute value. *)
 Definition Bounded (limit : Z) (v : Coord3) : Prop :=
   forall k, - limit <= Along k v <= limit.
+
+(** ** What a tiling must be for it *)
+
+(** No two of these points are more than so many units apart along an axis, *)
+Definition NoWider (width : Z) (points : list Coord3) : Prop :=
+  forall p q, In p points -> In q points -> Bounded width (Difference p q).
+
+(** no tetrahedron of the tiling is wider, *)
+Definition TilingNoWider (width : Z) (T : Tiling) : Prop :=
+  forall id, NoWider width (VerticesOf T id).
+
+(** and none reaches farther from where it stands. *)
+Definition TilingReaches (reach : Z) (T : Tiling) : Prop :=
+  forall (id : Identifier T) i,
+    Bounded reach (Difference (AnchorOf id) (VertexOf id i)).
+
+Section Placement.
+  Variables (before : SignField) (warping : Coord3 -> Warping) (cut : CutField).
+  Variable corners : list Coord3.
+
+  (** A vertex that is made of these corners: one of them, or the cut between a
+      + and a - one. *)
+  Definition OfCorners (m : MeshVertex) : Prop :=
+    match m with
+    | Corner v => In v corners
+    | Cut p q =>
+        In p corners /\ In q corners /\
+        PlacedSign before warping (Corner p) = Plus /\
+        PlacedSign before warping (Corner q) = Minus
+    end.
+
+  (** A corner moves by half of its edge, at most; and cuts lie on edges. *)
+  Definition Moderate : Prop :=
+    (forall v d t, In v corners -> warping v = Moves d t -> 0 <= 2 * t <= Steps) /\
+    (forall p q, OfCorners (Cut p q) -> 0 <= cut p q <= Steps).
+End Placement.
 
 (** ** What the library computes *)
 

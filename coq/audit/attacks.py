@@ -1,12 +1,13 @@
 """The defects that the audit must refuse: (what, the check that refuses it, how it is planted).
 
-Each is planted in a Workshop whose certificate was shortened.  What is only read need not compile;
+Each is planted in a Workshop whose last page was shortened.  What is only read need not compile;
 what is compiled carries proofs cut short, as an attacker would.
 """
 
 import re
 
 PROOF, SPEC = "Stencil/OtherStencilsProof.v", "Range/RangeSpec.v"
+PAPER, PAGE = "PaperCertificate.v", "Certificate.v"
 
 
 # -- ways to plant ------------------------------------------------------------
@@ -30,10 +31,10 @@ def file(name, text=""):
 
 
 def cut_short(w, proofs, proof="Admitted."):
-    """Leaves of a file of proofs what the certificate uses, proved otherwise."""
+    """Leaves of a file of proofs what the last page uses, proved otherwise."""
     text = (w.root / proofs).read_text()
     module = proofs.split("/")[-1][:-2]
-    used = re.findall(rf"exact {module}\.(\w+)\.", (w.root / "Certificate.v").read_text())
+    used = re.findall(rf"exact {module}\.(\w+)\.", (w.root / PAGE).read_text())
     head = re.search(r"\A.*?Open Scope[^\n]*\n", text, re.S).group()
     stated = [re.search(rf"^(?:Theorem|Lemma) {name}\b.*?(?=^Proof\.)", text, re.S | re.M).group()
               for name in used]
@@ -43,11 +44,12 @@ def cut_short(w, proofs, proof="Admitted."):
 
 def resign(w, *theorems):
     """Gives up the proofs of these headlines, so that only what they say is looked at."""
-    for theorem in theorems:
-        text = (w.root / "Certificate.v").read_text()
-        w.write("Certificate.v", re.sub(rf"({theorem} :.*?)Proof\. exact [\w.]+ Qed\.", r"\1Admitted.", text,
-                                        count=1, flags=re.S))
-    w.compile("Certificate.v")
+    for page in (PAPER, PAGE):
+        for theorem in theorems:
+            text = (w.root / page).read_text()
+            w.write(page, re.sub(rf"({theorem} :.*?)Proof\. exact [\w.]+ Qed\.", r"\1Admitted.", text,
+                                 count=1, flags=re.S))
+    w.compile(PAPER, PAGE)
 
 
 def in_ranges(change, *theorems):
@@ -65,17 +67,17 @@ def in_degrees(change, proof="Admitted."):
     def plant(w):
         change(w)
         w.compile("Angles/DegreesSpec.v")
-        cut_short(w, "Angles/DegreesProof.v", proof)
-        w.compile("Certificate.v")
+        cut_short(w, "Angles/Degrees/DegreesProof.v", proof)
+        w.compile(PAGE)
     return plant
 
 
-def in_certificate(*changes):
-    """(old, new) in Certificate.v, compiled."""
+def on_page(page, *changes):
+    """(old, new) on a page, compiled."""
     def plant(w):
         for old, new in changes:
-            w.edit("Certificate.v", old, new)
-        w.compile("Certificate.v")
+            w.edit(page, old, new)
+        w.compile(*dict.fromkeys((page, PAGE)))
     return plant
 
 
@@ -114,10 +116,10 @@ def axiom_by_another_name(w):
     name = "Range/ClassicalDedekindReals.v"
     w.write(name, "Axiom sig_not_dec : forall P : Prop, {~ ~ P} + {~ P}.\n")
     w.compile(name)
-    w.edit("Certificate.v", "Open Scope", "From Certet Require Range.ClassicalDedekindReals.\nOpen Scope")
-    in_certificate(("exact MeshProof.FaceTriangleOnce.",
-                    "generalize Range.ClassicalDedekindReals.sig_not_dec. intros _. "
-                    "exact MeshProof.FaceTriangleOnce."))(w)
+    w.edit(PAGE, "Open Scope", "From Certet Require Range.ClassicalDedekindReals.\nOpen Scope")
+    on_page(PAGE, ("exact MeshProof.FaceTriangleOnce.",
+                   "generalize Range.ClassicalDedekindReals.sig_not_dec. intros _. "
+                   "exact MeshProof.FaceTriangleOnce."))(w)
 
 
 MEANING = [
@@ -144,16 +146,23 @@ MEANING = [
      in_ranges(edited(SPEC, "Definition LatticeLimit : Z := 32000.",
                       "Definition LatticeLimit : Z.\nProof. exact 32000. Qed."))),
     ("a hypothesis that never holds, printed as the agreed one", "statements",
-     in_certificate(("CutsOnEdges sign cut ->\n    Positive", NEVER + " ->\n    Positive"),
-                    ("exact LatticeProof.LatticePositive", "intros ? ? ? []"),
-                    ("Open Scope", 'Notation "\'CutsOnEdges\' sign cut" := ' + NEVER +
-                     " (at level 10, sign at level 9, cut at level 9, only printing).\nOpen Scope"))),
+     on_page(PAGE, ("CutsOnEdges sign cut ->\n    Positive", NEVER + " ->\n    Positive"),
+             ("exact LatticeProof.WarpedLatticePositive", "intros ? ? ? []"),
+             ("Open Scope", 'Notation "\'CutsOnEdges\' sign cut" := ' + NEVER +
+              " (at level 10, sign at level 9, cut at level 9, only printing).\nOpen Scope"))),
     ("a weakened theorem", "statements",
-     in_certificate(("Bounded LatticeLimit v.\n", "Bounded LatticeLimit v \\/ True.\n"),
-                    ("exact RangeProof.CornersInRange", "now right"))),
+     on_page(PAGE, ("Bounded LatticeLimit v.\n", "Bounded LatticeLimit v \\/ True.\n"),
+             ("exact RangeProof.CornersInRange", "now right"))),
+    ("a weakened theorem on the paper's page", "statements",
+     on_page(PAPER, ("        (Face1Correct v1 v2 v3 v4 tid1 o1) /\\\n", ""),
+             ("exact StructuredTetProof.FacesCorrect", "intros tid; pose proof (StructuredTetProof.FacesCorrect tid)"
+              " as all; destruct (GetStructuredTet tid) as [? ? ? ? [] [] [] []]; apply all"))),
     ("a theorem that is gone", "statements",
-     lambda w: (w.write("Certificate.v", (w.root / "Certificate.v").read_text().split("Lemma FacesCorrect")[0]
-                        .split("Theorem FacesCorrect")[0]), w.compile("Certificate.v"))),
+     lambda w: (w.write(PAGE, re.sub(r"Theorem DoorSuffices .*?Qed\.", "", (w.root / PAGE).read_text(), flags=re.S)),
+                w.compile(PAGE))),
+    ("the paper's theorems, all gone", "statements",
+     lambda w: (w.write(PAPER, (w.root / PAPER).read_text().split("Theorem FacesCorrect")[0]),
+                w.compile(PAPER, PAGE))),
     ("a type class, and an instance of it", "names",
      in_ranges(said("Class Small := { small : Z }.\nInstance tiny : Small := { small := 1 }.", SPEC))),
     ("a notation that Coq tells of", "names",
@@ -161,7 +170,8 @@ MEANING = [
     ("an axiom in a file that nothing uses", "names",
      lambda w: (w.append("Stencil/OtherStencils.v", "Axiom idle : False."),
                 w.compile("Stencil/OtherStencils.v"))),
-    ("a theorem that is an axiom", "assumptions", lambda w: resign(w, "FacesCorrect")),
+    ("a theorem that is an axiom", "assumptions", lambda w: resign(w, "DoorSuffices")),
+    ("a theorem of the paper's that is an axiom", "assumptions", lambda w: resign(w, "FacesCorrect")),
     ("an axiom with the name of one of the library", "assumptions", axiom_by_another_name),
 ]
 
@@ -231,7 +241,7 @@ LEFTOVERS = [(what, "leftovers", plant) for what, plant in [
     ("Ltac2", said("From Ltac2 Require Import Ltac2.")),
     ("a library of somebody else", said("From Other Require Import Axioms.")),
     ("a file required without From", said("Require Import Certet.Range.RangeSpec.")),
-    ("an export past Certificate.v", said("From Certet Require Export Range.RangeProof.")),
+    ("an export past the pages", said("From Certet Require Export Range.RangeProof.")),
     ("an extraction of its own", said('Extract Constant Nat.add => "fun _ _ -> 0".')),
     ("letters that look like others", said("Definition Pos\u0456tive := True.")),
     ("a dot that ends no sentence", said("Definition planted := 1.Axiom idle : False.")),
@@ -245,6 +255,9 @@ SPECS = [(what, "specs", said(text, SPEC)) for what, text in [
     ("a notation that only prints", 'Notation "\'Bounded\' n" := (n = 0) (at level 9, only printing).'),
     ("a local notation", 'Local Notation "x <= y" := True.'),
     ("an abbreviation", "Notation Bounded := (fun _ _ => True)."),
+    ("a local name for what no variable makes", "Local Notation Bounded_ := (Bounded LatticeLimit)."),
+    ("a local name for more than variables", "Section S. Variable n : Z. Local Notation m := (n = n). End S."),
+    ("a local name that hides a variable", "Section S. Variables m n : Z. Local Notation m := (n). End S."),
     ("a notation of an inductive type",
      "Inductive Less_ : Z -> Prop := less n : [ n ] where \"[ n ]\" := (Less_ n)."),
     ("a coercion", "Coercion Number : Z >-> Formula."),
@@ -266,19 +279,28 @@ SPECS = [(what, "specs", said(text, SPEC)) for what, text in [
     ("a variable outside a section", "Variable planted : Z."),
 ]]
 
-CERTIFICATE = [(what, "certificate", plant) for what, plant in [
-    ("a definition", said("Definition Bounded := True.", "Certificate.v")),
-    ("a notation", said("Notation Positive := (fun _ => True).", "Certificate.v")),
-    ("a section with a variable", said("Section S. Variable planted : False. End S.", "Certificate.v")),
-    ("a scope more", edited("Certificate.v", "Open Scope Z_scope.", "Open Scope R_scope.")),
-    ("a proof by tactics", edited("Certificate.v", "Proof. exact", "Proof. intros; exact")),
-    ("a theorem given up", said("Theorem planted : False.\nProof. Admitted.", "Certificate.v")),
-    ("a transparent theorem", said("Theorem planted : True.\nProof. exact I. Defined.", "Certificate.v")),
+PAGES = [(what, "pages", plant) for what, plant in [
+    ("a definition", said("Definition Bounded := True.", PAGE)),
+    ("a notation", said("Notation Positive := (fun _ => True).", PAGE)),
+    ("a section with a variable", said("Section S. Variable planted : False. End S.", PAGE)),
+    ("a scope more", edited(PAGE, "Open Scope Z_scope.", "Open Scope R_scope.")),
+    ("a proof by tactics", edited(PAGE, "Proof. exact", "Proof. intros; exact")),
+    ("a theorem given up", said("Theorem planted : False.\nProof. Admitted.", PAGE)),
+    ("a transparent theorem", said("Theorem planted : True.\nProof. exact I. Defined.", PAGE)),
     ("a statement made by a tactic",
-     said("Theorem planted : ltac:(exact True).\nProof. exact I. Qed.", "Certificate.v")),
+     said("Theorem planted : ltac:(exact True).\nProof. exact I. Qed.", PAGE)),
     ("a module that another project exports",
-     edited("Certificate.v", "Open Scope", "From Coq Require Export Lia.\nOpen Scope")),
-    ("an attribute", edited("Certificate.v", "Theorem FacesCorrect", "#[local] Theorem FacesCorrect")),
+     edited(PAGE, "Open Scope", "From Coq Require Export Lia.\nOpen Scope")),
+    ("an attribute", edited(PAGE, "Theorem DoorSuffices", "#[local] Theorem DoorSuffices")),
+    ("a theorem proved under another name",
+     edited(PAGE, "exact RangeProof.CornersInRange", "exact RangeProof.DoorSuffices")),
+    ("a theorem proved by one that stands on a page",
+     edited(PAGE, "exact RangeProof.CornersInRange", "exact CornersInRange")),
+    ("a definition on the paper's page", said("Definition Face1Correct := True.", PAPER)),
+    ("a proof by tactics there", edited(PAPER, "Proof. exact", "Proof. intros; exact")),
+    ("a theorem given up there", said("Theorem planted : False.\nProof. Admitted.", PAPER)),
+    ("a module that another project exports there",
+     edited(PAPER, "(** What is meant. *)", "From Coq Require Export Lia.")),
 ]]
 
 EXTRACTION = [(what, "extraction", plant) for what, plant in [
@@ -313,8 +335,8 @@ COMPILED = [(what, "compiled", plant) for what, plant in [
     ("make's options changed",
      edited("Makefile.coq.conf", "COQMF_OTHERFLAGS =", "COQMF_OTHERFLAGS = -type-in-type")),
     ("code that Coq loads", lambda w: (
-        w.edit("Certificate.v", "Open Scope", "From Coq Require Nsatz ssreflect.\nOpen Scope"),
-        w.compile("Certificate.v"))),
+        w.edit(PAGE, "Open Scope", "From Coq Require Nsatz ssreflect.\nOpen Scope"),
+        w.compile(PAGE))),
 ]]
 
 ELSEWHERE = [(what, "--read tables Tables", file("tables/Tables.v", text)) for what, text in [
@@ -323,5 +345,5 @@ ELSEWHERE = [(what, "--read tables Tables", file("tables/Tables.v", text)) for w
     ("a file of its own that is none of its project", "From Other Require Import Tables."),
 ]]
 
-QUICK = LEFTOVERS + SPECS + CERTIFICATE + EXTRACTION + LISTING + ELSEWHERE
+QUICK = LEFTOVERS + SPECS + PAGES + EXTRACTION + LISTING + ELSEWHERE
 SLOW = COMPILED + CHECKER + MEANING

@@ -35,7 +35,7 @@ class Coq:
         return answer.stdout
 
     def ask(self, question, imports=""):
-        """What Coq answers with the certificate at hand, but no short name of it."""
+        """What Coq answers with the last page at hand, which has the others, but no short name of it."""
         return self.compile("Question", "From Certet Require Certificate.\nFrom Ltac2 Require Ltac2.\n"
                             f"{imports}\nSet Printing Width 78.\n{question}\n")
 
@@ -46,7 +46,7 @@ class Coq:
 
     def assumptions(self, theorems):
         """Coq's answer for each theorem, with axioms by their full names, and those names."""
-        answer = self.ask("\n".join(f'Goal True. idtac "{t}". Abort. Print Assumptions Certet.Certificate.{t}.'
+        answer = self.ask("\n".join(f'Goal True. idtac "{t.split(".")[1]}". Abort. Print Assumptions Certet.{t}.'
                                     for t in theorems))
         # An axiom: a name that begins a line, and its type after it.
         short = sorted(set(re.findall(r"^(\S+)(?= :|\n +:)", answer, re.M)))
@@ -71,7 +71,7 @@ class Coq:
         """Statements, and all that they and these names reach: (name, kind, text)."""
         def references(qualified):
             return "[" + "; ".join(f"reference:({name})" for name in qualified) + "]"
-        statements = references(f"Certet.Certificate.{t}" for t in theorems)
+        statements = references(f"Certet.{t}" for t in theorems)
         answer = self.walk_question(f"Ltac2 Eval walk {statements} {references(names)}.", imports)
         trees = [parse(line) for line in answer.splitlines() if line.startswith("(")]
         printer = Printer(trees)

@@ -1,13 +1,15 @@
 """What a source file may say.  Whatever is not named here is refused.
 
-Four kinds of files: Certificate.v states; the files that it exports define (and those named *Spec.v
-are some of them); Extraction.v lists what runs; all others prove.
+Four kinds of files: the pages, PaperCertificate.v and Certificate.v, state; the files that they
+export define (and those named *Spec.v are some of them); Extraction.v lists what runs; all others
+prove.
 """
 
 import re
 
 from vernacular import Unreadable, sentences
 
+PAGES = ("PaperCertificate.v", "Certificate.v")
 DEFINING = {"From", "Import", "Open", "Section", "End", "Variable", "Variables",
             "Definition", "Fixpoint", "Inductive", "Record", "Arguments"}
 PROVING = DEFINING | {"Theorem", "Lemma", "Corollary", "Let", "Hypothesis", "Hypotheses", "Ltac", "Local"}
@@ -42,17 +44,19 @@ def read(root, file):
 
 
 def exported_files(root):
-    """The files that Certificate.v exports, in order."""
+    """The files that the pages export, in order, but for the pages themselves."""
     found = []
-    for sentence in read(root, "Certificate.v"):
-        if sentence.tokens[:4] == ("From", "Certet", "Require", "Export"):
-            found += [module.replace(".", "/") + ".v" for module in sentence.tokens[4:]]
-    return found
+    for page in PAGES:
+        for sentence in read(root, page):
+            if sentence.tokens[:4] == ("From", "Certet", "Require", "Export"):
+                found += [module.replace(".", "/") + ".v" for module in sentence.tokens[4:]]
+    return [file for file in dict.fromkeys(found) if file not in PAGES]
 
 
 def headlines(root):
-    """The theorems of Certificate.v, in order."""
-    return [s.tokens[1] for s in read(root, "Certificate.v") if s.tokens[0] in STARTING_PROOF]
+    """The theorems of the pages, in order, each with its page: Certificate.DoorSuffices."""
+    return [f"{page[:-2]}.{s.tokens[1]}" for page in PAGES for s in read(root, page)
+            if s.tokens[0] in STARTING_PROOF]
 
 
 def extracted(root):
@@ -66,15 +70,15 @@ def extracted(root):
 # -- every file ---------------------------------------------------------------
 
 def check_import(file, sentence, exported=(), others=()):
-    """From Coq, Certet or the others, nothing but modules; what Certificate.v does not export, none else does."""
+    """From Coq, Certet or the others, nothing but modules; what the pages do not export, no other file does."""
     words = sentence.words
     plain = words[1] in ("Coq", "Certet", *others) and words[2:3] == ("Require",)
     modules = words[4:] if words[3:4] in (("Import",), ("Export",)) else words[3:]
     if not plain or not modules or not all(m[0].isalpha() for m in modules):
         refuse(file, sentence, "a file is required in an unusual way.")
     onward = {module.replace(".", "/") + ".v" for module in words[4:]}
-    if words[3:4] == ("Export",) and (words[1] != "Certet" or not onward <= set(exported)):
-        refuse(file, sentence, "Certificate.v does not export this, so no other file may.")
+    if words[3:4] == ("Export",) and (words[1] != "Certet" or not onward <= {*exported, *PAGES}):
+        refuse(file, sentence, "the pages do not export this, so no other file may.")
 
 
 def check_command(file, sentence, allowed, depth, exported, others):
@@ -125,9 +129,40 @@ def check_file(root, file, allowed, exported, others=()):
 
 # -- one kind each ------------------------------------------------------------
 
+def variables(sentence):
+    """The names that Variable or Variables declares, without their types."""
+    found, reading = [], True
+    for token in sentence.tokens[1:]:
+        reading = token == "(" or reading and token != ":"
+        if reading and token != "(":
+            found.append(token)
+    return found
+
+
+def short_names(root, file):
+    """Local names for what the variables of open sections make: c12 for (GetIntersection v1 v2)."""
+    found, declared = set(), []
+    for sentence in read(root, file):
+        words = sentence.tokens
+        if words[0] == "Section":
+            declared.append(set())
+        elif words[0] == "End" and declared:
+            declared.pop()
+        elif words[0] in ("Variable", "Variables") and declared:
+            declared[-1] |= set(variables(sentence))
+        elif words[0] == "Local":
+            known = set().union(*declared)
+            if (words[1:4:2] != ("Notation", ":=") or words[4:5] + words[-1:] != ("(", ")")
+                    or not set(words[5:-1]) <= known or words[2] in known | found):
+                refuse(file, sentence, "only what the variables of a section make is given a local name.")
+            found.add(words[2])
+    return found
+
+
 def check_definitions(root, file, exported):
-    """A file that Certificate.v exports: plain definitions."""
-    check_file(root, file, DEFINING, exported)
+    """A file that a page exports: plain definitions."""
+    short_names(root, file)
+    check_file(root, file, DEFINING | {"Local"}, exported)
     for sentence in read(root, file):
         if TRICKS & set(sentence.tokens) or any(t.startswith('"') for t in sentence.tokens):
             refuse(file, sentence, "a definition that users read has no notation, coercion, attribute or tactic.")
@@ -136,28 +171,35 @@ def check_definitions(root, file, exported):
             refuse(file, sentence, "arguments are made implicit, and no more.")
 
 
-def check_certificate(root):
-    """Nothing but imports and theorems, each proved by one exact."""
-    said, exported = read(root, "Certificate.v"), exported_files(root)
+def check_page(root, page, exported):
+    """Nothing but imports and theorems, each proved by exact and a theorem of the same name."""
+    said = read(root, page)
     while said:
         sentence = said.pop(0)
         words = sentence.tokens
         if words[0] == "From":
-            check_import("Certificate.v", sentence, exported)
+            check_import(page, sentence, exported)
         elif words[0] in STARTING_PROOF:
             proof = [s.tokens for s in said[:3]]
             if (TRICKS | {"exact"}) & set(words) or any(t.startswith('"') for t in words):
-                refuse("Certificate.v", sentence, "a statement holds a trick.")
+                refuse(page, sentence, "a statement holds a trick.")
             if (len(proof) < 3 or proof[0] != ("Proof",) or proof[2] != ("Qed",)
                     or proof[1][0] != "exact" or len(proof[1]) != 2):
-                refuse("Certificate.v", sentence, "a headline is proved by exact and a name alone.")
+                refuse(page, sentence, "a headline is proved by exact and a name alone.")
+            if proof[1][1].split(".")[1:] != [words[1]]:
+                refuse(page, sentence, "a headline is proved in a file, by a theorem of its own name there.")
             del said[:3]
         elif words != ("Open", "Scope", "Z_scope"):
-            refuse("Certificate.v", sentence, "Certificate.v only imports and states.")
+            refuse(page, sentence, "a page only imports and states.")
+
+
+def check_pages(root):
+    for page in PAGES:
+        check_page(root, page, exported_files(root))
 
 
 def check_extraction(root):
-    """The extracted functions are OCaml as Coq gives it, from the files that Certificate.v exports."""
+    """The extracted functions are OCaml as Coq gives it, from the files that the pages export."""
     said = read(root, "Extraction.v")
     exported = {file[:-2].replace("/", ".") for file in exported_files(root)}
     outputs = 0

@@ -63,40 +63,41 @@ Proof. vm_compute. reflexivity. Qed.
 
 (** ** The bounds that every mesh is held to
 
-    What the C++ side calls proven is proven, of each method and its thresholds. *)
+    What the C++ side calls proven is proven, of every method, wherever the cuts of
+    its edges are. *)
 
 Definition Promised (m : Method) (t : UnstructuredTet Coord3) : Prop :=
-  WithinDegrees (IZR (least (bounds m)) / 100) (IZR (greatest (bounds m)) / 100) t.
+  WithinDegrees (IZR (LeastAngle m) / 100) (IZR (GreatestAngle m) / 100) t.
 
 Definition Proven (m : Method) : Prop :=
-  match cuts m, settles m with
-  | OnTheSurface, true =>
-      forall sign cut stays limit tid t, CutsOnEdges sign cut ->
-        In t (WarpOrClamp (thresholds m) sign cut stays limit tid) ->
+  match m with
+  | SettledMethod turns =>
+      forall sample cut tids t, CutsOnEdges sample cut ->
+        In t (SettledMesh (MethodThresholds m) (OpenSigns sample) (OpenCuts sample cut)
+                LevelGap turns tids) ->
         Promised m t
-  | OnTheSurface, false =>
+  | AngleMethod | EmbeddingMethod =>
       forall sign cut tid t, CutsOnEdges sign cut ->
-        In t (map (MapTet (MeshPosition (thresholds m) sign cut))
-                (StuffTet (thresholds m) sign cut tid)) ->
+        In t (map (MapTet (MeshPosition (MethodThresholds m) sign cut))
+                (StuffTet (MethodThresholds m) sign cut tid)) ->
         Promised m t
-  | InTheMiddle, _ =>
+  | MidpointMethod =>
       forall sign tid t,
         let decided v := InOrOut (sign v) in
         let cut (_ _ : Coord3) := MidpointCut in
-        In t (map (MapTet (MeshPosition (thresholds m) decided cut))
-                (StuffTet (thresholds m) decided cut tid)) ->
+        In t (map (MapTet (MeshPosition (MethodThresholds m) decided cut))
+                (StuffTet (MethodThresholds m) decided cut tid)) ->
         Promised m t
   end.
 
-Theorem CppMethodsProven : AreMethods CppMethods = true /\ Forall Proven Methods.
+Theorem CppMethodsProven : AreMethods CppMethods = true /\ forall m, Proven m.
 Proof.
-  split; [vm_compute; reflexivity|].
-  constructor; [exact RuledBoundsInDegrees|].
-  constructor; [exact DihedralBoundsInDegrees|].
-  constructor; [exact DihedralBoundsEmbeddingInDegrees|].
-  constructor; [|constructor].
-  intros sign tid t decided cut I. unfold Promised. cbn [bounds least greatest].
-  replace (IZR 3000 / 100)%R with 30%R by lra.
-  replace (IZR 13500 / 100)%R with 135%R by lra.
-  exact (MidpointBoundsInDegrees sign tid t I).
+  split; [vm_compute; reflexivity|]. intros [| | |turns].
+  - exact DihedralBoundsInDegrees.
+  - exact DihedralBoundsEmbeddingInDegrees.
+  - intros sign tid t decided cut I. unfold Promised. cbn [LeastAngle GreatestAngle].
+    replace (IZR 3000 / 100)%R with 30%R by lra.
+    replace (IZR 13500 / 100)%R with 135%R by lra.
+    exact (MidpointBoundsInDegrees sign tid t I).
+  - intros sample cut. exact (SettledBoundsInDegrees sample cut turns).
 Qed.

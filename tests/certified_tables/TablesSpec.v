@@ -266,27 +266,28 @@ Definition AreOutwardFaces (t : Table) : bool :=
 
 (** ** The methods, and the bounds that every mesh is held to
 
-    A method cuts edges on the surface or in the middle, and warps at its
-    thresholds, where all violated vertices move, or some settle; the theorem
-    that it names promises its bounds, here in hundredths of degrees. *)
+    What a method is, where it warps and what it promises, in hundredths of degrees,
+    is told by [Mesh/Method.v].  The engine has besides a name for it, a number for
+    where it cuts edges and whether some violated vertices stay, and names the
+    theorem on its angles. *)
 
 Inductive Cuts := OnTheSurface | InTheMiddle.
 Definition CutsNumber (c : Cuts) : Z := match c with OnTheSurface => 0 | InTheMiddle => 1 end.
 
-Record Bounds := { least : Z; greatest : Z; theorem : string }.
-Record Method := { called : string; cuts : Cuts; thresholds : Thresholds;
-                   settles : bool; bounds : Bounds }.
+Definition MethodCuts (m : Method) : Cuts :=
+  match m with MidpointMethod => InTheMiddle | _ => OnTheSurface end.
 
-Definition Methods : list Method :=
-  [{| called := "embedded"; cuts := OnTheSurface; thresholds := AngleThresholds; settles := true;
-      bounds := {| least := 1077; greatest := 16476; theorem := "RuledBoundsInDegrees" |} |};
-   {| called := "angles"; cuts := OnTheSurface; thresholds := AngleThresholds; settles := false;
-      bounds := {| least := 1077; greatest := 16476; theorem := "DihedralBounds" |} |};
-   {| called := "embedding"; cuts := OnTheSurface; thresholds := EmbeddingThresholds;
-      settles := false;
-      bounds := {| least := 927; greatest := 16146; theorem := "DihedralBoundsEmbedding" |} |};
-   {| called := "midpoint"; cuts := InTheMiddle; thresholds := NoWarpThresholds; settles := false;
-      bounds := {| least := 3000; greatest := 13500; theorem := "MidpointBounds" |} |}]%string.
+Definition MethodSettles (m : Method) : bool :=
+  match m with SettledMethod _ => true | _ => false end.
+
+Record NamedMethod := { called : string; method : Method; theorem : string }.
+
+(** Whose turns come when makes no difference to what is told here. *)
+Definition Methods : list NamedMethod :=
+  [{| called := "embedded"; method := SettledMethod []; theorem := "SettledBoundsInDegrees" |};
+   {| called := "angles"; method := AngleMethod; theorem := "DihedralBounds" |};
+   {| called := "embedding"; method := EmbeddingMethod; theorem := "DihedralBoundsEmbedding" |};
+   {| called := "midpoint"; method := MidpointMethod; theorem := "MidpointBounds" |}]%string.
 
 (** The number of 53 bits, written in full, that is nearest to so many hundredths. *)
 Definition IsNearest (hundredths : Z) (t : Table) : bool :=
@@ -296,26 +297,45 @@ Definition IsNearest (hundredths : Z) (t : Table) : bool :=
       (2 * Z.abs (100 * m - hundredths * 2 ^ (- e)) <=? 100)
   | _ => false
   end.
-Definition AreBounds (b : Bounds) (t : Table) : bool :=
+(** A row has its number first, and what it promises last. *)
+Definition IsMethod (numbered : Z * NamedMethod) (t : Table) : bool :=
+  let (number, named) := numbered in
+  let m := method named in
   match t with
-  | Row [low; high; name] =>
-      IsNearest (least b) low && IsNearest (greatest b) high && Equal (Text (theorem b)) name
-  | _ => false
-  end.
-
-(** A row has its number first. *)
-Definition IsMethod (numbered : Z * Method) (t : Table) : bool :=
-  let (number, m) := numbered in
-  match t with
-  | Row [row; name; where_; alpha; rule; promise] =>
-      Equal (Number number) row && Equal (Text (called m)) name &&
-      Equal (Number (CutsNumber (cuts m))) where_ &&
-      Equal (ThresholdsEntry (thresholds m)) alpha && 
-      Equal (Truth (settles m)) rule && AreBounds (bounds m) promise
+  | Row [row; name; where_; alpha; rule; Row [low; high; promise]] =>
+      Equal (Number number) row && Equal (Text (called named)) name &&
+      Equal (Number (CutsNumber (MethodCuts m))) where_ &&
+      Equal (ThresholdsEntry (MethodThresholds m)) alpha &&
+      Equal (Truth (MethodSettles m)) rule &&
+      IsNearest (LeastAngle m) low && IsNearest (GreatestAngle m) high &&
+      Equal (Text (theorem named)) promise
   | _ => false
   end.
 Definition AreMethods : Table -> bool :=
   Each IsMethod (combine (Upto (length Methods)) Methods).
+
+(** ** Links
+
+    A set of directions is a number, with a bit for each. *)
+
+Definition SetNumber (set : Link bool) : Z :=
+  fold_right (fun d n => (if At set d then 1 else 0) + 2 * n) 0 AllDirections.
+
+Definition LinkRings : Table :=
+  OfDirections (fun d => Number (SetNumber (Gather (NextInLink d)))).
+
+Definition PlaceInLink : Link Z :=
+  Gather (fun d => PlaceOf SameDirection d AllDirections).
+
+Definition NumberedSet (n : Z) : Link bool :=
+  Gather (fun d => Z.testbit n (At PlaceInLink d)).
+
+(** Sixty-four sets in a number. *)
+Definition ConnectedSets : Table :=
+  Numbers (map (fun word =>
+    fold_right (fun bit n =>
+      (if InOnePiece (NumberedSet (64 * word + bit)) then 1 else 0) + 2 * n)
+      0 (Upto 64)) (Upto 256)).
 
 (** ** All of them *)
 
@@ -340,6 +360,9 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("embedding_thresholds", Is (ThresholdsEntry EmbeddingThresholds));
    ("no_warp_thresholds", Is (ThresholdsEntry NoWarpThresholds));
    ("methods", AreMethods);
+   ("core::whole_link", Is (Number (SetNumber (Gather (fun _ => true)))));
+   ("core::link_ring", Is LinkRings);
+   ("core::connected_sets", Is ConnectedSets);
    ("core::grid_count", Is (Count Grids));
    ("core::grids", Is (Numbers (Upto (length Grids))));
    ("core::corner_kinds", Is (Number CornerKinds));

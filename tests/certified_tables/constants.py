@@ -173,14 +173,14 @@ PLANTED = {
     "cpp/lattice/lattice_edges.hpp": ("/// An edge as one",
                                    "inline constexpr std::array<int, 3> planted_a{1, 2, 3};\n"),
     "cpp/engine/emit_points.cpp": ("/// Cuts of one family.", "const int planted_b[] = {4, 5};\n"),
-    "cpp/mesh/quality/bounds.cpp": ("  // Midpoint cuts never",
+    "cpp/mesh/quality/bounds.cpp": ("  // As many digits as are",
                                "  static constexpr double planted_c = 0.5; (void)planted_c;\n"),
     "cpp/include/certet/frame.hpp": ("  double size = 1;",
                                      "  static constexpr int planted_d = 7;\n"),
     "cpp/include/certet/lattice/direction.hpp": ("/// The square of an edge",
                                          "constexpr /* a\n comment */ int planted_e(int d)"
                                          " { return d; }\n"),
-    "cpp/include/certet/stuffing.hpp": ("  midpoint,  ///<", "  planted_f,\n"),
+    "cpp/include/certet/method.hpp": ("  midpoint,  ///<", "  planted_f,\n"),
 }
 
 

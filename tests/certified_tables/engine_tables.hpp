@@ -14,6 +14,7 @@
 #include "certet/lattice/tiling.hpp"
 #include "certet/lattice/warp.hpp"
 #include "engine/cuts.hpp"
+#include "engine/link.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/quality/shape_counter.hpp"
 
@@ -53,6 +54,10 @@ void for_each_constant(const Visit& visit) {
   CERTET_CONSTANT(embedding_thresholds);
   CERTET_CONSTANT(no_warp_thresholds);
   CERTET_CONSTANT(methods);
+
+  CERTET_CONSTANT(core::whole_link);
+  CERTET_CONSTANT(core::link_ring);
+  CERTET_CONSTANT(core::connected_sets);
 
   CERTET_CONSTANT(core::grid_count);
   CERTET_CONSTANT(core::grids);

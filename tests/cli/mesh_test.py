@@ -91,7 +91,7 @@ class Formula(ProgramTest):
         self.check("root.vtu")
 
     def test_every_method_says_so(self):
-        theorems = {"embedded": ("RuledBoundsInDegrees", 10.77), "angles": ("DihedralBounds", 10.77),
+        theorems = {"embedded": ("SettledBoundsInDegrees", 10.77), "angles": ("DihedralBounds", 10.77),
                     "embedding": ("DihedralBoundsEmbedding", 9.27),
                     "midpoint": ("MidpointBounds", 30)}
         for choice, method in (

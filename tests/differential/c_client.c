@@ -95,6 +95,17 @@ static const char* warp_and_cut(void) {
   return NULL;
 }
 
+static const char* links(void) {
+  int signs[14] = {2};
+  int disk = -1;
+  DEMAND(certified_is_disk(signs, &disk) == CERTIFIED_OK && disk == 1);
+  signs[1] = 2; /* across from the other */
+  DEMAND(certified_is_disk(signs, &disk) == CERTIFIED_OK && disk == 0);
+  signs[1] = 3;
+  DEMAND(certified_is_disk(signs, &disk) == CERTIFIED_FAILURE);
+  return NULL;
+}
+
 struct counting {
   int tets;
   int stop_at;
@@ -128,9 +139,16 @@ static const char* meshes(void) {
   const int64_t cells[3] = {4, 4, 4};
   DEMAND(certified_stuff_lattice(0, 0, origin, cells, &domain) == CERTIFIED_OK);
   DEMAND(counting.tets > 100);
+  const int stuffed = counting.tets;
+  counting.tets = 0;
+  DEMAND(certified_settle_lattice(0, 0, 1, origin, cells, &domain) == CERTIFIED_OK);
+  DEMAND(counting.tets == stuffed);
   counting.tets = 0;
   counting.stop_at = 3;
   DEMAND(certified_stuff_lattice(0, 0, origin, cells, &domain) == CERTIFIED_CLOSURE_FAILED);
+  DEMAND(counting.tets == 3);
+  counting.tets = 0;
+  DEMAND(certified_settle_lattice(0, 0, 0, origin, cells, &domain) == CERTIFIED_CLOSURE_FAILED);
   DEMAND(counting.tets == 3);
   return NULL;
 }
@@ -141,5 +159,6 @@ const char* use_the_c_header(void) {
   if ((wrong = structured()) != NULL) return wrong;
   if ((wrong = stencils()) != NULL) return wrong;
   if ((wrong = warp_and_cut()) != NULL) return wrong;
+  if ((wrong = links()) != NULL) return wrong;
   return meshes();
 }

@@ -68,12 +68,23 @@ PlacedTets engine(const certet::Domain& domain, const Lattice& lattice,
 }
 
 TEST_F(ReferenceProgram, MeshesASphere) {
-  const PlacedTets theirs = reference("--solid 'sphere 7.1 7.2 6.9 5.3' --lattice '0 0 0 8 9 8'");
+  const PlacedTets theirs = reference(
+      "--guarantee angles --solid 'sphere 7.1 7.2 6.9 5.3' --lattice '0 0 0 8 9 8'");
   EXPECT_GT(theirs.size(), 500U);
   const Lattice lattice{{0, 0, 0}, {8, 9, 8}};
   const auto ball = [](double r) { return domains::of_level(domains::sphere(7.1, 7.2, 6.9, r)); };
   EXPECT_TRUE(engine(ball(5.3), lattice) == theirs);
   EXPECT_FALSE(engine(ball(5.3001), lattice) == theirs);
+}
+
+/// A thin torus, of which some vertices stay.
+TEST_F(ReferenceProgram, KeepsTheShapeByDefault) {
+  const Lattice lattice{{-8, -8, -8}, {9, 9, 9}};
+  const auto thin = domains::of_level(domains::torus(0.3, 0.2, 0.1, 4.1, 1.2));
+  const PlacedTets kept = reference("--solid 'torus 0.3 0.2 0.1 4.1 1.2' --lattice '-8 -8 -8 9 9 9'");
+  EXPECT_GT(kept.size(), 100U);
+  EXPECT_TRUE(engine(thin, lattice, certet::Method::embedded) == kept);
+  EXPECT_FALSE(engine(thin, lattice, certet::Method::angles) == kept);
 }
 
 TEST_F(ReferenceProgram, MeshesATorusForAnEmbedding) {
@@ -132,7 +143,8 @@ TEST_F(ReferenceProgram, MeshesASampledDomain) {
   const domains::Positional domain =
       domains::random_cuts(5, 30, {10000, 20000, 33333, 50000, 60000});
   write_signs(folder / "noise.signs", domain, lattice);
-  const PlacedTets theirs = reference("--signs " + (folder / "noise.signs").string());
+  const PlacedTets theirs =
+      reference("--guarantee angles --signs " + (folder / "noise.signs").string());
   EXPECT_GT(theirs.size(), 50U);
   EXPECT_TRUE(engine(domain, lattice) == theirs);
 }

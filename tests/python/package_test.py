@@ -161,7 +161,7 @@ class Images(unittest.TestCase):
         self.assertGreaterEqual(quality.min_dihedral, 30 - 1e-6)
 
     def test_methods(self):
-        theorems = {"embedded": "RuledBoundsInDegrees", "angles": "DihedralBounds", "embedding": "DihedralBoundsEmbedding",
+        theorems = {"embedded": "SettledBoundsInDegrees", "angles": "DihedralBounds", "embedding": "DihedralBoundsEmbedding",
                     "midpoint": "MidpointBounds"}
         for method, theorem in theorems.items():
             mesh = certet.mesh_function(lambda p: (p**2).sum(1) - 1, ((-1.5,) * 3, (1.5,) * 3),

@@ -3,7 +3,7 @@
 
 From Coq Require Import ZArith.
 From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Warp.Warp Angles.AnglesSpec Angles.Configurations.
+From Certet Require Import Warp.Warp Angles.AnglesSpec Angles.Cases.Configurations.
 Open Scope Z_scope.
 
 Lemma AnglesManySurface :

@@ -3,7 +3,7 @@
 
 From Coq Require Import ZArith List.
 From Certet Require Import Lattice.Coord3 Lattice.Direction Warp.Warp.
-From Certet Require Import Angles.Geometry Angles.Configurations.
+From Certet Require Import Angles.Geometry Angles.Cases.Configurations.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -4,7 +4,7 @@
 From Coq Require Import ZArith.
 From Certet Require Import Stencil.UnstructuredTet.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Configurations.
+From Certet Require Import Angles.Cases.Configurations.
 Open Scope Z_scope.
 
 Definition MidpointRanges : Ranges := {|

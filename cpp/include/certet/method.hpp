@@ -52,7 +52,7 @@ struct MethodFacts {
 /// A row for each method, in the order of the enumeration.
 inline constexpr std::array<MethodFacts, 4> methods{{
     {Method::embedded, "embedded", Cuts::bisect, angle_thresholds, true,
-     {10.77, 164.76, "RuledBoundsInDegrees"},
+     {10.77, 164.76, "SettledBoundsInDegrees"},
      "no tetrahedra overlap, the surface is a manifold, pieces are kept"},
     {Method::angles, "angles", Cuts::bisect, angle_thresholds, false,
      {10.77, 164.76, "DihedralBounds"},

@@ -66,7 +66,7 @@ TEST(Quality, NothingAddsNothing) {
 
 TEST(Methods, PromiseWhatTheirTheoremsDo) {
   const AngleBounds& embedded = facts(Method::embedded).bounds;
-  EXPECT_EQ(embedded.theorem, "RuledBoundsInDegrees");
+  EXPECT_EQ(embedded.theorem, "SettledBoundsInDegrees");
   EXPECT_EQ(embedded.min_dihedral, 10.77);
   EXPECT_EQ(embedded.max_dihedral, 164.76);
   const AngleBounds& angles = facts(Method::angles).bounds;

@@ -5,20 +5,20 @@ From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
 From Certet Require Import Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing Stuffing.Domain.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
-From Certet Require Import Angles.CheckerProof Angles.AngleTheorems.
-From Certet Require Import Angles.DegreesProof Angles.Witnesses.
-From Certet Require Import Angles.SharpnessProof Angles.DomainProof.
+From Certet Require Import Angles.Forms.CheckerProof Angles.AngleTheorems.
+From Certet Require Import Angles.Degrees.DegreesProof Angles.Degrees.Witnesses.
+From Certet Require Import Angles.Degrees.SharpnessProof Angles.DomainProof.
 Open Scope R_scope.
 
 Theorem BisectedBoundsInDegrees sign domain tid t :
   In t (StuffedTets AngleThresholds sign (BisectedCuts domain) tid) ->
   WithinDegrees (1077 / 100) (16476 / 100) t.
-Proof. exact (AngleBounds_73_102 _ _ tid t (BisectedOnEdges _ _)). Qed.
+Proof. exact (DihedralBoundsInDegrees _ _ tid t (BisectedOnEdges _ _)). Qed.
 
 Theorem BisectedBoundsEmbeddingInDegrees sign domain tid t :
   In t (StuffedTets EmbeddingThresholds sign (BisectedCuts domain) tid) ->
   WithinDegrees (927 / 100) (16146 / 100) t.
-Proof. exact (AngleBounds_64_105 _ _ tid t (BisectedOnEdges _ _)). Qed.
+Proof. exact (DihedralBoundsEmbeddingInDegrees _ _ tid t (BisectedOnEdges _ _)). Qed.
 
 (** ** Exhibits *)
 
@@ -95,20 +95,14 @@ Qed.
 
 Lemma CotangentOver30 : CotangentOver (CotSq 3 1) 30.
 Proof.
-  split; [lra|]. repeat (split; [lia|]). unfold Radians.
-  replace (30 * PI / 180) with (PI / 6) by field. rewrite cos_PI6.
-  replace ((sqrt 3 / 2) ^ 2) with (sqrt 3 * sqrt 3 / 4) by field.
-  rewrite sqrt_sqrt by lra. change (3 + 1)%Z with 4%Z. lra.
+  unfold CotangentOver. rewrite CosineSquared30. change (3 + 1)%Z with 4%Z.
+  repeat split; lra || lia.
 Qed.
 
 Lemma CotangentOver45 : CotangentOver (CotSq 1 1) 45.
 Proof.
-  split; [lra|]. repeat (split; [lia|]). unfold Radians.
-  replace (45 * PI / 180) with (PI / 4) by field. rewrite cos_PI4.
-  assert (S : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra).
-  assert (P : 0 < sqrt 2) by (apply sqrt_lt_R0; lra).
-  replace ((1 / sqrt 2) ^ 2) with (/ (sqrt 2 * sqrt 2)) by (field; lra).
-  rewrite S. change (1 + 1)%Z with 2%Z. lra.
+  unfold CotangentOver. rewrite CosineSquared45. change (1 + 1)%Z with 2%Z.
+  repeat split; lra || lia.
 Qed.
 
 (** As integers tell it: no axiom is needed. *)
@@ -144,7 +138,7 @@ Lemma MidpointAngle sign t p q r s :
   In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts WitnessTet) ->
   In (p, q, r, s) (DihedralEdges t) -> 30 <= DihedralDegrees p q r s <= 135.
 Proof.
-  intros I J. pose proof (AngleBounds_InOrOut sign WitnessTet t I) as W.
+  intros I J. pose proof (MidpointBoundsInDegrees sign WitnessTet t I) as W.
   destruct t as [a b c d]. apply W, J.
 Qed.
 
@@ -158,12 +152,12 @@ Theorem MidpointBoundsAreSharp :
 Proof.
   split.
   - destruct (ExhibitsLeast NoWarpThresholds (Decided MidpointSigns) MidpointCuts
-      MidpointAngles 3 1 30 (StuffedInOrOut _ _) CotangentOver30
+      MidpointAngles 3 1 30 (MidpointBounds _ _) CotangentOver30
       ltac:(vm_compute; reflexivity)) as (t & p & q & r & s & I & J & L).
     exists MidpointSigns, WitnessTet, t, p, q, r, s. repeat (split; [assumption|]).
     apply Rle_antisym; [exact L | exact (proj1 (MidpointAngle _ _ _ _ _ _ I J))].
   - destruct (ExhibitsGreatest NoWarpThresholds (Decided MidpointSigns) MidpointCuts
-      MidpointAngles 1 1 45 (StuffedInOrOut _ _) CotangentOver45
+      MidpointAngles 1 1 45 (MidpointBounds _ _) CotangentOver45
       ltac:(vm_compute; reflexivity)) as (t & p & q & r & s & I & J & L).
     exists MidpointSigns, WitnessTet, t, p, q, r, s. repeat (split; [assumption|]).
     apply Rle_antisym; [exact (proj2 (MidpointAngle _ _ _ _ _ _ I J)) | lra].

@@ -8,9 +8,9 @@ From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Checker Angles.EdgeProof Angles.CheckerProof.
-From Certet Require Import Angles.Configurations Angles.Isometry.
-From Certet Require Import Angles.SymmetryProof.
+From Certet Require Import Angles.Forms.Checker Angles.Forms.EdgeProof Angles.Forms.CheckerProof.
+From Certet Require Import Angles.Cases.Configurations Angles.Cases.Isometry.
+From Certet Require Import Angles.Cases.SymmetryProof.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -2,8 +2,8 @@
 
 From Coq Require Import ZArith List Bool Lia.
 From Certet Require Import Lattice.Coord3 Stencil.UnstructuredTet.
-From Certet Require Import Angles.Geometry Angles.Tensor Angles.TensorProof.
-From Certet Require Import Angles.Checker Angles.EdgeProof.
+From Certet Require Import Angles.Geometry Angles.Forms.BoxForm Angles.Forms.BoxFormProof.
+From Certet Require Import Angles.Forms.Checker Angles.Forms.EdgeProof.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -127,7 +127,7 @@ Section Tetrahedron.
     scale ^ 3 * volume <= SixVolume xa xb xc xd ->
     Z.abs (NormalsProduct xa xb xc xd) <= Z.abs (scale ^ 4 * extreme) ->
     CheckBound (CotSq num den) volume extreme
-      (Lower (EdgeDegrees a b c d) (EdgeTensor a b c d)) a b c d = true ->
+      (Lower (EdgeDegrees a b c d) (EdgeForm a b c d)) a b c d = true ->
     WithinCotangent num den xa xb xc xd.
   Proof.
     intros Ha Hb Hc Hd Pn Pd Pv HV HN K. unfold CheckBound in K.
@@ -157,13 +157,13 @@ Section Tetrahedron.
   Proof.
     intros Hs Ha Hb Hc Hd Pv HV K.
     assert (Hi : NormalsProduct xa xb xc xd
-      <= scale ^ 4 * Upper (NormalsDegrees a b c d) (NormalsTensor a b c d)).
+      <= scale ^ 4 * Upper (NormalsDegrees a b c d) (NormalsForm a b c d)).
     { destruct Ha as [[? ?] Ha], Hb as [[? ?] Hb], Hc as [[? ?] Hc],
         Hd as [[? ?] Hd].
       exact (NormalsAtMost scale a b c d xa xb xc xd _ _ _ _ _ _ _ _
                Ha Hb Hc Hd Hscale). }
     assert (Lo :
-      scale ^ 4 * Lower (NormalsDegrees a b c d) (NormalsTensor a b c d)
+      scale ^ 4 * Lower (NormalsDegrees a b c d) (NormalsForm a b c d)
       <= NormalsProduct xa xb xc xd).
     { destruct Ha as [[? ?] Ha], Hb as [[? ?] Hb], Hc as [[? ?] Hc],
         Hd as [[? ?] Hd].

@@ -10,7 +10,7 @@ From Coq Require Import ZArith List Bool.
 From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp.
-From Certet Require Import Angles.Geometry Angles.Checker.
+From Certet Require Import Angles.Geometry Angles.Forms.Checker.
 Import ListNotations.
 Open Scope Z_scope.
 

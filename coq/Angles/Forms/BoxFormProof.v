@@ -1,7 +1,7 @@
-(** * What tensors compute: proofs *)
+(** * What forms over a box compute: proofs *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Angles.Tensor.
+From Certet Require Import Angles.Forms.BoxForm.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -193,27 +193,27 @@ Section Forms.
   End Upper.
 End Forms.
 
-(** ** Tensors *)
+(** ** Box forms *)
 
 Definition NonNegative (weights : list (Z * Z)) : Prop :=
   Forall (fun wu => 0 <= fst wu /\ 0 <= snd wu) weights.
 
 Lemma ValueAdd ds : forall weights x y,
   (length ds <= length weights)%nat ->
-  Value ds weights (TensorAdd ds x y) = Value ds weights x + Value ds weights y.
+  Value ds weights (BoxAdd ds x y) = Value ds weights x + Value ds weights y.
 Proof.
   induction ds as [|d ds IH]; intros [|[w u] weights] x y L; cbn in L; try lia;
     try reflexivity.
-  cbn [Value TensorAdd]. apply FormValueAdd. intros. apply IH. lia.
+  cbn [Value BoxAdd]. apply FormValueAdd. intros. apply IH. lia.
 Qed.
 
 Lemma ValueOpp ds : forall weights x,
   (length ds <= length weights)%nat ->
-  Value ds weights (TensorOpp ds x) = - Value ds weights x.
+  Value ds weights (BoxOpp ds x) = - Value ds weights x.
 Proof.
   induction ds as [|d ds IH]; intros [|[w u] weights] x L; cbn in L; try lia;
     try reflexivity.
-  cbn [Value TensorOpp].
+  cbn [Value BoxOpp].
   rewrite (FormValueMap w u (Value ds weights) (Value ds weights) _ (-1)).
   - ring.
   - intros y. rewrite IH by lia. ring.
@@ -228,12 +228,12 @@ Qed.
 
 Lemma ValueMul ds : forall es weights x y,
   length ds = length es -> (length ds <= length weights)%nat ->
-  Value (SumDegrees ds es) weights (TensorMul ds es x y)
+  Value (SumDegrees ds es) weights (BoxMul ds es x y)
   = Value ds weights x * Value es weights y.
 Proof.
   induction ds as [|d ds IH]; intros [|e es] [|[w u] weights] x y E L;
     cbn in E, L; try lia; try reflexivity.
-  cbn [Value TensorMul SumDegrees]. apply FormValueMul; intros.
+  cbn [Value BoxMul SumDegrees]. apply FormValueMul; intros.
   - apply IH; lia.
   - apply ValueAdd. rewrite SumDegreesLength; lia.
 Qed.
@@ -281,6 +281,6 @@ Lemma LowerBound ds weights x :
   Lower ds x * Mass ds weights <= Value ds weights x.
 Proof.
   intros P L. unfold Lower.
-  pose proof (UpperBound ds weights (TensorOpp ds x) P L) as U.
+  pose proof (UpperBound ds weights (BoxOpp ds x) P L) as U.
   rewrite ValueOpp in U by assumption. lia.
 Qed.

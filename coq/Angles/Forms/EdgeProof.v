@@ -5,8 +5,8 @@
 
 From Coq Require Import ZArith List Bool Lia.
 From Certet Require Import Lattice.Coord3 Stencil.UnstructuredTet.
-From Certet Require Import Angles.Geometry Angles.Tensor Angles.TensorProof.
-From Certet Require Import Angles.Checker.
+From Certet Require Import Angles.Geometry Angles.Forms.BoxForm Angles.Forms.BoxFormProof.
+From Certet Require Import Angles.Forms.Checker.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -166,7 +166,7 @@ Section Quadruple.
     intros [? ? ?] [? ? ?] [? ? ?] [? ? ?]; unfolded; ring.
 
   Lemma VolumeValue :
-    Value (VolumeDegrees a b c d) weights (VolumeTensor a b c d) * scale ^ 3
+    Value (VolumeDegrees a b c d) weights (VolumeForm a b c d) * scale ^ 3
     = Mass (VolumeDegrees a b c d) weights * SixVolume xa xb xc xd.
   Proof.
     apply ValueTable; try prove_suits; prove_homogeneous.
@@ -218,11 +218,11 @@ Section Quadruple.
          (Table n a b c d (fun p q r s => i (g p q r s))) * l
        = Mass (Degrees n a b c d) weights * i v) ->
     Value (SumDegrees (Degrees m a b c d) (Degrees n a b c d)) weights
-      (DotTensor a b c d m n f g) * (k * l)
+      (DotForm a b c d m n f g) * (k * l)
     = Mass (Degrees m a b c d) weights * Mass (Degrees n a b c d) weights
       * Dot u v.
   Proof.
-    intros Hf Hg. unfold DotTensor.
+    intros Hf Hg. unfold DotForm.
     rewrite !ValueAdd, !ValueMul
       by (rewrite ?SumDegreesLength, ?DegreesLength; cbn; rewrite ?DegreesLength; lia).
     assert (E : forall i, In i [X; Y; W] ->
@@ -250,7 +250,7 @@ Section Quadruple.
   Let MV := Mass (VolumeDegrees a b c d) weights.
 
   Lemma NormalsValue :
-    Value (NormalsDegrees a b c d) weights (NormalsTensor a b c d)
+    Value (NormalsDegrees a b c d) weights (NormalsForm a b c d)
       * (scale ^ 2 * scale ^ 2)
     = MC * MD * NormalsProduct xa xb xc xd.
   Proof.
@@ -259,7 +259,7 @@ Section Quadruple.
   Qed.
 
   Lemma EdgeValue :
-    Value (EdgeDegrees a b c d) weights (EdgeTensor a b c d) * (scale * scale)
+    Value (EdgeDegrees a b c d) weights (EdgeForm a b c d) * (scale * scale)
     = ME * ME * EdgeSquared xa xb.
   Proof. apply DotValue; intros i Hi; apply OfEdgeValue; assumption. Qed.
 
@@ -301,11 +301,11 @@ Section Quadruple.
   Proof. intros P. apply Z.mul_le_mono_pos_l, P. Qed.
 
   Lemma VolumeAtLeast :
-    scale ^ 3 * Lower (VolumeDegrees a b c d) (VolumeTensor a b c d)
+    scale ^ 3 * Lower (VolumeDegrees a b c d) (VolumeForm a b c d)
     <= SixVolume xa xb xc xd.
   Proof.
     pose proof (LowerBound (VolumeDegrees a b c d) weights
-      (VolumeTensor a b c d) WeightsNonNegative (Lengths _)) as L.
+      (VolumeForm a b c d) WeightsNonNegative (Lengths _)) as L.
     pose proof VolumeValue as E.
     pose proof (MassPositive OfVolume) as P.
     change (Degrees OfVolume a b c d) with (VolumeDegrees a b c d) in P.
@@ -314,11 +314,11 @@ Section Quadruple.
   Qed.
 
   Lemma EdgeAtLeast :
-    scale ^ 2 * Lower (EdgeDegrees a b c d) (EdgeTensor a b c d)
+    scale ^ 2 * Lower (EdgeDegrees a b c d) (EdgeForm a b c d)
     <= EdgeSquared xa xb.
   Proof.
     pose proof (LowerBound (EdgeDegrees a b c d) weights
-      (EdgeTensor a b c d) WeightsNonNegative (SumLengths _ _)) as L.
+      (EdgeForm a b c d) WeightsNonNegative (SumLengths _ _)) as L.
     pose proof EdgeValue as E.
     pose proof (MassPositive OfEdge) as P.
     unfold EdgeDegrees in L at 2. rewrite MassSum in L.
@@ -330,10 +330,10 @@ Section Quadruple.
 
   Lemma NormalsAtMost :
     NormalsProduct xa xb xc xd
-    <= scale ^ 4 * Upper (NormalsDegrees a b c d) (NormalsTensor a b c d).
+    <= scale ^ 4 * Upper (NormalsDegrees a b c d) (NormalsForm a b c d).
   Proof.
     pose proof (UpperBound (NormalsDegrees a b c d) weights
-      (NormalsTensor a b c d) WeightsNonNegative (SumLengths _ _)) as L.
+      (NormalsForm a b c d) WeightsNonNegative (SumLengths _ _)) as L.
     pose proof NormalsValue as E.
     pose proof (MassPositive OfFaceC) as P.
     pose proof (MassPositive OfFaceD) as P'.
@@ -345,11 +345,11 @@ Section Quadruple.
   Qed.
 
   Lemma NormalsAtLeast :
-    scale ^ 4 * Lower (NormalsDegrees a b c d) (NormalsTensor a b c d)
+    scale ^ 4 * Lower (NormalsDegrees a b c d) (NormalsForm a b c d)
     <= NormalsProduct xa xb xc xd.
   Proof.
     pose proof (LowerBound (NormalsDegrees a b c d) weights
-      (NormalsTensor a b c d) WeightsNonNegative (SumLengths _ _)) as L.
+      (NormalsForm a b c d) WeightsNonNegative (SumLengths _ _)) as L.
     pose proof NormalsValue as E.
     pose proof (MassPositive OfFaceC) as P.
     pose proof (MassPositive OfFaceD) as P'.

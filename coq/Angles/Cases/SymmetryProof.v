@@ -9,7 +9,7 @@ From Certet Require Import Lattice.Coord3 Lattice.Direction.
 From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Configurations Angles.Isometry.
+From Certet Require Import Angles.Cases.Configurations Angles.Cases.Isometry.
 Import ListNotations.
 Open Scope Z_scope.
 

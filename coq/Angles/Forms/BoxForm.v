@@ -1,12 +1,13 @@
-(** * Homogeneous forms over a box
+(** * Homogeneous forms over a box, by their Bernstein coefficients
 
     A parameter that runs from one end of its range to the other is two
     weights [w, u >= 0], not both zero: its share of the first end and of the
     second.  A form of degree d in [w, u] has d + 1 coefficients, of
     w^d, w^(d-1) u, ..., u^d; up to binomial factors they are its Bernstein
     coefficients, and if none of them is negative then neither is the form.
-    A tensor is a form in the first parameter whose coefficients are forms in
-    the second, and so on; its type gives the degree in each. *)
+    A box form is a form in the first parameter whose coefficients are forms in
+    the second, and so on: homogeneous in each, as a tensor product of Bernstein
+    bases.  Its type gives the degree in each. *)
 
 From Coq Require Import ZArith List.
 Import ListNotations.
@@ -18,10 +19,10 @@ Fixpoint Form (T : Type) (d : nat) : Type :=
   | S d' => (T * Form T d')%type
   end.
 
-Fixpoint Tensor (ds : list nat) : Type :=
+Fixpoint BoxForm (ds : list nat) : Type :=
   match ds with
   | [] => Z
-  | d :: ds' => Form (Tensor ds') d
+  | d :: ds' => Form (BoxForm ds') d
   end.
 
 (** ** Forms *)
@@ -94,18 +95,18 @@ Fixpoint FormAtMost {A B} (ok : A -> B -> bool) (d e : nat)
   | _, _ => fun _ _ => false
   end.
 
-(** ** Tensors *)
+(** ** Box forms *)
 
-Fixpoint TensorOpp (ds : list nat) : Tensor ds -> Tensor ds :=
+Fixpoint BoxOpp (ds : list nat) : BoxForm ds -> BoxForm ds :=
   match ds with
   | [] => Z.opp
-  | d :: ds' => FormMap (TensorOpp ds') d
+  | d :: ds' => FormMap (BoxOpp ds') d
   end.
 
-Fixpoint TensorAdd (ds : list nat) : Tensor ds -> Tensor ds -> Tensor ds :=
+Fixpoint BoxAdd (ds : list nat) : BoxForm ds -> BoxForm ds -> BoxForm ds :=
   match ds with
   | [] => Z.add
-  | d :: ds' => FormAdd (TensorAdd ds') d
+  | d :: ds' => FormAdd (BoxAdd ds') d
   end.
 
 Fixpoint SumDegrees (ds es : list nat) : list nat :=
@@ -114,30 +115,30 @@ Fixpoint SumDegrees (ds es : list nat) : list nat :=
   | _, _ => []
   end.
 
-Fixpoint TensorMul (ds es : list nat)
-  : Tensor ds -> Tensor es -> Tensor (SumDegrees ds es) :=
+Fixpoint BoxMul (ds es : list nat)
+  : BoxForm ds -> BoxForm es -> BoxForm (SumDegrees ds es) :=
   match ds, es with
   | [], [] => Z.mul
   | d :: ds', e :: es' =>
-      FormMul (TensorMul ds' es') (TensorAdd (SumDegrees ds' es')) d e
+      FormMul (BoxMul ds' es') (BoxAdd (SumDegrees ds' es')) d e
   | _, _ => fun _ _ => 0
   end.
 
-(** A number that the tensor does not exceed when every pair of weights has
+(** A number that the form does not exceed when every pair of weights has
     sum 1. *)
-Fixpoint Upper (ds : list nat) : Tensor ds -> Z :=
+Fixpoint Upper (ds : list nat) : BoxForm ds -> Z :=
   match ds with
   | [] => fun z => z
   | d :: ds' => FormUpper (Upper ds') d
   end.
 
-Definition Lower (ds : list nat) (t : Tensor ds) : Z :=
-  - Upper ds (TensorOpp ds t).
+Definition Lower (ds : list nat) (t : BoxForm ds) : Z :=
+  - Upper ds (BoxOpp ds t).
 
 (** Coefficient by coefficient, m times the first is at most n times the
     second; false if their degrees differ. *)
 Fixpoint AtMost (m n : Z) (ds es : list nat)
-  : Tensor ds -> Tensor es -> bool :=
+  : BoxForm ds -> BoxForm es -> bool :=
   match ds, es with
   | [], [] => fun x y => m * x <=? n * y
   | d :: ds', e :: es' => FormAtMost (AtMost m n ds' es') d e
@@ -153,14 +154,14 @@ Fixpoint FormValue {A} (value : A -> Z) (w u : Z) (d : nat) : Form A d -> Z :=
       w ^ Z.of_nat d * value (fst p) + u * FormValue value w u d' (snd p)
   end.
 
-Fixpoint Value (ds : list nat) (weights : list (Z * Z)) : Tensor ds -> Z :=
+Fixpoint Value (ds : list nat) (weights : list (Z * Z)) : BoxForm ds -> Z :=
   match ds, weights with
   | [], _ => fun z => z
   | d :: ds', (w, u) :: weights' => FormValue (Value ds' weights') w u d
   | _ :: _, [] => fun _ => 0
   end.
 
-(** The product of the sums of the weights, each to its degree: what a tensor
+(** The product of the sums of the weights, each to its degree: what a form
     that is 1 everywhere amounts to. *)
 Fixpoint Mass (ds : list nat) (weights : list (Z * Z)) : Z :=
   match ds, weights with

@@ -10,7 +10,7 @@
 
 From Coq Require Import ZArith List Bool.
 From Certet Require Import Lattice.Coord3 Stencil.UnstructuredTet.
-From Certet Require Import Angles.Geometry Angles.Tensor.
+From Certet Require Import Angles.Geometry Angles.Forms.BoxForm.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -18,7 +18,7 @@ Inductive Segment :=
 | Fixed : Coord3 -> Segment
 | Sliding : Coord3 -> Coord3 -> Segment.
 
-(** ** From functions of points to tensors *)
+(** ** From functions of points to forms *)
 
 (** A function either ignores a vertex or is affine in it. *)
 Definition Degree (used : bool) (s : Segment) : nat :=
@@ -43,8 +43,8 @@ Definition Degrees (m : Uses) (a b c d : Segment) : list nat :=
 
 Definition Table (m : Uses) (a b c d : Segment)
   (f : Coord3 -> Coord3 -> Coord3 -> Coord3 -> Z)
-  : Tensor (Degrees m a b c d) :=
-  match m return Tensor (Degrees m a b c d) with
+  : BoxForm (Degrees m a b c d) :=
+  match m return BoxForm (Degrees m a b c d) with
     Use ma mb mc md =>
       Ends ma a (fun p => Ends mb b (fun q => Ends mc c (fun r =>
         Ends md d (fun s => f p q r s))))
@@ -64,26 +64,26 @@ Definition OfEdge := Use true true false false.
 Section Edge.
   Variables a b c d : Segment.
 
-  Definition VolumeTensor := Table OfVolume a b c d SixVolume.
+  Definition VolumeForm := Table OfVolume a b c d SixVolume.
 
-  (** The sum over the three coordinates of the products of two tensors. *)
-  Definition DotTensor (m n : Uses)
+  (** The sum over the three coordinates of the products of two forms. *)
+  Definition DotForm (m n : Uses)
     (f g : Coord3 -> Coord3 -> Coord3 -> Coord3 -> Coord3) :=
     let product (k : Coord3 -> Z) :=
-      TensorMul (Degrees m a b c d) (Degrees n a b c d)
+      BoxMul (Degrees m a b c d) (Degrees n a b c d)
         (Table m a b c d (fun p q r s => k (f p q r s)))
         (Table n a b c d (fun p q r s => k (g p q r s))) in
     let ds := SumDegrees (Degrees m a b c d) (Degrees n a b c d) in
-    TensorAdd ds (product X) (TensorAdd ds (product Y) (product W)).
+    BoxAdd ds (product X) (BoxAdd ds (product Y) (product W)).
 
-  Definition NormalsTensor :=
-    DotTensor OfFaceC OfFaceD
+  Definition NormalsForm :=
+    DotForm OfFaceC OfFaceD
       (fun p q r _ => Normal p q r) (fun p q _ s => Normal p q s).
   Definition NormalsDegrees :=
     SumDegrees (Degrees OfFaceC a b c d) (Degrees OfFaceD a b c d).
 
-  Definition EdgeTensor :=
-    DotTensor OfEdge OfEdge
+  Definition EdgeForm :=
+    DotForm OfEdge OfEdge
       (fun p q _ _ => Difference p q) (fun p q _ _ => Difference p q).
   Definition EdgeDegrees :=
     SumDegrees (Degrees OfEdge a b c d) (Degrees OfEdge a b c d).
@@ -96,16 +96,16 @@ End Edge.
 (** den normals^2 <= num volume^2 edge^2, expanded. *)
 Definition CheckFull (k : CotSquared) (a b c d : Segment) : bool :=
   let nd := NormalsDegrees a b c d in
-  let n := NormalsTensor a b c d in
+  let n := NormalsForm a b c d in
   let vd := VolumeDegrees a b c d in
-  let v := VolumeTensor a b c d in
+  let v := VolumeForm a b c d in
   match k with
     CotSq num den =>
       AtMost den num (SumDegrees nd nd)
         (SumDegrees (SumDegrees vd vd) (EdgeDegrees a b c d))
-        (TensorMul nd nd n n)
-        (TensorMul (SumDegrees vd vd) (EdgeDegrees a b c d)
-           (TensorMul vd vd v v) (EdgeTensor a b c d))
+        (BoxMul nd nd n n)
+        (BoxMul (SumDegrees vd vd) (EdgeDegrees a b c d)
+           (BoxMul vd vd v v) (EdgeForm a b c d))
   end.
 
 (** The two halves of a segment, in a space scaled twice. *)
@@ -161,10 +161,10 @@ Definition CheckEdge (bounds : AngleBounds) (volume : Z)
   match bounds with
     AB acute obtuse =>
       let nd := NormalsDegrees a b c d in
-      let n := NormalsTensor a b c d in
+      let n := NormalsForm a b c d in
       let most := Upper nd n in
       let least := Lower nd n in
-      let edge := Lower (EdgeDegrees a b c d) (EdgeTensor a b c d) in
+      let edge := Lower (EdgeDegrees a b c d) (EdgeForm a b c d) in
       if (if most <=? 0 then true
           else CheckBound acute volume most edge a b c d)
       then (if 0 <=? least then true
@@ -176,7 +176,7 @@ Definition CheckTet (bounds : AngleBounds) (t : UnstructuredTet Segment)
   : bool :=
   match t with
     UT _ a b c d =>
-      let volume := Lower (VolumeDegrees a b c d) (VolumeTensor a b c d) in
+      let volume := Lower (VolumeDegrees a b c d) (VolumeForm a b c d) in
       if 0 <? volume
       then forallb (fun '(p, q, r, s) => CheckEdge bounds volume p q r s)
              (DihedralEdges t)

@@ -6,7 +6,7 @@ From Coq Require Import ZArith Reals List Lra Lia.
 From Certet Require Import Lattice.Coord3 Stencil.UnstructuredTet.
 From Certet Require Import Stuffing.Stuffing Warp.Warp Warp.Cut.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
-From Certet Require Import Angles.CheckerProof Angles.AngleTheorems.
+From Certet Require Import Angles.Forms.CheckerProof Angles.AngleTheorems.
 Open Scope R_scope.
 
 (** ** Numbers *)
@@ -252,27 +252,37 @@ Proof. apply (CotangentBy _ _ _ (94809629 / 100000000));
   first [lia | lra | cbv zeta; lra | rewrite plus_IZR; lra].
 Qed.
 
+(** Two angles whose cosines are known. *)
+Lemma CosineSquared30 : (cos (Radians 30)) ^ 2 = 3 / 4.
+Proof.
+  unfold Radians. replace (30 * PI / 180) with (PI / 6) by field. rewrite cos_PI6.
+  replace ((sqrt 3 / 2) ^ 2) with (sqrt 3 * sqrt 3 / 4) by field.
+  rewrite sqrt_sqrt by lra. reflexivity.
+Qed.
+
+Lemma CosineSquared45 : (cos (Radians 45)) ^ 2 = 1 / 2.
+Proof.
+  unfold Radians. replace (45 * PI / 180) with (PI / 4) by field. rewrite cos_PI4.
+  assert (P : 0 < sqrt 2) by (apply sqrt_lt_R0; lra).
+  replace ((1 / sqrt 2) ^ 2) with (/ (sqrt 2 * sqrt 2)) by (field; lra).
+  rewrite sqrt_sqrt by lra. lra.
+Qed.
+
 Lemma Cotangent30 : Cotangent (CotSq 3 1) 30.
 Proof.
-  split; [lra|]. repeat (split; [lia|]). unfold Radians.
-  replace (30 * PI / 180) with (PI / 6) by field. rewrite cos_PI6.
-  replace ((sqrt 3 / 2) ^ 2) with (sqrt 3 * sqrt 3 / 4) by field.
-  rewrite sqrt_sqrt by lra. change (3 + 1)%Z with 4%Z. lra.
+  unfold Cotangent. rewrite CosineSquared30. change (3 + 1)%Z with 4%Z.
+  repeat split; lra || lia.
 Qed.
 
 Lemma Cotangent45 : Cotangent (CotSq 1 1) 45.
 Proof.
-  split; [lra|]. repeat (split; [lia|]). unfold Radians.
-  replace (45 * PI / 180) with (PI / 4) by field. rewrite cos_PI4.
-  assert (S : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra).
-  assert (P : 0 < sqrt 2) by (apply sqrt_lt_R0; lra).
-  replace ((1 / sqrt 2) ^ 2) with (/ (sqrt 2 * sqrt 2)) by (field; lra).
-  rewrite S. change (1 + 1)%Z with 2%Z. lra.
+  unfold Cotangent. rewrite CosineSquared45. change (1 + 1)%Z with 2%Z.
+  repeat split; lra || lia.
 Qed.
 
 (** ** In degrees *)
 
-Theorem AngleBounds_73_102 sign cut tid t : CutsOnEdges sign cut ->
+Theorem DihedralBoundsInDegrees sign cut tid t : CutsOnEdges sign cut ->
   In t (StuffedTets AngleThresholds sign cut tid) ->
   WithinDegrees (1077 / 100) (16476 / 100) t.
 Proof.
@@ -281,7 +291,7 @@ Proof.
            (StuffedWidest sign cut tid t C I)).
 Qed.
 
-Theorem AngleBounds_64_105 sign cut tid t : CutsOnEdges sign cut ->
+Theorem DihedralBoundsEmbeddingInDegrees sign cut tid t : CutsOnEdges sign cut ->
   In t (StuffedTets EmbeddingThresholds sign cut tid) ->
   WithinDegrees (927 / 100) (16146 / 100) t.
 Proof.
@@ -290,7 +300,7 @@ Proof.
            (StuffedEmbedding sign cut tid t C I)).
 Qed.
 
-Theorem AngleBounds_Midpoint sign tid t : (forall v, sign v <> OnSurface) ->
+Theorem NoSurfaceBoundsInDegrees sign tid t : (forall v, sign v <> OnSurface) ->
   In t (StuffedTets NoWarpThresholds sign (fun _ _ => MidpointCut) tid) ->
   WithinDegrees 30 135 t.
 Proof.
@@ -299,8 +309,8 @@ Proof.
            (StuffedMidpoint sign tid t N I)).
 Qed.
 
-Theorem AngleBounds_InOrOut sign tid t :
+Theorem MidpointBoundsInDegrees sign tid t :
   let decided v := InOrOut (sign v) in
   In t (StuffedTets NoWarpThresholds decided (fun _ _ => MidpointCut) tid) ->
   WithinDegrees 30 135 t.
-Proof. apply AngleBounds_Midpoint. intros v. apply InOrOutDecides. Qed.
+Proof. apply NoSurfaceBoundsInDegrees. intros v. apply InOrOutDecides. Qed.

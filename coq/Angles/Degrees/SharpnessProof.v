@@ -5,8 +5,8 @@ From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
 From Certet Require Import Stencil.UnstructuredTet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
-From Certet Require Import Angles.CheckerProof Angles.AngleTheorems.
-From Certet Require Import Angles.DegreesProof Angles.Witnesses.
+From Certet Require Import Angles.Forms.CheckerProof Angles.AngleTheorems.
+From Certet Require Import Angles.Degrees.DegreesProof Angles.Degrees.Witnesses.
 Open Scope R_scope.
 
 (** n/d is at least the square of the cotangent of the angle. *)

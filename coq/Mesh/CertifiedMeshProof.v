@@ -1,0 +1,139 @@
+(** * Every mesh of the product is certified: proof
+
+    The angles are theorems of their own; the rest holds of any placement. *)
+
+From Coq Require Import ZArith Reals List Lra Lia.
+From Certet Require Import Lattice.Coord3 Lattice.Direction.
+From Certet Require Import Lattice.StructuredTet.
+From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
+From Certet Require Import Warp.Cut Warp.Warp.
+From Certet Require Import Stuffing.Stuffing Stuffing.Domain.
+From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
+From Certet Require Import Angles.AngleTheorems Angles.DomainProof.
+From Certet Require Import Angles.Degrees.DegreesProof.
+From Certet Require Import Angles.Degrees.DomainDegreesProof.
+From Certet Require Import Embedding.EmbeddingSpec Embedding.WarpOrClamp.
+From Certet Require Import Embedding.WarpOrClampProof.
+From Certet Require Import Embedding.RuledDegreesProof.
+From Certet Require Import Embedding.Settle Embedding.SettleProof.
+From Certet Require Import Embedding.SettledMeshProof.
+From Certet Require Import Range.RangeSpec Range.RangeProof.
+From Certet Require Import Mesh.Method Mesh.CertifiedSpec.
+From Certet Require Import Mesh.PlacedMeshProof.
+Open Scope Z_scope.
+
+Local Strategy 1000 [WarpVertex Bisect Settle].
+
+(** [StuffTet] makes the mesh of the placement that [Warp] leaves. *)
+Lemma StuffedIsPlaced th sign cut :
+  StuffedMesh th sign cut = PlacedMesh sign (WarpVertex th sign cut) cut.
+Proof. reflexivity. Qed.
+
+Lemma NoWarpThresholdsAtMostHalf : AtMostHalf NoWarpThresholds.
+Proof. intros []; vm_compute; discriminate. Qed.
+
+Lemma StuffedCertified th sign cut (least greatest : Z) :
+  let mesh := StuffedMesh th sign cut in
+  AtMostHalf th -> CutsOnEdges sign cut ->
+  (forall tid t, In t (StuffedTets th sign cut tid) ->
+     WithinDegrees (IZR least / 100) (IZR greatest / 100) t) ->
+  th = AngleThresholds \/ th = EmbeddingThresholds \/ th = NoWarpThresholds ->
+  TetsPositive mesh /\
+  AnglesBetween mesh least greatest /\
+  FacesConform mesh /\
+  BoundaryIsSurface mesh /\
+  NothingOverflows mesh th.
+Proof.
+  intros mesh half on within. unfold mesh. rewrite StuffedIsPlaced.
+  apply PlacedCertified; [exact within|].
+  intros tid. apply StuffedModerate; assumption.
+Qed.
+
+(** ** A warp with a rule of who stays *)
+
+Lemma ClampedOnEdge cut p q : 0 <= ClampedCut AngleThresholds cut p q <= Steps.
+Proof.
+  unfold ClampedCut. pose proof (AngleThresholdsAtMostHalf (KindBetween p q)).
+  assert (0 <= ThresholdSteps AngleThresholds (KindBetween p q))
+    by (destruct (KindBetween p q); vm_compute; discriminate).
+  lia.
+Qed.
+
+Lemma RuledModerate sign cut stays limit corners : CutsOnEdges sign cut ->
+  Moderate sign (RuledWarping AngleThresholds sign cut stays limit)
+    (ClampedCut AngleThresholds cut) corners.
+Proof.
+  intros on. split; [intros v d t _ W | intros p q _; apply ClampedOnEdge].
+  pose proof (RuledMovesAtMost AngleThresholds sign cut stays limit on v d t W).
+  pose proof (AngleThresholdsAtMostHalf (DirectionKind d)). lia.
+Qed.
+
+Theorem CertifiedRuledMesh :
+  forall sign cut stays limit, CutsOnEdges sign cut ->
+    let mesh := RuledMesh AngleThresholds sign cut stays limit in
+    TetsPositive mesh /\
+    AnglesBetween mesh 1077 16476 /\
+    FacesConform mesh /\
+    BoundaryIsSurface mesh /\
+    NothingOverflows mesh AngleThresholds.
+Proof.
+  intros sign cut stays limit on.
+  apply PlacedCertified; [| intros tid; apply RuledModerate, on | tauto].
+  intros tid t I. apply (RuledBoundsInDegrees sign cut stays limit tid t on).
+  unfold WarpOrClamp. rewrite PlacedByName. exact I.
+Qed.
+
+(** ** One sweep that keeps the shape *)
+
+Lemma SweptModerate sample cut vs corners : CutsOnEdges sample cut ->
+  Moderate (OpenSigns sample)
+    (PlaceIn (Settle AngleThresholds (OpenSigns sample) (OpenCuts sample cut)
+                LevelGap vs))
+    (ClampedCut AngleThresholds (OpenCuts sample cut)) corners.
+Proof.
+  intros on. split; [intros v d t _ W | intros p q _; apply ClampedOnEdge].
+  pose proof (SettledMovesAtMost AngleThresholds (OpenSigns sample)
+    (OpenCuts sample cut) LevelGap AngleThresholdsAtMostHalf
+    (OpenCutsOnEdges sample cut on) LevelGapSmall vs v d t W).
+  pose proof (AngleThresholdsAtMostHalf (DirectionKind d)). lia.
+Qed.
+
+Lemma SweptCertified sample cut turns : CutsOnEdges sample cut ->
+  let mesh := SweptMesh (OpenSigns sample) (OpenCuts sample cut) turns in
+  TetsPositive mesh /\
+  AnglesBetween mesh 1077 16476 /\
+  FacesConform mesh /\
+  BoundaryIsSurface mesh /\
+  NothingOverflows mesh AngleThresholds.
+Proof.
+  intros on. apply PlacedCertified; [| intros tid; apply SweptModerate, on | tauto].
+  intros tid t I.
+  apply (SettledBoundsInDegrees sample cut turns (tid :: nil)%list t on).
+  unfold SettledMesh. cbn [flat_map]. rewrite app_nil_r.
+  unfold SettledTets. rewrite PlacedByName. exact I.
+Qed.
+
+(** ** The product's methods *)
+
+Theorem CertifiedMesh :
+  forall (method : Method) (sign : SignField) (domain : PositionSigns),
+    let mesh := MeshOf method sign domain in
+    TetsPositive mesh /\
+    AnglesBetween mesh (LeastAngle method) (GreatestAngle method) /\
+    FacesConform mesh /\
+    BoundaryIsSurface mesh /\
+    NothingOverflows mesh (MethodThresholds method).
+Proof.
+  intros [| | | turns] sign domain.
+  - apply StuffedCertified; [apply AngleThresholdsAtMostHalf | apply BisectedOnEdges
+      | apply BisectedBoundsInDegrees | tauto].
+  - apply StuffedCertified; [apply EmbeddingThresholdsAtMostHalf | apply BisectedOnEdges
+      | apply BisectedBoundsEmbeddingInDegrees | tauto].
+  - apply StuffedCertified; [apply NoWarpThresholdsAtMostHalf | apply MidpointOnEdges
+      | | tauto].
+    intros tid t I. cbn [LeastAngle GreatestAngle].
+    replace (IZR 3000 / 100)%R with 30%R by lra.
+    replace (IZR 13500 / 100)%R with 135%R by lra.
+    exact (MidpointBoundsInDegrees sign tid t I).
+  - apply SweptCertified, BisectedOnEdges.
+Qed.

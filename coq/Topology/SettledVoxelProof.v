@@ -1,0 +1,75 @@
+(** * The pieces of a label image and of the mesh that keeps the shape: proof *)
+
+From Coq Require Import ZArith List Bool.
+From Certet Require Import Lattice.Coord3 Lattice.Direction.
+From Certet Require Import Stencil.UnstructuredTet.
+From Certet Require Import Warp.Warp Stuffing.Stuffing.
+From Certet Require Import Angles.AnglesSpec.
+From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
+From Certet Require Import Embedding.Settle Embedding.LeavingProof.
+From Certet Require Import Embedding.SettledMeshProof.
+From Certet Require Import Topology.VoxelSpec Topology.VoxelProof.
+From Certet Require Import Topology.VoxelMeshProof.
+Open Scope Z_scope.
+
+(** Checking a proof needs their names, never what they are. *)
+Local Strategy 1000 [WarpVertex Settle].
+
+(** Samples of an image are + or -, so that opening changes none. *)
+Lemma OpenPlus sample v : PlusBefore (OpenSigns sample) v <-> sample v = Plus.
+Proof.
+  unfold PlusBefore, OpenSigns. destruct (sample v); split; congruence.
+Qed.
+
+Lemma OpenJoined sample p q :
+  Joined (PlusBefore (OpenSigns sample)) Adjacent p q <->
+  Joined (fun v => sample v = Plus) Adjacent p q.
+Proof. split; apply JoinedWider; intros v; apply OpenPlus. Qed.
+
+Lemma PlusWasPlus before warping p :
+  PlusAfter before warping p -> PlusBefore before p.
+Proof.
+  unfold PlusAfter, PlusBefore. cbn [PlacedSign].
+  destruct (warping p); [tauto|discriminate].
+Qed.
+
+Lemma MadeOfLattice before warping p t : MadeAt before warping p t -> OfLattice p.
+Proof. intros (tid & E & C & _). exact (CornerOfLattice tid p E C). Qed.
+
+Theorem SettledVoxelPieces grid image th cut gap vs p q t u :
+  let sign := OpenSigns (VoxelSigns grid image) in
+  let warping := PlaceIn (Settle th sign cut gap vs) in
+  FineEnough grid ->
+  PlusAfter sign warping p -> PlusAfter sign warping q ->
+  MadeAt sign warping p t -> MadeAt sign warping q u ->
+  Joined (InMesh sign warping) ShareFace t u <->
+  Joined (fun x => image x = true) Beside (Owner grid p) (Owner grid q).
+Proof.
+  intros sign warping F P Q T U.
+  etransitivity;
+    [exact (SettledPiecesKept th sign cut gap vs p q t u (OpenDecided _) P Q T U)|].
+  etransitivity; [apply OpenJoined|].
+  apply (VoxelPiecesKept grid image p q F);
+    [exact (MadeOfLattice _ _ p t T)|exact (MadeOfLattice _ _ q u U)| |];
+    apply OpenPlus, (PlusWasPlus sign warping); assumption.
+Qed.
+
+Theorem SettledVoxelNoPieceLost grid image th cut gap vs x :
+  let sign := OpenSigns (VoxelSigns grid image) in
+  let warping := PlaceIn (Settle th sign cut gap vs) in
+  FineEnough grid -> image x = true ->
+  exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
+    Joined (fun y => image y = true) Beside x (Owner grid q).
+Proof.
+  intros sign warping F X.
+  destruct grid as [half [sx sy sz] [ox oy oz]]. pose proof F as (H & Fx & Fy & Fz).
+  destruct (VoxelFound half sx sy sz ox oy oz H Fx Fy Fz x) as (a & b & c & O).
+  assert (P : PlusBefore sign (EvenPoint a b c)).
+  { apply OpenPlus, (EvenPlus half sx sy sz ox oy oz image a).
+    rewrite <- O in X. exact X. }
+  destruct (SettledNoPieceLost th sign cut gap vs (EvenPoint a b c) P
+    (EvenInLattice a b c)) as (q & t & Q & T & J).
+  exists q, t. split; [exact Q|]. split; [exact T|].
+  rewrite <- O. apply (proj1 (OpenJoined _ _ _)) in J.
+  exact (SamplesThenVoxels half sx sy sz ox oy oz image H Fx Fy Fz _ _ J).
+Qed.

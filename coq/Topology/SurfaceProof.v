@@ -1,0 +1,302 @@
+(** * Which triangles are on the surface
+
+    Those with three vertices on the surface that lie inside a structured
+    tetrahedron, and the faces of the lattice with three 0 corners that have + on
+    exactly one side. *)
+
+From Coq Require Import ZArith List Bool Lia.
+From Certet Require Import Lattice.Coord3 Lattice.Direction.
+From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
+From Certet Require Import Stencil.UnstructuredTet Stencil.TriangleSpec.
+From Certet Require Import Warp.Cut Warp.Warp.
+From Certet Require Import Stuffing.Stuffing Stuffing.MeshSpec Stuffing.MeshProof.
+From Certet Require Import Angles.AnglesSpec.
+From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
+From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
+From Certet Require Import Embedding.MeshApartProof.
+From Certet Require Import Embedding.LinkProof Embedding.AroundProof.
+From Certet Require Import Topology.SurfaceSpec Topology.CliqueProof.
+From Certet Require Import Topology.LocalSurfaceProof.
+Import ListNotations.
+
+(** ** One structured tetrahedron *)
+
+Section Local.
+  Variables (before : SignField) (warping : Coord3 -> Warping).
+  Local Notation after := (SignAfter before warping).
+  Local Notation names := (PlacedNames before warping).
+  Local Notation placed := (PlacedSign before warping).
+  Local Notation on_it := (OnIt before warping).
+  Local Notation triangle := (LocalTriangle before warping).
+  Local Notation surface := (SurfaceTriangle before warping).
+
+  Section One.
+    Variable tid : StructuredTetId.
+
+    Lemma LocalShape x y z t : In t (names tid) -> HasTriangle t x y z ->
+      on_it tid x -> on_it tid y -> on_it tid z ->
+      (forall u, In u (names tid) -> HasTriangle u x y z -> u = t) /\
+      (Reach (Corners tid) [x; y; z] \/
+       exists a b c e, x = Corner a /\ y = Corner b /\ z = Corner c /\
+         In e (Corners tid) /\ after e = Plus /\
+         Reach (Corners tid) [x; y; z; Corner e]).
+    Proof.
+      destruct (Viewed before warping tid)
+        as (h & f1 & f2 & f3 & p & q & sign & D & C & S & N & F).
+      exact (ViewTriangle before warping tid h f1 f2 f3 p q sign D C S N F x y z t).
+    Qed.
+
+    Lemma LocalZeros a b c e : In a (Corners tid) -> In b (Corners tid) ->
+      In c (Corners tid) -> In e (Corners tid) -> NoDup [a; b; c; e] ->
+      after a = OnSurface -> after b = OnSurface -> after c = OnSurface ->
+      after e = Plus -> triangle tid (Corner a) (Corner b) (Corner c).
+    Proof.
+      destruct (Viewed before warping tid)
+        as (h & f1 & f2 & f3 & p & q & sign & D & C & S & N & F).
+      exact (ViewZeros before warping tid h f1 f2 f3 p q sign D C S N F a b c e).
+    Qed.
+
+    Lemma LocalFaceEdge x y : InLattice tid -> on_it tid x -> on_it tid y -> x <> y ->
+      ~ Reach (Corners tid) [x; y] -> (forall a b, x = Corner a -> y = Corner b -> False) ->
+      exists z, triangle tid x y z /\ forall z', triangle tid x y z' -> z' = z.
+    Proof.
+      intros E X Y Ne R B. destruct (Viewed before warping tid)
+        as (h & f1 & f2 & f3 & p & q & sign & D & C & S & N & F).
+      destruct (ViewFaceEdge before warping tid h f1 f2 f3 p q sign D C S N F x y X Y Ne R B)
+        as (z & T & U). exists z. split; [exact T|]. intros z' T'. apply (U z' T').
+      apply (LocalOnIt before warping tid x y z' E T').
+    Qed.
+
+    Lemma LocalInnerEdge x y z : InLattice tid ->
+      Reach (Corners tid) [x; y] -> (forall a b, x = Corner a -> y = Corner b -> False) ->
+      triangle tid x y z ->
+      exists z', z' <> z /\ triangle tid x y z' /\
+        forall z'', triangle tid x y z'' -> z'' = z \/ z'' = z'.
+    Proof.
+      intros E R B T. destruct (Viewed before warping tid)
+        as (h & f1 & f2 & f3 & p & q & sign & D & C & S & N & F).
+      destruct (LocalOnIt before warping tid x y z E T) as (X & Y & Z).
+      destruct (ViewInnerEdge before warping tid h f1 f2 f3 p q sign D C S N F
+        x y z X Y Z R B T) as (z' & Ne & T' & U).
+      exists z'. split; [exact Ne|]. split; [exact T'|]. intros z'' W. apply (U z'' W).
+      apply (LocalOnIt before warping tid x y z'' E W).
+    Qed.
+
+    Lemma LocalZeroEdge a b e f z : InLattice tid ->
+      In a (Corners tid) -> In b (Corners tid) ->
+      In e (Corners tid) -> In f (Corners tid) -> NoDup [a; b; e; f] ->
+      triangle tid (Corner a) (Corner b) z ->
+      (after e = Plus /\ after f <> Plus /\ z = CrossingAt after e f) \/
+      (after f = Plus /\ after e <> Plus /\ z = CrossingAt after f e).
+    Proof.
+      intros E A B Ie If Nd T. destruct (Viewed before warping tid)
+        as (h & f1 & f2 & f3 & p & q & sign & D & C & S & N & F).
+      pose proof (LocalOnIt before warping tid _ _ z E T) as (_ & _ & Z).
+      exact (ViewZeroEdge before warping tid h f1 f2 f3 p q sign D C S N F
+        a b e f z A B Ie If Nd (proj1 (proj2 T)) (proj1 (proj2 (proj2 T))) Z T).
+    Qed.
+
+    Lemma LocalZeroFan z w e f : In z (Corners tid) -> In w (Corners tid) ->
+      In e (Corners tid) -> In f (Corners tid) -> NoDup [z; w; e; f] ->
+      after z = OnSurface -> after e = Plus -> after f <> Plus ->
+      (after w = Plus -> CrossingAt after e f = CrossingAt after w f \/
+         triangle tid (Corner z) (CrossingAt after e f) (CrossingAt after w f)) /\
+      (after w <> Plus ->
+         triangle tid (Corner z) (CrossingAt after e f) (CrossingAt after e w)).
+    Proof.
+      destruct (Viewed before warping tid)
+        as (h & f1 & f2 & f3 & p & q & sign & D & C & S & N & F).
+      exact (ViewZeroFan before warping tid h f1 f2 f3 p q sign D C S N F z w e f).
+    Qed.
+
+    Lemma LocalZeroEnds z x y : InLattice tid -> triangle tid (Corner z) x y ->
+      exists e f, In e (Corners tid) /\ In f (Corners tid) /\ f <> z /\
+        after e = Plus /\ after f <> Plus /\ x = CrossingAt after e f.
+    Proof.
+      intros E T. destruct (Viewed before warping tid)
+        as (h & f1 & f2 & f3 & p & q & sign & D & C & S & N & F).
+      destruct (LocalOnIt before warping tid _ x y E T) as (Z & X & Y).
+      exact (ViewZeroEnds before warping tid h f1 f2 f3 p q sign D C S N F
+        z x y (proj1 (proj1 Z)) (proj2 Z) X Y T).
+    Qed.
+
+    Lemma LocalCutFan a m c d : InLattice tid ->
+      In a (Corners tid) -> In m (Corners tid) ->
+      In c (Corners tid) -> In d (Corners tid) -> NoDup [a; m; c; d] ->
+      after a = Plus -> after m = Minus ->
+      let s := Cut a m in let r := ThirdAt after a m c in let u := ThirdAt after a m d in
+      (triangle tid s r u \/ exists w, triangle tid s r w /\ triangle tid s w u) /\
+      forall w x, triangle tid s w x -> w = r \/ w = u \/ triangle tid s r w.
+    Proof.
+      intros E A M Ic Id Nd Sa Sm. destruct (Viewed before warping tid)
+        as (h & f1 & f2 & f3 & p & q & sign & D & C & S & N & F).
+      destruct (ViewCutFan before warping tid h f1 f2 f3 p q sign D C S N F
+        a m c d A M Ic Id Nd Sa Sm) as [T U].
+      split; [exact T|]. intros w x W.
+      destruct (LocalOnIt before warping tid _ w x E W) as (_ & Ww & Wx).
+      exact (U w x W Ww Wx).
+    Qed.
+  End One.
+
+  (** ** The whole mesh *)
+
+  Lemma EndsWithin tid x c : on_it tid x -> In c (Ends x) -> In c (Corners tid).
+  Proof. intros [B _]. exact (EndsBelong _ _ x c B). Qed.
+
+  (** What lies inside determines its structured tetrahedron. *)
+  Lemma ReachDetermines tid tid' vs : InLattice tid -> InLattice tid' ->
+    Reach (Corners tid) vs -> (forall v, In v vs -> on_it tid' v) -> tid = tid'.
+  Proof.
+    intros E E' R O. apply CornersDetermine; [assumption..|]. intros c I.
+    destruct (R c I) as (v & V & C). exact (EndsWithin tid' v c (O v V) C).
+  Qed.
+
+  Lemma SurfaceInside tid x y z : InLattice tid -> triangle tid x y z ->
+    Reach (Corners tid) [x; y; z] -> surface x y z.
+  Proof.
+    intros E T R. pose proof T as [(t & I & H) S].
+    destruct (LocalOnIt before warping tid x y z E T) as (X & Y & Z).
+    exists t. split; [exists tid; auto|]. split; [exact H|].
+    intros u (tid' & E' & J) K.
+    assert (T' : triangle tid' x y z) by (split; [exists u; auto|exact S]).
+    destruct (LocalOnIt before warping tid' x y z E' T') as (X' & Y' & Z').
+    assert (tid = tid').
+    { apply (ReachDetermines tid tid' [x; y; z]); try assumption.
+      intros v. cbn [In]. intros [<-|[<-|[<-|[]]]]; assumption. }
+    subst tid'. exact (proj1 (LocalShape tid x y z t I H X Y Z) u J K).
+  Qed.
+
+  Lemma SurfaceZero x y z : surface x y z ->
+    placed x = OnSurface /\ placed y = OnSurface /\ placed z = OnSurface.
+  Proof.
+    intros (t & (tid & E & I) & H & U).
+    rewrite !(SignAsStuffed before warping). rewrite NamesAsStuffed in I.
+    destruct (BoundaryOnSurface _ _ _ tid t x y z I H) as [Z|(u & N & K & J)];
+      [exact Z|]. exfalso. apply N, U; [|exact K].
+    destruct J as [J|[i J]]; [exists tid|exists (NeighborOf tid i)];
+      (split; [assumption || apply NeighborOfLattice, E|]);
+      rewrite NamesAsStuffed; exact J.
+  Qed.
+
+  Lemma SurfaceWhere x y z : surface x y z ->
+    exists tid, InLattice tid /\ triangle tid x y z.
+  Proof.
+    intros T. pose proof (SurfaceZero x y z T) as S.
+    destruct T as (t & (tid & E & I) & H & _). exists tid. split; [exact E|].
+    split; [exists t; auto|exact S].
+  Qed.
+
+  Lemma SurfaceTurned x y z : surface x y z -> surface y x z /\ surface x z y.
+  Proof.
+    intros (t & I & H & U). unfold SurfaceTriangle, HasTriangle in *.
+    split; exists t; (split; [exact I|]); (split; [intuition congruence|]);
+      intros u J K; apply U; intuition congruence.
+  Qed.
+
+  (** ** Three 0 corners *)
+
+  (** [e] is the + on one side of the face. *)
+  Definition Above (a b c e : Coord3) : Prop :=
+    Adjacent a e /\ Adjacent b e /\ Adjacent c e /\ after e = Plus.
+
+  Lemma ThreeCannotReach tid a b c : ~ Reach (Corners tid) [Corner a; Corner b; Corner c].
+  Proof.
+    intros R. pose proof (CornersNoDup tid) as N.
+    assert (I : incl (Corners tid) [a; b; c]).
+    { intros x X. destruct (R x X) as (v & V & W). cbn [In] in *.
+      destruct V as [<-|[<-|[<-|[]]]]; cbn [Ends In] in W; intuition. }
+    apply (NoDup_incl_length N) in I. unfold Corners in I.
+    destruct (GetStructuredTet tid). cbn in I. lia.
+  Qed.
+
+  Lemma AboveInLattice tid a b c e : In a (Corners tid) -> InLattice tid ->
+    Adjacent a b -> Adjacent a c -> Adjacent b c -> Above a b c e ->
+    exists tid', InLattice tid' /\ incl [a; b; c; e] (Corners tid').
+  Proof.
+    intros I E Ab Ac Bc (Ae & Be & Ce & _).
+    apply CliqueIsTet; try assumption. exists tid. auto.
+  Qed.
+
+  Lemma SignsDiffer a e : after a <> after e -> a <> e.
+  Proof. intros N ->. apply N. reflexivity. Qed.
+
+  Lemma AboveDistinct a b c e : a <> b -> a <> c -> b <> c ->
+    after a = OnSurface -> after b = OnSurface -> after c = OnSurface ->
+    after e = Plus -> NoDup [a; b; c; e].
+  Proof.
+    intros Ab Ac Bc A B C E. repeat constructor; cbn [In]; intuition congruence.
+  Qed.
+
+  Lemma ZerosMakeTet tid a b c e : InLattice tid -> incl [a; b; c; e] (Corners tid) ->
+    a <> b -> a <> c -> b <> c ->
+    after a = OnSurface -> after b = OnSurface -> after c = OnSurface ->
+    after e = Plus -> triangle tid (Corner a) (Corner b) (Corner c).
+  Proof.
+    intros E I Ab Ac Bc A B C P. apply (LocalZeros tid a b c e); try assumption;
+      try (apply I; cbn; tauto). apply AboveDistinct; assumption.
+  Qed.
+
+  Lemma SurfaceOfZeros a b c : surface (Corner a) (Corner b) (Corner c) ->
+    a <> b /\ a <> c /\ b <> c /\
+    after a = OnSurface /\ after b = OnSurface /\ after c = OnSurface /\
+    exists tid e, InLattice tid /\ incl [a; b; c; e] (Corners tid) /\ Above a b c e /\
+      forall e', Above a b c e' -> e' = e.
+  Proof.
+    intros T. pose proof (SurfaceZero _ _ _ T) as (Sa & Sb & Sc).
+    pose proof T as (t & (tid & E & I) & H & U).
+    assert (L : triangle tid (Corner a) (Corner b) (Corner c))
+      by (split; [exists t; auto|auto]).
+    destruct (LocalOnIt before warping tid _ _ _ E L) as (X & Y & Z).
+    assert (N : a <> b /\ a <> c /\ b <> c) by (destruct H; intuition congruence).
+    repeat (split; [tauto || assumption|]). destruct N as (Ab & Ac & Bc).
+    destruct (LocalShape tid _ _ _ t I H X Y Z)
+      as [_ [R|(a' & b' & c' & e & Ea & Eb & Ec & Ie & Pe & R)]];
+      [destruct (ThreeCannotReach tid a b c R)|].
+    destruct X as [[Ia _] _], Y as [[Ib _] _], Z as [[Ic _] _].
+    assert (Z' : forall v, after v = OnSurface -> v <> e)
+      by (intros v V; apply SignsDiffer; congruence).
+    exists tid, e. split; [exact E|]. split.
+    { intros v. cbn [In]. intros [<-|[<-|[<-|[<-|[]]]]]; assumption. }
+    split.
+    { repeat split; try exact Pe; apply (CornersAdjacent tid); auto. }
+    intros e' Abv. destruct (AboveInLattice tid a b c e' Ia E) as (tid' & E' & I');
+      try assumption; try (apply (CornersAdjacent tid); assumption).
+    destruct Abv as (_ & _ & _ & Pe').
+    destruct (ZerosMakeTet tid' a b c e' E' I' Ab Ac Bc Sa Sb Sc Pe') as [(u & J & K) _].
+    assert (u = t) by (apply U; [exists tid'; auto|exact K]). subst u.
+    assert (tid = tid') by (eapply OwnerKnown; try eassumption; apply incl_refl).
+    subst tid'. assert (In e' (Corners tid)) as W by (apply I'; cbn; tauto).
+    destruct (R e' W) as (v & V & In_). cbn [In] in V.
+    destruct V as [<-|[<-|[<-|[<-|[]]]]]; cbn [Ends In] in In_;
+      destruct In_ as [<-|[]]; unfold SignAfter in *; congruence || reflexivity.
+  Qed.
+
+  Lemma ZerosOnSurface tid a b c e : InLattice tid -> incl [a; b; c; e] (Corners tid) ->
+    a <> b -> a <> c -> b <> c ->
+    after a = OnSurface -> after b = OnSurface -> after c = OnSurface ->
+    after e = Plus -> (forall e', Above a b c e' -> e' = e) ->
+    surface (Corner a) (Corner b) (Corner c).
+  Proof.
+    intros E I Ab Ac Bc Sa Sb Sc Pe Only.
+    pose proof (ZerosMakeTet tid a b c e E I Ab Ac Bc Sa Sb Sc Pe) as T.
+    pose proof T as [(t & J & H) _].
+    exists t. split; [exists tid; auto|]. split; [exact H|].
+    intros u (tid' & E' & K) G.
+    assert (T' : triangle tid' (Corner a) (Corner b) (Corner c))
+      by (split; [exists u; auto|auto]).
+    destruct (LocalOnIt before warping tid' _ _ _ E' T') as (X' & Y' & Z').
+    destruct (LocalShape tid' _ _ _ u K G X' Y' Z')
+      as [_ [R|(a' & b' & c' & e' & Ea & Eb & Ec & Ie & Pe' & R)]];
+      [destruct (ThreeCannotReach tid' a b c R)|].
+    destruct X' as [[Ia _] _], Y' as [[Ib _] _], Z' as [[Ic _] _].
+    assert (e' = e).
+    { apply Only. repeat split; try exact Pe'; apply (CornersAdjacent tid');
+        try assumption; apply SignsDiffer; congruence. }
+    subst e'. assert (tid' = tid).
+    { apply CornersDetermine; [assumption..|]. intros x Xx.
+      destruct (R x Xx) as (v & V & W). apply I. cbn [In] in *.
+      destruct V as [<-|[<-|[<-|[<-|[]]]]]; cbn [Ends In] in W; tauto. }
+    subst tid'. destruct (LocalOnIt before warping tid _ _ _ E T) as (X & Y & Z).
+    exact (proj1 (LocalShape tid _ _ _ t J H X Y Z) u K G).
+  Qed.
+End Local.

@@ -1,0 +1,15 @@
+(** The warp that keeps the shape, over a piece of the lattice: who moves onto the
+    surface and who stays is settled for all of it before there are tetrahedra. *)
+
+type t
+
+val settle : Certified.gap -> Certified.thresholds -> Lattice.t -> Domain.t -> t
+(** Every point of the lattice that is violated has its turn, in the certificate's
+    order; samples on the surface count as outside.  The domain is used as it is
+    given: see {!Domain.within}. *)
+
+val iter_tets : t -> (Mesher.tet -> unit) -> unit
+(** Visits the tetrahedra of the mesh in the order of {!Mesher.iter_tets}. *)
+
+val position : t -> Certified.meshVertex -> Convert.point
+(** Where a vertex of the mesh lies, in steps. *)
