@@ -154,7 +154,8 @@ class LabelDomain final : public PlacedDomain {
 
   /// That of all voxels of a box, which are chosen.
   [[nodiscard]] std::optional<Material> material_of_voxels(const VoxelBox& box) const {
-    const auto& [low, high] = box;
+    const auto& low = box.low;
+    const auto& high = box.high;
     const auto index = [&](std::int64_t y, std::int64_t z) {
       return static_cast<std::size_t>((z * size_[1] + y) * size_[0] + low[0]);
     };

@@ -37,8 +37,7 @@ class LabelCollector {
  private:
   void sort() {
     std::ranges::sort(labels_);
-    const auto repeated = std::ranges::unique(labels_);
-    labels_.erase(repeated.begin(), repeated.end());
+    labels_.erase(std::unique(labels_.begin(), labels_.end()), labels_.end());
     limit_ = 2 * labels_.size() + lately_.size();
   }
 
