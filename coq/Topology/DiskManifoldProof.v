@@ -12,6 +12,7 @@ From Certet Require Import Embedding.SettleSpec.
 From Certet Require Import Topology.SurfaceSpec Topology.LocalSurfaceProof.
 From Certet Require Import Topology.SurfaceProof.
 From Certet Require Import Topology.EdgeProof Topology.FanProof.
+From Certet Require Import Topology.CutEdgeProof.
 From Certet Require Import Topology.DiskPointProof Topology.DiskKeptProof.
 
 (** Checking a proof needs their names, never what they are. *)

@@ -1,9 +1,7 @@
 (** * How many triangles of the surface an edge is in
 
-    An edge at a cut lies in a face of the lattice, and each side of the face has
-    one triangle there; or it leads across a structured tetrahedron, which has
-    two.  At an edge between two 0 corners the ring around it is decisive: a
-    triangle for each place where + begins or ends. *)
+    Two at a cut, as [CutEdgeProof] says.  At an edge between two 0 corners the
+    ring around it is decisive: a triangle for each place where + begins or ends. *)
 
 From Coq Require Import ZArith List Bool Arith Lia.
 From Coq Require Logic.FinFun.
@@ -22,68 +20,8 @@ From Certet Require Import Embedding.SettleSpec.
 From Certet Require Import Topology.SurfaceSpec Topology.CliqueProof.
 From Certet Require Import Topology.LocalSurfaceProof Topology.SurfaceProof.
 From Certet Require Import Topology.RingProof.
+From Certet Require Import Topology.CornersProof Topology.CutEdgeProof.
 Import ListNotations.
-
-(** ** The corners of a structured tetrahedron *)
-
-Lemma FourApart {A} (a b c d : A) : NoDup [a; b; c; d] <->
-  a <> b /\ a <> c /\ a <> d /\ b <> c /\ b <> d /\ c <> d.
-Proof.
-  split.
-  - intros N. rewrite !NoDup_cons_iff in N. cbn [In] in N.
-    destruct N as (Na & Nb & Nc & _).
-    repeat split; intros ->; tauto.
-  - intros (Ab & Ac & Ad & Bc & Bd & Cd). repeat constructor; cbn [In];
-      intros K; repeat (destruct K as [K|K]; [congruence|]); exact K.
-Qed.
-
-Lemma ThreeApart {A} (a b c : A) : NoDup [a; b; c] <-> a <> b /\ a <> c /\ b <> c.
-Proof.
-  split.
-  - intros N. rewrite !NoDup_cons_iff in N. cbn [In] in N. destruct N as (Na & Nb & _).
-    repeat split; intros ->; tauto.
-  - intros (Ab & Ac & Bc). repeat constructor; cbn [In];
-      intros K; repeat (destruct K as [K|K]; [congruence|]); exact K.
-Qed.
-
-Lemma OtherTwo tid a b : In a (Corners tid) -> In b (Corners tid) -> a <> b ->
-  exists e f, NoDup [a; b; e; f] /\ In e (Corners tid) /\ In f (Corners tid).
-Proof.
-  intros A B N. pose proof (CornersNoDup tid) as D. unfold Corners in *.
-  destruct (GetStructuredTet tid) as [v1 v2 v3 v4]. apply FourApart in D.
-  cbn [In] in A, B |- *.
-  assert (G : forall x y, In x [v1; v2; v3; v4] -> In y [v1; v2; v3; v4] ->
-    a <> x -> a <> y -> b <> x -> b <> y -> x <> y ->
-    exists e f, NoDup [a; b; e; f] /\
-      (v1 = e \/ v2 = e \/ v3 = e \/ v4 = e \/ False) /\
-      (v1 = f \/ v2 = f \/ v3 = f \/ v4 = f \/ False)).
-  { intros x y X Y Ax Ay Bx By Xy. exists x, y. split; [|split; assumption].
-    apply FourApart. auto 8. }
-  clear -A B N D G. destruct D as (D12 & D13 & D14 & D23 & D24 & D34).
-  destruct A as [<-|[<-|[<-|[<-|[]]]]], B as [<-|[<-|[<-|[<-|[]]]]];
-    first [congruence
-      |apply (G v1 v2); cbn [In]; auto; congruence
-      |apply (G v1 v3); cbn [In]; auto; congruence
-      |apply (G v1 v4); cbn [In]; auto; congruence
-      |apply (G v2 v3); cbn [In]; auto; congruence
-      |apply (G v2 v4); cbn [In]; auto; congruence
-      |apply (G v3 v4); cbn [In]; auto; congruence].
-Qed.
-
-Lemma OtherOne tid a b c : In a (Corners tid) -> In b (Corners tid) ->
-  In c (Corners tid) -> NoDup [a; b; c] ->
-  exists e, NoDup [a; b; c; e] /\ In e (Corners tid).
-Proof.
-  intros A B C N. apply ThreeApart in N. destruct N as (Ab & Ac & Bc).
-  destruct (OtherTwo tid a b A B Ab) as (e & f & D & E & F).
-  assert (I : incl (Corners tid) [a; b; e; f]).
-  { apply CornersAre; [exact D|reflexivity|].
-    intros x. cbn [In]. intros [<-|[<-|[<-|[<-|[]]]]]; assumption. }
-  apply FourApart in D. destruct D as (_ & Ae & Af & Be & Bf & Ef).
-  destruct (I c C) as [<-|[<-|[<-|[<-|[]]]]];
-    [congruence|congruence|exists f|exists e]; (split; [apply FourApart|assumption]);
-    auto 8.
-Qed.
 
 Section Mesh.
   Variables (before : SignField) (warping : Coord3 -> Warping).
@@ -91,213 +29,6 @@ Section Mesh.
   Local Notation on_it := (OnIt before warping).
   Local Notation triangle := (LocalTriangle before warping).
   Local Notation surface := (SurfaceTriangle before warping).
-
-  (** ** Across the inside *)
-
-  Lemma InnerEdge x y z tid : InLattice tid -> triangle tid x y z ->
-    Reach (Corners tid) [x; y] ->
-    (forall a b, x = Corner a -> y = Corner b -> False) ->
-    exists z', z' <> z /\ surface x y z' /\
-      forall z'', surface x y z'' -> z'' = z \/ z'' = z'.
-  Proof.
-    intros E T R B.
-    destruct (LocalInnerEdge before warping tid x y z E R B T) as (z' & N & T' & U).
-    assert (R' : forall w, Reach (Corners tid) [x; y; w]).
-    { intros w c C. destruct (R c C) as (v & V & I). exists v. cbn [In] in *. tauto. }
-    exists z'. split; [exact N|].
-    split; [apply (SurfaceInside before warping tid); auto|].
-    intros z'' W. destruct (SurfaceWhere before warping x y z'' W) as (tid' & E' & L).
-    assert (tid = tid').
-    { destruct (LocalOnIt before warping tid' x y z'' E' L) as (X & Y & _).
-      apply (ReachDetermines before warping tid tid' [x; y]); try assumption.
-      intros v. cbn [In]. intros [<-|[<-|[]]]; assumption. }
-    subst tid'. exact (U z'' L).
-  Qed.
-
-  (** ** In a face *)
-
-  (** The ends of the two are three corners. *)
-  Lemma FaceEnds tid x y c : on_it tid x -> on_it tid y -> x <> y ->
-    (forall a b, x = Corner a -> y = Corner b -> False) ->
-    In c (Corners tid) -> (forall v, In v [x; y] -> ~ In c (Ends v)) ->
-    exists f1 f2 f3, NoDup [f1; f2; f3] /\
-      (forall e, In e [f1; f2; f3] <-> In e (Ends x ++ Ends y)).
-  Proof.
-    intros X Y N B I Off.
-    assert (Cut3 : forall a m v, on_it tid (Cut a m) -> on_it tid v -> Cut a m <> v ->
-      ~ In c (Ends (Cut a m)) -> ~ In c (Ends v) ->
-      exists e, NoDup [a; m; e] /\ In e (Ends v) /\
-        forall f, In f (Ends v) -> In f [a; m; e]).
-    { intros a m v [(A & M & Sa & Sm) _] V D Oc Ov.
-      assert (Am : a <> m) by (intros ->; congruence).
-      cbn [Ends In] in Oc. destruct v as [b|b n].
-      - destruct V as [[Ib _] Sb]. fold (after b) in Sb.
-        exists b. cbn [Ends In].
-        split; [|split; [auto|intros f [<-|[]]; auto]].
-        apply ThreeApart. unfold SignAfter in *. repeat split; congruence.
-      - destruct V as [(Ib & In_ & Sb & Sn) _]. cbn [Ends In] in *.
-        assert (Bn : b <> n) by (intros ->; congruence).
-        assert (An : a <> n) by (intros ->; congruence).
-        assert (Bm : b <> m) by (intros ->; congruence).
-        destruct (SamePoint3 a b) as [<-|Ab].
-        + assert (m <> n) by congruence.
-          exists n. split; [apply ThreeApart; auto|split; [cbn; tauto|]].
-          intros f [<-|[<-|[]]]; auto.
-        + destruct (SamePoint3 m n) as [<-|Mn].
-          * exists b. split; [apply ThreeApart; auto|split; [cbn; tauto|]].
-            intros f [<-|[<-|[]]]; auto.
-          * exfalso.
-            assert (incl (Corners tid) [a; m; b; n]).
-            { apply CornersAre; [|reflexivity|].
-              - apply FourApart. auto 8.
-              - intros w. cbn [In]. intros [<-|[<-|[<-|[<-|[]]]]]; assumption. }
-            destruct (H c I) as [<-|[<-|[<-|[<-|[]]]]]; tauto. }
-    pose proof (Off x (or_introl eq_refl)) as Ox.
-    pose proof (Off y (or_intror (or_introl eq_refl))) as Oy.
-    destruct x as [a|a m].
-    - destruct y as [b|b m]; [destruct (B a b eq_refl eq_refl)|].
-      destruct (Cut3 b m (Corner a) Y X (not_eq_sym N) Oy Ox) as (e & D & Ie & All).
-      exists b, m, e. split; [exact D|]. intros f. rewrite in_app_iff.
-      split; [|intros [F|F]; [apply All, F|cbn [Ends In] in *; tauto]].
-      cbn [In]. intros [<-|[<-|[<-|[]]]]; cbn [Ends In] in *; tauto.
-    - destruct (Cut3 a m y X Y N Ox Oy) as (e & D & Ie & All).
-      exists a, m, e. split; [exact D|]. intros f. rewrite in_app_iff.
-      split; [|intros [F|F]; [cbn [Ends In] in *; tauto|apply All, F]].
-      cbn [In]. intros [<-|[<-|[<-|[]]]]; cbn [Ends In] in *; tauto.
-  Qed.
-
-  (** Who has the ends of a vertex on the surface has the vertex. *)
-  Lemma OnItToo tid tid' x : on_it tid x ->
-    (forall e, In e (Ends x) -> In e (Corners tid')) -> on_it tid' x.
-  Proof.
-    intros [B S] I. split; [|exact S]. destruct x as [c|a m]; cbn [Belongs Ends In] in *.
-    - split; [apply I; tauto|tauto].
-    - split; [apply I; tauto|]. split; [apply I; tauto|tauto].
-  Qed.
-
-  Lemma FaceEdge x y z tid c : InLattice tid -> triangle tid x y z ->
-    In c (Corners tid) -> (forall v, In v [x; y] -> ~ In c (Ends v)) ->
-    (forall a b, x = Corner a -> y = Corner b -> False) ->
-    exists z', z' <> z /\ surface x y z' /\
-      forall z'', surface x y z'' -> z'' = z \/ z'' = z'.
-  Proof.
-    intros E T I Off B.
-    destruct (LocalOnIt before warping tid x y z E T) as (X & Y & Z).
-    assert (N : x <> y) by (destruct T as [(t & _ & H) _]; apply H).
-    destruct (FaceEnds tid x y c X Y N B I Off) as (f1 & f2 & f3 & D & M).
-    assert (In_ : forall own, on_it own x -> on_it own y ->
-      incl [f1; f2; f3] (Corners own)).
-    { intros own Ox Oy e Ie. apply M, in_app_iff in Ie.
-      destruct Ie as [Ie|Ie]; [exact (EndsWithin _ _ own x e Ox Ie)
-        |exact (EndsWithin _ _ own y e Oy Ie)]. }
-    assert (Here : forall own, incl [f1; f2; f3] (Corners own) ->
-      on_it own x /\ on_it own y).
-    { intros own K. split; [apply (OnItToo tid)|apply (OnItToo tid)]; try assumption;
-        intros e Ie; apply K, M, in_app_iff; auto. }
-    pose proof (In_ tid X Y) as F.
-    assert (Nc : ~ In c [f1; f2; f3]).
-    { intros K. apply M, in_app_iff in K.
-      destruct K as [K|K]; [apply (Off x)|apply (Off y)]; cbn; auto. }
-    pose proof (proj1 (ThreeApart _ _ _) D) as (D12 & D13 & D23).
-    assert (C1 : f1 <> c) by (intros <-; apply Nc; cbn; tauto).
-    assert (C2 : f2 <> c) by (intros <-; apply Nc; cbn; tauto).
-    assert (C3 : f3 <> c) by (intros <-; apply Nc; cbn; tauto).
-    assert (Adj : forall u v, In u [f1; f2; f3; c] -> In v [f1; f2; f3; c] -> u <> v ->
-      Adjacent u v).
-    { assert (G : incl [f1; f2; f3; c] (Corners tid)).
-      { intros w W. cbn [In] in W. destruct W as [<-|[<-|[<-|[<-|[]]]]];
-          [apply F|apply F|apply F|exact I]; cbn; tauto. }
-      intros u v U V. apply (CornersAdjacent tid); apply G; assumption. }
-    destruct (ApexesOfFace f1 f2 f3) as (p & q & Npq & Ap & Aq & Only);
-      try (apply Adj; cbn [In]; auto).
-    assert (exists c', c' <> c /\ (Adjacent f1 c' /\ Adjacent f2 c' /\ Adjacent f3 c') /\
-      forall w, Adjacent f1 w -> Adjacent f2 w -> Adjacent f3 w -> w = c \/ w = c')
-      as (c' & Nc' & Ac' & Only').
-    { destruct (Only c); try (apply Adj; cbn [In]; auto); subst c;
-        [exists q|exists p]; (split; [congruence|]); (split; [assumption|]);
-        intros w W1 W2 W3; destruct (Only w W1 W2 W3); auto. }
-    destruct (CliqueIsTet f1 f2 f3 c') as (tid' & E' & F'); try apply Ac';
-      try (apply Adj; cbn [In]; auto).
-    { exists tid. split; [exact E|]. apply F. cbn. tauto. }
-    assert (F3 : incl [f1; f2; f3] (Corners tid'))
-      by (intros w W; apply F'; cbn [In] in *; tauto).
-    destruct (Here tid' F3) as [X' Y'].
-    assert (Off' : forall own d, incl [f1; f2; f3] (Corners own) -> In d (Corners own) ->
-      ~ In d [f1; f2; f3] -> ~ Reach (Corners own) [x; y]).
-    { intros own d G Dd Nd R. destruct (R d Dd) as (v & V & W).
-      apply Nd, M, in_app_iff. cbn [In] in V.
-      destruct V as [<-|[<-|[]]]; auto. }
-    assert (Fresh : forall v, (Adjacent f1 v /\ Adjacent f2 v /\ Adjacent f3 v) ->
-      ~ In v [f1; f2; f3]).
-    { intros v (V1 & V2 & V3). cbn [In].
-      intros [<-|[<-|[<-|[]]]]; eapply NeverAdjacent; eassumption. }
-    destruct (LocalFaceEdge before warping tid x y E X Y N) as (z0 & T0 & U0);
-      [apply (Off' tid c); [exact F|exact I|exact Nc]|exact B|].
-    destruct (LocalFaceEdge before warping tid' x y E' X' Y' N) as (z' & T' & U');
-      [apply (Off' tid' c'); [exact F3|apply F'; cbn; tauto|apply Fresh, Ac']|exact B|].
-    assert (z0 = z) by (symmetry; apply U0, T). subst z0.
-    assert (Rz : forall own w, InLattice own -> triangle own x y w ->
-      Reach (Corners own) [x; y; w]).
-    { intros own w Eo [(t & J & H) S].
-      destruct (LocalOnIt before warping own x y w Eo
-        (conj (ex_intro _ t (conj J H)) S)) as (Xo & Yo & Wo).
-      destruct (LocalShape before warping own x y w t J H Xo Yo Wo)
-        as [_ [R|(a & b & _ & _ & Ea & Eb & _)]]; [exact R|].
-      destruct (B a b Ea Eb). }
-    exists z'. split.
-    { intros ->. destruct (Rz tid z E T c I) as (v & V & W).
-      destruct (LocalOnIt before warping tid' x y z E' T') as (_ & _ & Z').
-      cbn [In] in V. destruct V as [<-|[<-|[<-|[]]]];
-        [apply (Off x); cbn; auto|apply (Off y); cbn; auto|].
-      pose proof (EndsWithin before warping tid' z c Z' W) as K.
-      assert (G : incl (Corners tid') [f1; f2; f3; c']).
-      { apply CornersAre; [|reflexivity|exact F'].
-        pose proof (Fresh c' Ac') as Fr. cbn [In] in Fr.
-        apply FourApart. repeat split; try assumption; intros ->; tauto. }
-      destruct (G c K) as [Q|[Q|[Q|[Q|[]]]]]; congruence. }
-    split; [apply (SurfaceInside before warping tid'); auto|].
-    intros z'' W. destruct (SurfaceWhere before warping x y z'' W) as (own & Eo & L).
-    destruct (LocalOnIt before warping own x y z'' Eo L) as (Xo & Yo & _).
-    pose proof (In_ own Xo Yo) as Fo.
-    destruct (OtherOne own f1 f2 f3) as (e & De & Ie);
-      [apply Fo; cbn; tauto|apply Fo; cbn; tauto|apply Fo; cbn; tauto|exact D|].
-    assert (Go : incl (Corners own) [f1; f2; f3; e]).
-    { apply CornersAre; [exact De|reflexivity|]. intros v. cbn [In].
-      intros [<-|[<-|[<-|[<-|[]]]]]; [apply Fo|apply Fo|apply Fo|exact Ie]; cbn; tauto. }
-    apply FourApart in De. destruct De as (_ & _ & E1 & _ & E2 & E3).
-    assert (Ae : forall v, In v [f1; f2; f3] -> Adjacent v e).
-    { intros v V. apply (CornersAdjacent own); [apply Fo, V|exact Ie|].
-      cbn [In] in V. destruct V as [<-|[<-|[<-|[]]]]; assumption. }
-    destruct (Only' e) as [->| ->]; try (apply Ae; cbn; tauto).
-    - left. apply U0. replace tid with own; [exact L|].
-      apply CornersDetermine; [assumption..|]. intros v V. apply Go in V. cbn [In] in V.
-      destruct V as [<-|[<-|[<-|[<-|[]]]]]; [apply F|apply F|apply F|exact I]; cbn; tauto.
-    - right. apply U'. replace tid' with own; [exact L|].
-      apply CornersDetermine; [assumption..|]. intros v V. apply F', Go, V.
-  Qed.
-
-  Lemma CutEdge x y z : surface x y z ->
-    (forall a b, x = Corner a -> y = Corner b -> False) ->
-    exists z', z' <> z /\ surface x y z' /\
-      forall z'', surface x y z'' -> z'' = z \/ z'' = z'.
-  Proof.
-    intros T B. destruct (SurfaceWhere before warping x y z T) as (tid & E & L).
-    assert (Dec : forall c, {In c (Ends x ++ Ends y)} + {~ In c (Ends x ++ Ends y)})
-      by (intros c; apply in_dec, SamePoint3).
-    destruct (forallb (fun c => if Dec c then true else false) (Corners tid)) eqn:R.
-    - apply (InnerEdge x y z tid E L); [|exact B]. intros c C.
-      rewrite forallb_forall in R. specialize (R c C). destruct (Dec c) as [I|];
-        [|discriminate R]. apply in_app_iff in I.
-      destruct I; [exists x|exists y]; cbn [In]; auto.
-    - assert (exists c, In c (Corners tid) /\ ~ In c (Ends x ++ Ends y)) as (c & C & Off).
-      { clear -R. induction (Corners tid) as [|c cs IH]; [discriminate R|].
-        cbn [forallb] in R. destruct (Dec c) as [I|N].
-        - destruct (IH R) as (d & D & N). exists d. cbn. auto.
-        - exists c. cbn. auto. }
-      apply (FaceEdge x y z tid c E L C); [|exact B].
-      intros v V K. apply Off, in_app_iff. cbn [In] in V.
-      destruct V as [<-|[<-|[]]]; auto.
-  Qed.
 
   (** ** Between two 0 corners *)
 
@@ -457,7 +188,7 @@ Section Mesh.
       - intros [<-|[<-|[]]]; assumption.
       - intros W. destruct (U w W); auto. }
     destruct x as [a|a m]; [destruct y as [b|b m]|];
-      try (apply Two, (CutEdge _ _ z T); intros ? ? E F; discriminate E || discriminate F).
+      try (apply Two, (CutEdge before warping _ _ z T); intros ? ? E F; discriminate E || discriminate F).
     clear Two. destruct (SurfaceWhere before warping _ _ z T) as (tid & E & L).
     destruct (LocalOnIt before warping tid _ _ z E L) as ([[Ia _] Sa] & [[Ib _] Sb] & _).
     assert (Nab : a <> b) by (destruct L as [(t & _ & (_ & H & _)) _]; congruence).
@@ -474,7 +205,7 @@ Section Mesh.
   Proof.
     intros Disks T.
     destruct x as [a|a m]; [destruct y as [b|b m]|];
-      try (apply (CutEdge _ _ z T); intros ? ? E F; discriminate E || discriminate F).
+      try (apply (CutEdge before warping _ _ z T); intros ? ? E F; discriminate E || discriminate F).
     destruct (SurfaceWhere before warping _ _ z T) as (tid & E & L).
     destruct (LocalOnIt before warping tid _ _ z E L) as ([[Ia _] Sa] & [[Ib _] Sb] & _).
     assert (Nab : a <> b) by (destruct L as [(t & _ & (_ & H & _)) _]; congruence).

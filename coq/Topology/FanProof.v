@@ -18,6 +18,7 @@ From Certet Require Import Embedding.SettleSpec.
 From Certet Require Import Topology.SurfaceSpec Topology.CliqueProof.
 From Certet Require Import Topology.LocalSurfaceProof Topology.SurfaceProof.
 From Certet Require Import Topology.RingProof Topology.EdgeProof.
+From Certet Require Import Topology.CornersProof.
 From Certet Require Import Topology.SeparationProof.
 Import ListNotations.
 

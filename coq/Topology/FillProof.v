@@ -14,6 +14,7 @@ From Certet Require Import Embedding.EmbeddingSpec Embedding.Measure.
 From Certet Require Import Embedding.EdgeRank.
 From Certet Require Import Topology.TwoSidesSpec Topology.StencilSurface.
 From Certet Require Import Topology.EdgeProof.
+From Certet Require Import Topology.CornersProof.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -22,6 +22,7 @@ From Certet Require Import Embedding.GreedyProof Embedding.MeshEmbedsProof.
 From Certet Require Import Embedding.MeshApartProof Embedding.LinkProof.
 From Certet Require Import Topology.SurfaceSpec Topology.TwoSidesSpec.
 From Certet Require Import Topology.EdgeProof Topology.CliqueProof.
+From Certet Require Import Topology.CornersProof.
 From Certet Require Import Topology.TwoSidesFillProof.
 Import ListNotations.
 Open Scope Z_scope.
