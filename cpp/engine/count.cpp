@@ -4,6 +4,7 @@
 
 #include "lattice/cell_tables.hpp"
 #include "layer_loop.hpp"
+#include "material_cells.hpp"
 #include "row_ranks.hpp"
 
 namespace certet::core {
@@ -68,6 +69,20 @@ std::uint64_t count_tets(const SignPlanes& planes, int j, int k) {
   return count;
 }
 
+/// The same where several materials meet.
+std::uint64_t count_material_tets(const SignPlanes& planes, int j, int k) {
+  const SignRows signs(planes, j, k);
+  std::uint64_t count = 0;
+  for (int w = 0; w < planes.words(); ++w) {
+    const CellKinds cells = kinds_of_cells(planes, signs, j, k, w);
+    count += cell_tet_count * static_cast<std::uint64_t>(std::popcount(cells.whole));
+    for_each_bit(cells.any & ~cells.whole, [&](int b) {
+      for_each_material_tet(planes, 64 * w + b, j, k, [&](auto...) { ++count; });
+    });
+  }
+  return count;
+}
+
 }  // namespace
 
 RowNumbers::RowNumbers(const SignPlanes& planes, const Lattice& lattice, Window window,
@@ -82,7 +97,9 @@ RowNumbers::RowNumbers(const SignPlanes& planes, const Lattice& lattice, Window 
     for (int j = 0; j < lattice.cells[1]; ++j) {
       ranks.compute(planes, j, k);
       points_[at(j, k)] = ranks.count();
-      if (window_.contains(k)) tets_[at(j, k)] = count_tets(planes, j, k);
+      if (!window_.contains(k)) continue;
+      tets_[at(j, k)] = planes.materials() == nullptr ? count_tets(planes, j, k)
+                                                      : count_material_tets(planes, j, k);
     }
   });
   for (auto* counts : {&points_, &tets_})

@@ -9,13 +9,14 @@
 namespace certet::core {
 namespace {
 
-/// Asks the domain where many edges leave it, a batch at a time.
+/// Asks the domain where many edges leave a material, a batch at a time.
 class Parting {
  public:
   explicit Parting(const Domain& domain) : domain_(domain) {}
 
-  void add(Coord3 plus, Coord3 minus) {
-    edges_[size_] = {plus, minus, 0};
+  /// `of_last` is the material at `last`, which is less than that at `first`.
+  void add(Coord3 first, Coord3 last, Material of_last) {
+    edges_[size_] = {first, last, of_last};
     if (++size_ == edges_.size()) flush();
   }
 
@@ -39,20 +40,30 @@ class Parting {
   std::vector<std::uint16_t> result_;
 };
 
-/// Calls visit(plus_end, minus_end) for the cut edges of row (j,k), in the order
-/// of `row`.
+/// The material of the lesser end of a cut edge, seen from bit b of word w.
+Material material_of(const SignPlanes& planes, const VertexRef& end, int w, int b, int j, int k) {
+  if (planes.materials() == nullptr) return 0;
+  return planes.materials()->at(end.grid, 64 * w + b + end.shift.x, j + end.shift.y,
+                                k + end.shift.z);
+}
+
+/// Calls visit(first, last, of_last) for the cut edges of row (j,k), in the order
+/// of `row`: from the greater material to the lesser, or from plus to minus.
 template <class Visit>
 void for_each_cut_edge(const SignPlanes& planes, const RowRanks& row, const Lattice& lattice,
                        int j, int k, const Visit& visit) {
   for (std::size_t f = 0; f < family_count; ++f) {
     const Family& family = families[f];
     for (int w = 0; w < row.words(); ++w) {
-      const std::uint64_t first_plus = planes.plus(family.first.grid, j, k)[w];
-      for_each_bit(row.mask(corner_kinds + f, w), [&](int b) {
-        const Coord3 first = lattice_point(lattice, family.first, 64 * w + b, j, k);
-        const Coord3 second = lattice_point(lattice, family.second, 64 * w + b, j, k);
-        if (first_plus >> b & 1) visit(first, second);
-        else visit(second, first);
+      const std::uint64_t mask = row.mask(corner_kinds + f, w);
+      if (mask == 0) continue;
+      const std::uint64_t from_first = planes.measured_from_first(f, j, k, w);
+      for_each_bit(mask, [&](int b) {
+        const bool forward = (from_first >> b & 1) != 0;
+        const VertexRef& from = forward ? family.first : family.second;
+        const VertexRef& to = forward ? family.second : family.first;
+        visit(lattice_point(lattice, from, 64 * w + b, j, k),
+              lattice_point(lattice, to, 64 * w + b, j, k), material_of(planes, to, w, b, j, k));
       });
     }
   }
@@ -72,7 +83,9 @@ CutLayer find_layer(const SignPlanes& planes, const Domain& domain, const Lattic
     count += row.count() - row.corners();
     if (cuts == Cuts::bisect)
       for_each_cut_edge(planes, row, lattice, j, k,
-                        [&](Coord3 plus, Coord3 minus) { parting.add(plus, minus); });
+                        [&](Coord3 first, Coord3 last, Material of_last) {
+                          parting.add(first, last, of_last);
+                        });
   }
   if (cuts == Cuts::bisect) layer.steps = parting.finish();
   else layer.steps.assign(count, midpoint_cut);

@@ -41,6 +41,11 @@ void emit_materials(const Domain& domain, const RowNumbers& numbers, const Latti
                     Window window, std::span<const Coord3> points,
                     std::span<const Tet<Index>> tets, std::span<Material> out, Context& context);
 
+/// Materials of the same tetrahedra where materials meet in common interfaces, so that
+/// `planes` have them.
+void emit_materials(const SignPlanes& planes, const RowNumbers& numbers, const Lattice& lattice,
+                    Window window, std::span<Material> out, Context& context);
+
 /// Puts labels, that of material m being labels[m - 1], in the place of materials; 0
 /// for what is outside.  Calls visit(label, count) for each run of equal ones.
 template <class Visit>

@@ -4,8 +4,39 @@
 #include "emit.hpp"
 #include "emit_loop.hpp"
 #include "layer_loop.hpp"
+#include "material_cells.hpp"
 
 namespace certet::core {
+namespace {
+
+/// The materials of the tetrahedra of row (j,k), from `out` on.
+void emit_row_materials(const SignPlanes& planes, int j, int k, Material* out) {
+  const SignRows signs(planes, j, k);
+  for (int w = 0; w < planes.words(); ++w) {
+    const auto [any, whole] = kinds_of_cells(planes, signs, j, k, w);
+    for_each_bit(any, [&](int b) {
+      if ((whole >> b & 1) != 0)
+        out = std::fill_n(out, cell_tet_count, material_of_whole_cell(planes, 64 * w + b, j, k));
+      else
+        for_each_material_tet(planes, 64 * w + b, j, k,
+                              [&](std::size_t, const UnstructuredTet&, Material material) {
+                                *out++ = material;
+                              });
+    });
+  }
+}
+
+}  // namespace
+
+void emit_materials(const SignPlanes& planes, const RowNumbers& numbers, const Lattice& lattice,
+                    Window window, std::span<Material> out, Context& context) {
+  const std::uint64_t start = numbers.first_tet(0, window.begin);
+  check_room(out.size(), numbers.first_tet(0, window.end) - start);
+  for_each_piece(lattice, window, context, [&](int j_begin, int j_end, int k) {
+    for (int j = j_begin; j < j_end; ++j)
+      emit_row_materials(planes, j, k, out.data() + (numbers.first_tet(j, k) - start));
+  });
+}
 
 template <class Index>
 void emit_materials(const Domain& domain, const RowNumbers& numbers, const Lattice& lattice,

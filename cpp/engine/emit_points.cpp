@@ -30,16 +30,19 @@ Coord3* emit_corners(const WarpedLattice& warped, const Lattice& lattice, Grid g
 Coord3* emit_cuts(const WarpedLattice& warped, const Lattice& lattice, const RowRanks& row,
                   std::size_t f, int j, int k, const std::uint16_t*& cut, Coord3* out) {
   const Family& family = families[f];
-  const std::uint64_t* const first_plus = warped.planes.plus(family.first.grid, j, k);
-  for (int w = 0; w < row.words(); ++w)
-    for_each_bit(row.mask(corner_kinds + f, w), [&](int b) {
+  for (int w = 0; w < row.words(); ++w) {
+    const std::uint64_t mask = row.mask(corner_kinds + f, w);
+    if (mask == 0) continue;
+    const std::uint64_t from_first = warped.planes.measured_from_first(f, j, k, w);
+    for_each_bit(mask, [&](int b) {
       const Coord3 first = lattice_point(lattice, family.first, 64 * w + b, j, k);
       const Coord3 second = lattice_point(lattice, family.second, 64 * w + b, j, k);
-      const bool forward = (first_plus[w] >> b & 1) != 0;
-      const Coord3 plus = forward ? first : second;
-      const Coord3 minus = forward ? second : first;
-      *out++ = steps * plus + std::int32_t{*cut++} * (minus - plus);
+      const bool forward = (from_first >> b & 1) != 0;
+      const Coord3 from = forward ? first : second;
+      const Coord3 to = forward ? second : first;
+      *out++ = steps * from + std::int32_t{*cut++} * (to - from);
     });
+  }
   return out;
 }
 

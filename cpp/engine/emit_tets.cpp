@@ -3,6 +3,7 @@
 #include "lattice/cell_tables.hpp"
 #include "emit.hpp"
 #include "emit_loop.hpp"
+#include "material_cells.hpp"
 #include "row_window.hpp"
 
 namespace certet::core {
@@ -19,7 +20,8 @@ class TetEmitter {
     first_point_ = {{{row_number(j_, k_), row_number(j_, k_ + 1)},
                      {row_number(j_ + 1, k_), row_number(j_ + 1, k_ + 1)}}};
     const SignRows signs(planes_, j_, k_);
-    for (int w = 0; w < planes_.words(); ++w) emit_word(signs, w);
+    for (int w = 0; w < planes_.words(); ++w)
+      planes_.materials() == nullptr ? emit_word(signs, w) : emit_material_word(signs, w);
     ++j_;
     window_.next();
   }
@@ -51,6 +53,25 @@ class TetEmitter {
       } else {
         emit_cell(w, b);
         any_plus &= any_plus - 1;
+      }
+    }
+  }
+
+  /// The same where several materials meet.
+  void emit_material_word(const SignRows& signs, int w) {
+    auto [any, whole] = kinds_of_cells(planes_, signs, j_, k_, w);
+    while (any != 0) {
+      const int b = std::countr_zero(any);
+      if ((whole >> b & 1) != 0) {
+        const int length = std::countr_one(whole >> b);
+        emit_interior(w, b, length);
+        any = b + length == 64 ? 0 : any & ~below(b + length);
+      } else {
+        for_each_material_tet(planes_, 64 * w + b, j_, k_,
+                              [&](std::size_t c, const UnstructuredTet& tet, Material) {
+                                emit_tet(c, tet, w, b);
+                              });
+        any &= any - 1;
       }
     }
   }
@@ -89,11 +110,14 @@ class TetEmitter {
       const auto& corner = cell.corner[c];
       const auto pattern = static_cast<std::size_t>(pattern_index(
           sign[corner[0]], sign[corner[1]], sign[corner[2]], sign[corner[3]]));
-      for (const UnstructuredTet& tet : stencils[pattern]) {
-        for (std::size_t n = 0; n < 4; ++n) (*out_)[n] = vertex_number(c, tet[output_orders[c][n]], w, b);
-        ++out_;
-      }
+      for (const UnstructuredTet& tet : stencils[pattern]) emit_tet(c, tet, w, b);
     }
+  }
+
+  void emit_tet(std::size_t c, const UnstructuredTet& tet, int w, int b) {
+    for (std::size_t n = 0; n < 4; ++n)
+      (*out_)[n] = vertex_number(c, tet[output_orders[c][n]], w, b);
+    ++out_;
   }
 
   [[nodiscard]] Index vertex_number(std::size_t c, StencilVertex v, int w, int b) const {

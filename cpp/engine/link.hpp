@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "certet/lattice/direction.hpp"
+#include "certet/lattice/orientation.hpp"
 
 namespace certet::core {
 
@@ -26,6 +27,42 @@ inline constexpr std::array<std::uint16_t, direction_count> link_ring = [] {
         if (direction_offset[d] + offset == direction_offset[e])
           ring[d] = static_cast<std::uint16_t>(ring[d] | 1U << e);
   return ring;
+}();
+
+/// The triangles of the link, each in the order in which it is seen from the vertex
+/// counter-clockwise from behind: with it, it makes a right-handed tetrahedron.
+inline constexpr std::array<std::array<std::uint8_t, 3>, 24> link_triangles = [] {
+  std::array<std::array<std::uint8_t, 3>, 24> triangles{};
+  std::size_t count = 0;
+  const auto adjacent = [](std::size_t d, std::size_t e) { return (link_ring[d] >> e & 1) != 0; };
+  for (std::uint8_t d = 0; d < direction_count; ++d)
+    for (std::uint8_t e = 0; e < direction_count; ++e)
+      for (std::uint8_t f = 0; f < direction_count; ++f) {
+        if (d > e || d > f || !adjacent(d, e) || !adjacent(e, f) || !adjacent(d, f)) continue;
+        if (six_volume({0, 0, 0}, direction_offset[d], direction_offset[e],
+                       direction_offset[f]) > 0)
+          triangles[count++] = {d, e, f};
+      }
+  return triangles;
+}();
+
+/// The long edges of the link, each with the two neighbours that are next to both of its
+/// ends.
+struct LinkEdge {
+  std::array<std::uint8_t, 2> ends, sides;
+};
+inline constexpr std::array<LinkEdge, 12> long_link_edges = [] {
+  std::array<LinkEdge, 12> edges{};
+  std::size_t count = 0;
+  for (std::uint8_t d = 0; d < direction_count; ++d)
+    for (std::uint8_t e = d + 1; e < direction_count; ++e) {
+      if ((link_ring[d] >> e & 1) == 0 || is_long(d) || is_long(e)) continue;
+      const auto sides = static_cast<unsigned>(link_ring[d] & link_ring[e]);
+      edges[count++] = {{d, e},
+                        {static_cast<std::uint8_t>(std::countr_zero(sides)),
+                         static_cast<std::uint8_t>(std::bit_width(sides) - 1)}};
+    }
+  return edges;
 }();
 
 /// A bit for each set of neighbours: whether it is not empty, and in one piece.  It is

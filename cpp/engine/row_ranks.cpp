@@ -4,7 +4,7 @@ namespace certet::core {
 
 namespace {
 
-/// Where the edges owned by the indices of a word are cut.
+/// Where the edges owned by the indices of a word are cut: between plus and minus.
 std::array<std::uint64_t, family_count> cut_masks(const SignRows& rows, int w) {
   std::array<std::uint64_t, edge_end_count> plus;
   std::array<std::uint64_t, edge_end_count> minus;
@@ -24,6 +24,19 @@ std::array<std::uint64_t, family_count> cut_masks(const SignRows& rows, int w) {
   return masks;
 }
 
+/// The same where several materials meet: between two of them, or one and the outside.
+std::array<std::uint64_t, family_count> parted_masks(const MaterialPlanes& materials,
+                                                     const SignRows& rows, int j, int k, int w) {
+  std::array<std::uint64_t, family_count> masks = materials.parted(j, k, w);
+  for (std::size_t f = 0; f < family_count; ++f) {
+    if (masks[f] == 0) continue;
+    const SignWord first = rows.at(families[f].first, w);
+    const SignWord second = rows.at(families[f].second, w);
+    masks[f] &= (first.plus | second.plus) & ~first.zero & ~second.zero;
+  }
+  return masks;
+}
+
 }  // namespace
 
 void RowRanks::compute(const SignPlanes& planes, int j, int k) {
@@ -32,13 +45,15 @@ void RowRanks::compute(const SignPlanes& planes, int j, int k) {
   count_ = corners_ = 0;
   if (j < 0 || j >= planes.cells()[1] || !planes.window().contains(k)) return;
   const SignRows rows(planes, j, k);
+  const MaterialPlanes* const materials = planes.materials();
   for (int w = 0; w < words_; ++w) {
     Entry* const entry = &entries_[static_cast<std::size_t>(w) * kind_count];
     for (const Grid grid : grids) {
       const SignWord own = rows.at({grid, {}}, w);
       entry[grid].mask = own.plus | own.zero;
     }
-    const auto masks = cut_masks(rows, w);
+    const auto masks = materials == nullptr ? cut_masks(rows, w)
+                                            : parted_masks(*materials, rows, j, k, w);
     for (std::size_t f = 0; f < family_count; ++f) entry[corner_kinds + f].mask = masks[f];
   }
   number_entries();

@@ -14,7 +14,8 @@ namespace certet::core {
 
 /// For one row (j,k) and each kind of point, which indices own a point, and how
 /// many points of the row come before.  A corner is a point if its sign is plus
-/// or zero; an edge owns a cut if its ends have opposite signs.
+/// or zero; an edge owns a cut if its ends have opposite signs or, where several
+/// materials meet, none of them is zero and they are of different materials.
 class RowRanks {
  public:
   /// Rows outside the lattice, or the window of the planes, are allowed; they own

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
-#include "parallel.hpp"
+#include "layer_loop.hpp"
 
 namespace certet::core {
 namespace {
@@ -45,92 +48,166 @@ SignWord pack(const Sign* signs) {
   return word;
 }
 
-/// Samples the rows of one block-row: all indices i, `block` values of j and k.
-class BlockRowSampler {
+/// Where a solid is.
+class SignSource {
  public:
-  BlockRowSampler(const Domain& domain, const Lattice& lattice, Cuts cuts, SignPlanes& planes)
-      : domain_(domain), lattice_(lattice), surface_is_inside_(cuts == Cuts::midpoint),
-        planes_(planes),
-        extents_(static_cast<std::size_t>(blocks_in(lattice.cells[0]))),
-        signs_(static_cast<std::size_t>(planes.words()) * 64) {}
+  using Value = Sign;
+  static constexpr Sign outside = Sign::minus;
 
-  void sample(int block_j, int block_k) {
-    const int j_begin = std::max(1, block_j * block);
-    const int k_begin = std::max({1, block_k * block, planes_.window().begin});
-    const int j_end = std::min((block_j + 1) * block, lattice_.cells[1] - 1);
-    const int k_end = std::min({(block_k + 1) * block, lattice_.cells[2] - 1,
-                                planes_.window().end});
-    if (!find_extents(block_j, block_k)) return;
-    for (int k = k_begin; k < k_end; ++k)
-      for (int j = j_begin; j < j_end; ++j)
-        for (const Grid grid : grids) sample_row(grid, j, k);
-  }
+  SignSource(const Domain& domain, Cuts cuts, SignPlanes& planes)
+      : domain_(domain), surface_is_inside_(cuts == Cuts::midpoint), planes_(planes) {}
 
- private:
-  /// Whether there is anything to sample.
-  bool find_extents(int block_j, int block_k) {
-    bool any = false;
-    for (std::size_t b = 0; b < extents_.size(); ++b) {
-      const Coord3 low = lattice_.origin + 2 * Coord3{static_cast<int>(b) * block,
-                                                      block_j * block, block_k * block};
-      extents_[b] = domain_.extent({low, low + Coord3{2 * block - 1, 2 * block - 1, 2 * block - 1}});
-      any = any || extents_[b] != Extent::outside;
+  [[nodiscard]] std::optional<Sign> value_of(const LatticeBox& box) const {
+    switch (domain_.extent(box)) {
+      case Extent::inside: return Sign::plus;
+      case Extent::outside: return Sign::minus;
+      case Extent::mixed: break;
     }
-    return any;
+    return std::nullopt;
   }
+  void row(Coord3 first, std::span<Sign> out) const { domain_.row(first, out); }
 
-  void sample_row(Grid grid, int j, int k) {
-    fill_signs(grid, j, k);
+  /// `row` has 64 values for each word.
+  void store(Grid grid, int j, int k, std::span<const Sign> row) const {
     std::uint64_t* const plus = planes_.plus(grid, j, k);
     std::uint64_t* const zero = planes_.zero(grid, j, k);
     for (int w = 0; w < planes_.words(); ++w) {
-      const SignWord word = pack(&signs_[static_cast<std::size_t>(w) * 64]);
+      const SignWord word = pack(&row[static_cast<std::size_t>(w) * 64]);
       plus[w] = surface_is_inside_ ? word.plus | word.zero : word.plus;
       zero[w] = surface_is_inside_ ? 0 : word.zero;
     }
   }
 
-  void fill_signs(Grid grid, int j, int k) {
-    const int n = lattice_.cells[0];
-    const int blocks = static_cast<int>(extents_.size());
-    for (int b = 0; b < blocks;) {
-      int e = b + 1;
-      while (e < blocks && extents_[static_cast<std::size_t>(e)] == extents_[static_cast<std::size_t>(b)]) ++e;
-      const int begin = b * block;
-      const std::span<Sign> run{&signs_[static_cast<std::size_t>(begin)],
-                                static_cast<std::size_t>(std::min(e * block, n) - begin)};
-      switch (extents_[static_cast<std::size_t>(b)]) {
-        case Extent::inside: std::ranges::fill(run, Sign::plus); break;
-        case Extent::outside: std::ranges::fill(run, Sign::minus); break;
-        case Extent::mixed:
-          domain_.row(lattice_.origin + 2 * Coord3{begin, j, k} + tiling.grids[grid], run);
-      }
-      b = e;
-    }
-    signs_.front() = Sign::minus;
-    std::fill(signs_.begin() + (n - 1), signs_.end(), Sign::minus);
-  }
-
+ private:
   const Domain& domain_;
-  const Lattice& lattice_;
   bool surface_is_inside_;
   SignPlanes& planes_;
-  std::vector<Extent> extents_;
-  std::vector<Sign> signs_;
 };
+
+/// Where each of several materials is.
+class MaterialSource {
+ public:
+  using Value = Material;
+  static constexpr Material outside = 0;
+
+  MaterialSource(const Domain& domain, SignPlanes& planes, MaterialPlanes& materials)
+      : domain_(domain), planes_(planes), materials_(materials) {}
+
+  [[nodiscard]] std::optional<Material> value_of(const LatticeBox& box) const {
+    return domain_.material_of(box);
+  }
+  void row(Coord3 first, std::span<Material> out) const { domain_.row_materials(first, out); }
+
+  void store(Grid grid, int j, int k, std::span<const Material> row) const {
+    std::uint64_t* const plus = planes_.plus(grid, j, k);
+    for (std::size_t i = 0; i < row.size(); ++i)
+      plus[i >> 6] |= std::uint64_t{row[i] != 0} << (i & 63);
+    materials_.set_row(grid, j, k, row);
+  }
+
+ private:
+  const Domain& domain_;
+  SignPlanes& planes_;
+  MaterialPlanes& materials_;
+};
+
+/// Samples the rows of one block-row: all indices i, `block` values of j and k.
+template <class Source>
+class BlockRowSampler {
+ public:
+  using Value = typename Source::Value;
+
+  BlockRowSampler(const Source& source, const Lattice& lattice, const PlaneLayout& layout)
+      : source_(source), lattice_(lattice), window_(layout.window()),
+        known_(static_cast<std::size_t>(blocks_in(lattice.cells[0]))),
+        values_(static_cast<std::size_t>(layout.words()) * 64) {}
+
+  void sample(int block_j, int block_k) {
+    const int j_begin = std::max(1, block_j * block);
+    const int k_begin = std::max({1, block_k * block, window_.begin});
+    const int j_end = std::min((block_j + 1) * block, lattice_.cells[1] - 1);
+    const int k_end = std::min({(block_k + 1) * block, lattice_.cells[2] - 1, window_.end});
+    if (!ask_blocks(block_j, block_k)) return;
+    for (int k = k_begin; k < k_end; ++k)
+      for (int j = j_begin; j < j_end; ++j)
+        for (const Grid grid : grids) {
+          fill_row(grid, j, k);
+          source_.store(grid, j, k, values_);
+        }
+  }
+
+ private:
+  /// Whether there is anything to sample.
+  bool ask_blocks(int block_j, int block_k) {
+    bool any = false;
+    for (std::size_t b = 0; b < known_.size(); ++b) {
+      const Coord3 low = lattice_.origin + 2 * Coord3{static_cast<int>(b) * block,
+                                                      block_j * block, block_k * block};
+      known_[b] =
+          source_.value_of({low, low + Coord3{2 * block - 1, 2 * block - 1, 2 * block - 1}});
+      any = any || known_[b] != Source::outside;
+    }
+    return any;
+  }
+
+  void fill_row(Grid grid, int j, int k) {
+    const int n = lattice_.cells[0];
+    const int blocks = static_cast<int>(known_.size());
+    for (int b = 0; b < blocks;) {
+      const std::optional<Value> known = known_[static_cast<std::size_t>(b)];
+      int e = b + 1;
+      while (e < blocks && known_[static_cast<std::size_t>(e)] == known) ++e;
+      const int begin = b * block;
+      const std::span<Value> run{&values_[static_cast<std::size_t>(begin)],
+                                 static_cast<std::size_t>(std::min(e * block, n) - begin)};
+      if (known)
+        std::ranges::fill(run, *known);
+      else
+        source_.row(lattice_.origin + 2 * Coord3{begin, j, k} + tiling.grids[grid], run);
+      b = e;
+    }
+    values_.front() = Source::outside;
+    std::fill(values_.begin() + (n - 1), values_.end(), Source::outside);
+  }
+
+  const Source& source_;
+  const Lattice& lattice_;
+  Window window_;
+  std::vector<std::optional<Value>> known_;
+  std::vector<Value> values_;
+};
+
+template <class Source>
+void sample_blocks(const Source& source, const Lattice& lattice, const PlaneLayout& layout,
+                   Context& context) {
+  const Window window = layout.window();
+  const int blocks_j = blocks_in(lattice.cells[1]);
+  const int first_k = window.begin / block;
+  const int blocks_k = blocks_in(window.end) - first_k;
+  parallel_for(context, Stage::sample, std::int64_t{blocks_j} * blocks_k, [&](std::int64_t task) {
+    BlockRowSampler(source, lattice, layout)
+        .sample(static_cast<int>(task % blocks_j), first_k + static_cast<int>(task / blocks_j));
+  });
+}
 
 }  // namespace
 
 SignPlanes sample(const Domain& domain, const Lattice& lattice, Window window, Cuts cuts,
                   Context& context) {
   SignPlanes planes(lattice.cells, window);
-  const int blocks_j = blocks_in(lattice.cells[1]);
-  const int first_k = window.begin / block;
-  const int blocks_k = blocks_in(window.end) - first_k;
-  parallel_for(context, Stage::sample, std::int64_t{blocks_j} * blocks_k, [&](std::int64_t task) {
-    BlockRowSampler(domain, lattice, cuts, planes)
-        .sample(static_cast<int>(task % blocks_j), first_k + static_cast<int>(task / blocks_j));
-  });
+  sample_blocks(SignSource(domain, cuts, planes), lattice, planes.layout(), context);
+  return planes;
+}
+
+SignPlanes sample_materials(const Domain& domain, const Lattice& lattice, Window window,
+                            Context& context) {
+  SignPlanes planes(lattice.cells, window);
+  const auto materials = std::make_shared<MaterialPlanes>(
+      planes.layout(), static_cast<Material>(domain.labels().size()));
+  sample_blocks(MaterialSource(domain, planes, *materials), lattice, planes.layout(), context);
+  for_each_layer(context, Stage::sample, window,
+                 [&](std::int32_t k) { materials->find_parted_words(k); });
+  planes.set_materials(materials);
   return planes;
 }
 

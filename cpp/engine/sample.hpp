@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// First stage: domain → signs.
+/// First stage: domain → signs, and materials.
 
 #include "certet/context.hpp"
 #include "certet/domain.hpp"
@@ -16,5 +16,10 @@ namespace certet::core {
 /// are those of a domain that is either in or out.
 SignPlanes sample(const Domain& domain, const Lattice& lattice, Window window, Cuts cuts,
                   Context& context);
+
+/// The same with the materials of the vertices, of a domain of several.  Whatever is not
+/// outside is plus.
+SignPlanes sample_materials(const Domain& domain, const Lattice& lattice, Window window,
+                            Context& context);
 
 }  // namespace certet::core

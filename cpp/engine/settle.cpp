@@ -7,6 +7,7 @@
 
 #include "layer_loop.hpp"
 #include "link.hpp"
+#include "material_links.hpp"
 #include "row_ranks.hpp"
 
 namespace certet::core {
@@ -20,11 +21,12 @@ constexpr int colour_count = 4;
 constexpr int turn_count = nearness_classes * 2 * colour_count;
 static_assert(settling_halo == turn_count - 1, "each turn looks one layer further");
 
-/// `Turn` of the certificate.  `parity` is that of half the sum of the coordinates.
-constexpr int turn_of(const Displacement& target, bool plus, Grid grid, int parity) {
+/// `Turn` of the certificate.  `inner` says that the vertex is plus, or of the greater of
+/// two materials; `parity` is that of half the sum of the coordinates.
+constexpr int turn_of(const Displacement& target, bool inner, Grid grid, int parity) {
   const int nearness =
       nearness_classes * target.distance / angle_thresholds.in_steps(target.direction);
-  return (nearness * 2 + int{plus}) * colour_count + 2 * grid + parity;
+  return (nearness * 2 + int{inner}) * colour_count + 2 * grid + parity;
 }
 
 /// A violated vertex that has its turn to come.
@@ -42,7 +44,7 @@ struct LayerTurns {
 };
 
 LayerTurns turns_of(const SignPlanes& planes, const Violations& violations,
-                    const Lattice& lattice, int k) {
+                    const MaterialLinks& links, const Lattice& lattice, int k) {
   const Coord3& o = lattice.origin;
   const int half_sum = (o.x + o.y + o.z) / 2 + k;
   const std::vector<Displacement>& targets = violations.targets[k].displacements;
@@ -58,8 +60,10 @@ LayerTurns turns_of(const SignPlanes& planes, const Violations& violations,
         for_each_bit(violations.violated.plus(grid, j, k)[w], [&](int b) {
           const auto number = static_cast<std::uint32_t>(unsorted.size());
           const int i = 64 * w + b;
-          const int t = turn_of(targets[number], (plus >> b & 1) != 0, grid,
-                                (half_sum + i + j + int{grid}) & 1);
+          const bool inner = links.are_asked() ? links.is_greater({grid, i, j, k}, targets[number])
+                                               : (plus >> b & 1) != 0;
+          const int t =
+              turn_of(targets[number], inner, grid, (half_sum + i + j + int{grid}) & 1);
           unsorted.push_back({i, j, grid, number});
           turn.push_back(static_cast<std::uint8_t>(t));
           ++turns.begin[static_cast<std::size_t>(t)];
@@ -83,8 +87,9 @@ struct Link {
 /// that works on a layer changes its words.
 class Turns {
  public:
-  Turns(SignPlanes& now, const SignPlanes& samples, Violations& violations)
-      : now_(now), samples_(samples), violations_(violations),
+  Turns(SignPlanes& now, const SignPlanes& samples, Violations& violations,
+        const MaterialLinks& links)
+      : now_(now), samples_(samples), violations_(violations), links_(links),
         row_stride_(64 * (now.plus(even, 1, now.window().begin) -
                           now.plus(even, 0, now.window().begin))),
         layer_stride_(64 * (now.plus(even, 0, now.window().begin) -
@@ -102,21 +107,31 @@ class Turns {
     for (std::uint32_t n = layer.begin[t]; n < layer.begin[t + 1]; ++n) {
       const Candidate& v = layer.candidates[n];
       const Link link = link_of(v, k);
-      if (!is_strict_disk(link.plus, link.zero)) {
+      Displacement& move = violations_.targets[k].displacements[v.target];
+      Displacement kept = move;
+      if (!has_disks(v, k, move, link)) {
         ++layer.stayed;
         continue;
       }
-      Displacement& move = violations_.targets[k].displacements[v.target];
-      if (link.zero != 0 && is_long(move.direction)) {
-        const std::uint16_t distance = stop(v, k, move, link.zero);
-        if (distance < move.distance) ++layer.shortened;
-        move.distance = distance;
+      if (link.zero != 0 && is_long(move.direction))
+        kept.distance = stop(v, k, move, link.zero);
+      if (links_.are_asked() && !links_.may_share({v.grid, v.i, v.j, k}, kept, link.zero)) {
+        ++layer.stayed;
+        continue;
       }
+      if (kept.distance < move.distance) ++layer.shortened;
+      move = kept;
       become_zero(v, k);
     }
   }
 
  private:
+  [[nodiscard]] bool has_disks(const Candidate& v, int k, const Displacement& move,
+                               const Link& link) const {
+    return links_.are_asked() ? links_.are_disks({v.grid, v.i, v.j, k}, move, link.zero)
+                              : is_strict_disk(link.plus, link.zero);
+  }
+
   [[nodiscard]] Link link_of(const Candidate& v, int k) const {
     std::array<std::uint64_t*, grid_count> plus{}, zero{};
     for (const Grid grid : grids) {
@@ -139,7 +154,7 @@ class Turns {
 
   /// How far a vertex may move along a long edge: not past a neighbour that moved towards
   /// it along an edge beside.  They may come level, so that a wall between two planes of
-  /// the lattice is flat; but not if both were minus.
+  /// the lattice is flat; but not if both were minus, or of the lesser material.
   [[nodiscard]] std::uint16_t stop(const Candidate& v, int k, const Displacement& move,
                                    LinkSet zero) const {
     std::int32_t distance = move.distance;
@@ -153,15 +168,17 @@ class Turns {
       const int layer = k + to.shift.z;
       const Displacement& other = violations_.target(to.grid, i, j, layer);
       if (other.direction != (move.direction ^ 1)) return;
-      const bool both_minus =
-          !is_plus(v.grid, v.i, v.j, k) && !is_plus(to.grid, i, j, layer);
-      distance = std::min(distance, steps / 2 - other.distance - int{both_minus});
+      const bool both_outer = is_outer({v.grid, v.i, v.j, k}, move) &&
+                              is_outer({to.grid, i, j, layer}, other);
+      distance = std::min(distance, steps / 2 - other.distance - int{both_outer});
     });
     return static_cast<std::uint16_t>(distance);
   }
 
-  [[nodiscard]] bool is_plus(Grid grid, int i, int j, int k) const {
-    return (samples_.plus(grid, j, k)[i >> 6] >> (i & 63) & 1) != 0;
+  /// Whether a vertex was minus or, of its two materials, of the lesser one.
+  [[nodiscard]] bool is_outer(const VertexIndex& v, const Displacement& move) const {
+    if (links_.are_asked()) return !links_.is_greater(v, move);
+    return (samples_.plus(v.grid, v.j, v.k)[v.i >> 6] >> (v.i & 63) & 1) == 0;
   }
 
   void become_zero(const Candidate& v, int k) {
@@ -177,6 +194,7 @@ class Turns {
   SignPlanes& now_;
   const SignPlanes& samples_;
   Violations& violations_;
+  const MaterialLinks& links_;
   std::ptrdiff_t row_stride_, layer_stride_;  ///< in bits
   /// Of the neighbours, from a vertex's own index in a row, in bits.
   std::array<std::array<std::ptrdiff_t, direction_count>, grid_count> distance_{};
@@ -189,11 +207,12 @@ Settling settle(const SignPlanes& planes, Violations& violations, const Lattice&
   const Window around = violations.violated.window();
   Settling settled{SignPlanes(planes, around)};
   settled.planes.clear_zeros();
+  const MaterialLinks links(planes, violations, lattice);
   Layers<LayerTurns> layers(around);
   for_each_layer(context, Stage::warp, around, [&](std::int32_t k) {
-    layers[k] = turns_of(planes, violations, lattice, k);
+    layers[k] = turns_of(planes, violations, links, lattice, k);
   });
-  Turns turns(settled.planes, planes, violations);
+  Turns turns(settled.planes, planes, violations, links);
   for (int turn = 0; turn < turn_count; ++turn)
     for_each_layer(context, Stage::warp, around,
                    [&](std::int32_t k) { turns.settle(layers[k], turn, k); });

@@ -109,7 +109,9 @@ Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, Method method,
     std::uint64_t inverted = 0;
     const Cuts where = facts(method).cuts;
     const Window all = whole(lattice);
-    SignPlanes planes = sample(domain, lattice, all, where, context);
+    const bool parts = facts(method).interfaces && domain.labels().size() > 1;
+    SignPlanes planes = parts ? sample_materials(domain, lattice, all, context)
+                              : sample(domain, lattice, all, where, context);
     Layers<CutLayer> cuts = find_cuts(planes, domain, lattice, all, where, context);
     WarpedLattice warped =
         where == Cuts::midpoint  ? unwarped(std::move(planes), std::move(cuts), all)
@@ -178,6 +180,14 @@ void Stuffing::emit_materials(std::int32_t begin, std::int32_t end,
                        tets, out, context);
 }
 
+bool Stuffing::has_interfaces() const { return state_->warped.planes.materials() != nullptr; }
+
+void Stuffing::emit_materials(std::int32_t begin, std::int32_t end, std::span<Material> out,
+                              Context& context) const {
+  core::emit_materials(state_->warped.planes, state_->numbers, state_->lattice, {begin, end}, out,
+                       context);
+}
+
 void Stuffing::materials_of(std::span<const TetCorners> tets, std::span<Material> out) const {
   if (labels().size() <= 1)
     std::ranges::fill(out, 1);
@@ -214,8 +224,11 @@ Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context) {
       stuffing.emit_tets(0, stuffing.layers(), std::span<Tet<Index>>(tets), context);
       if (!stuffing.labels().empty()) {
         mesh.labels = Buffer<std::int32_t>(tets.size());
-        stuffing.emit_materials(0, stuffing.layers(), mesh.points,
-                                std::span<const Tet<Index>>(tets), mesh.labels, context);
+        if (stuffing.has_interfaces())
+          stuffing.emit_materials(0, stuffing.layers(), mesh.labels, context);
+        else
+          stuffing.emit_materials(0, stuffing.layers(), mesh.points,
+                                  std::span<const Tet<Index>>(tets), mesh.labels, context);
         labels_in_place(std::span(mesh.labels), stuffing.labels(),
                         [](std::int32_t, std::uint64_t) {});
       }

@@ -95,29 +95,28 @@ class LayerViolations {
       const bool second_counts = k + families[f].second.shift.z == k_;
       for (int w = 0; w < row_.words(); ++w) {
         const std::uint64_t mask = row_.mask(corner_kinds + f, w);
-        const std::uint64_t first_plus =
-            planes_.plus(families[f].first.grid, j, k)[static_cast<std::size_t>(w)];
-        if (first_counts || second_counts)
-          collect_word(f, j, w, mask, first_plus, cut, {first_counts, second_counts});
+        if (mask != 0 && (first_counts || second_counts))
+          collect_word(f, j, w, mask, planes_.measured_from_first(f, j, k, w), cut,
+                       {first_counts, second_counts});
         cut += std::popcount(mask);
       }
     }
   }
 
-  void collect_word(std::size_t f, int j, int w, std::uint64_t mask, std::uint64_t first_plus,
+  void collect_word(std::size_t f, int j, int w, std::uint64_t mask, std::uint64_t from_first,
                     const std::uint16_t* cut, std::array<bool, 2> counts) {
     const std::int32_t threshold = thresholds_.in_steps(family_directions[f][0]);
     for_each_bit(mask, [&](int b) {
-      const std::int32_t from_plus = *cut++;
-      const std::int32_t from_minus = steps - from_plus;
-      const bool plus = from_plus < threshold;
-      if (!plus && from_minus >= threshold) return;
-      const bool second = plus != ((first_plus >> b & 1) != 0);
+      const std::int32_t from_greater = *cut++;
+      const std::int32_t from_lesser = steps - from_greater;
+      const bool greater = from_greater < threshold;
+      if (!greater && from_lesser >= threshold) return;
+      const bool second = greater != ((from_first >> b & 1) != 0);
       if (!counts[second]) return;
       const VertexRef& end = second ? families[f].second : families[f].first;
       ViolatedRow& row = rows_[static_cast<std::size_t>((j + end.shift.y) & 1)];
       row.add(end.grid, 64 * w + b + end.shift.x, family_directions[f][second],
-              plus ? from_plus : from_minus);
+              greater ? from_greater : from_lesser);
     });
   }
 

@@ -1,9 +1,11 @@
 #include "warped_lattice.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "layer_loop.hpp"
+#include "material_links.hpp"
 #include "row_ranks.hpp"
 
 namespace certet::core {
@@ -29,6 +31,68 @@ void drop_idle_zeros(SignPlanes& planes, int k) {
       any_plus |= shifted(planes.plus(ref.grid, j + ref.shift.y, k + ref.shift.z), w, ref.shift.x);
     }
     zero &= any_plus;
+  });
+}
+
+/// The materials once vertices have moved: of those that did the lower of the two they
+/// lay between.
+std::shared_ptr<const MaterialPlanes> moved_materials(const MovedSigns& moved,
+                                                      const Violations& violations,
+                                                      const Lattice& lattice, Context& context) {
+  const MaterialLinks links(moved.before, violations, lattice);
+  auto materials = std::make_shared<MaterialPlanes>(*moved.before.materials());
+  for_each_layer(context, Stage::warp, violations.violated.window(), [&](std::int32_t k) {
+    for_each_word(moved.after, [&](Grid grid, int j, int w) {
+      for_each_bit(moved.after.zero(grid, j, k)[w], [&](int b) {
+        const VertexIndex v{grid, 64 * w + b, j, k};
+        materials->set(v.grid, v.i, v.j, v.k, links.lower(v));
+      });
+    });
+  });
+  return materials;
+}
+
+/// A zero vertex of the layer of a word.
+struct ZeroVertex {
+  Grid grid;
+  std::int32_t j, w, b;
+};
+
+/// Whether a tetrahedron is kept whose corners are this zero vertex and three others.
+bool is_corner_of_zeros(const SignPlanes& after, const VertexIndex& v) {
+  const MaterialPlanes& materials = *after.materials();
+  const auto lower = [&](const VertexIndex& u) { return materials.at(u.grid, u.i, u.j, u.k); };
+  if (lower(v) == 0) return false;
+  return std::ranges::any_of(link_triangles, [&](const auto& triangle) {
+    return std::ranges::all_of(triangle, [&](std::size_t d) {
+      const VertexIndex u = v.next(d);
+      return (after.zero(u.grid, u.j, u.k)[u.i >> 6] >> (u.i & 63) & 1) != 0 && lower(u) != 0;
+    });
+  });
+}
+
+/// The zero vertices of layer k without a plus neighbour that are corners all the same.
+std::vector<ZeroVertex> corners_of_zeros(const SignPlanes& after, int k) {
+  std::vector<ZeroVertex> corners;
+  for_each_word(after, [&](Grid grid, int j, int w) {
+    for_each_bit(after.zero(grid, j, k)[w], [&](int b) {
+      if (is_corner_of_zeros(after, {grid, 64 * w + b, j, k})) corners.push_back({grid, j, w, b});
+    });
+  });
+  return corners;
+}
+
+/// Turns the zero vertices that no tetrahedron of the output uses to minus, in the layers
+/// of a window.
+void drop_idle_zeros(SignPlanes& planes, Window window, Context& context) {
+  Layers<std::vector<ZeroVertex>> kept(window);
+  if (planes.materials() != nullptr)
+    for_each_layer(context, Stage::warp, window,
+                   [&](std::int32_t k) { kept[k] = corners_of_zeros(planes, k); });
+  for_each_layer(context, Stage::warp, window, [&](std::int32_t k) {
+    drop_idle_zeros(planes, k);
+    for (const auto& [grid, j, w, b] : kept[k])
+      planes.zero(grid, j, k)[w] |= std::uint64_t{1} << b;
   });
 }
 
@@ -115,8 +179,9 @@ SignPlanes move_all(const SignPlanes& planes, const Violations& violations, Cont
 WarpedLattice warp_lattice(MovedSigns moved, const Violations& violations,
                            const Layers<CutLayer>& cuts, const Thresholds& least,
                            const Lattice& lattice, Window window, Context& context) {
-  for_each_layer(context, Stage::warp, warped_window(window, lattice),
-                 [&](std::int32_t k) { drop_idle_zeros(moved.after, k); });
+  if (moved.before.materials() != nullptr)
+    moved.after.set_materials(moved_materials(moved, violations, lattice, context));
+  drop_idle_zeros(moved.after, warped_window(window, lattice), context);
   Layers<CutLayer> left(window);
   Layers<DisplacedLayer> zeros(window);
   Layers<WarpFigures> layers(window);

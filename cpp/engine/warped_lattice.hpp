@@ -13,7 +13,7 @@
 namespace certet::core {
 
 /// What stuffing needs of the domain, for the mesh of a window.  Zero vertices
-/// without a plus neighbour, which no tetrahedron of the output uses, are turned
+/// that no tetrahedron of the output uses, those without a plus neighbour, are turned
 /// to minus, so that every plus or zero vertex of `planes` is a point of the
 /// output; that is so in the layers of `warped_window`.
 struct WarpedLattice {

@@ -44,7 +44,7 @@ Quality TetSlab<Index>::measure_layer(const Source& source, std::span<const Coor
                                       std::int32_t layer) {
   const Stuffing& stuffing = source.stuffing;
   const std::uint64_t begin = stuffing.first_tet(layer) - first_;
-  const bool asks = !labels_.empty() && source.known.empty();
+  const bool asks = !labels_.empty() && source.known.empty() && !stuffing.has_interfaces();
   core::LatticeMeasurement lattice(points);
   core::for_each_batch(points, stuffing.first_point(layer), tets(stuffing, layer),
                        [&](std::size_t from, std::span<const TetCorners> corners) {
@@ -67,7 +67,12 @@ core::RegionCounts TetSlab<Index>::label_layer(const Source& source, std::int32_
   }
   const std::span<std::int32_t> labels{
       labels_.begin() + (stuffing.first_tet(layer) - first_), count};
-  if (!source.known.empty()) source.known.get(layer, labels);
+  if (!source.known.empty()) {
+    source.known.get(layer, labels);
+  } else if (stuffing.has_interfaces()) {
+    OneThread context;
+    stuffing.emit_materials(layer, layer + 1, labels, context);
+  }
   core::labels_in_place(
       labels, stuffing.labels(),
       [&](std::int32_t label, std::uint64_t run) { regions.add(label, run); });

@@ -105,8 +105,11 @@ void LayerSurvey<Index>::find_patches(std::vector<BoundaryFace>& faces) const {
 template <class Index>
 void LayerSurvey<Index>::find_materials(MaterialRuns& runs, RegionCounts& counts) {
   Buffer<std::int32_t> materials(tets_.size());
-  stuffing_.emit_materials(layer_, layer_ + 1, points_, std::span<const Tet<Index>>(tets_),
-                           materials, context_);
+  if (stuffing_.has_interfaces())
+    stuffing_.emit_materials(layer_, layer_ + 1, materials, context_);
+  else
+    stuffing_.emit_materials(layer_, layer_ + 1, points_, std::span<const Tet<Index>>(tets_),
+                             materials, context_);
   runs.put(layer_, materials);
   core::labels_in_place(
       std::span(materials), stuffing_.labels(),

@@ -45,22 +45,24 @@ struct MethodFacts {
   Cuts cuts;
   Thresholds thresholds;  ///< at which a cut violates a vertex
   bool settles;           ///< whether a violated vertex may stay; else all move
+  bool interfaces;        ///< whether several materials are cut where they meet; else only
+                          ///< what they are together
   AngleBounds bounds;
   std::string_view sentence;  ///< the method in half a line, for people
 };
 
 /// A row for each method, in the order of the enumeration.
 inline constexpr std::array<MethodFacts, 4> methods{{
-    {Method::embedded, "embedded", Cuts::bisect, angle_thresholds, true,
+    {Method::embedded, "embedded", Cuts::bisect, angle_thresholds, true, true,
      {10.77, 164.76, "SettledBoundsInDegrees"},
      "no tetrahedra overlap, the surface is a manifold, pieces are kept"},
-    {Method::angles, "angles", Cuts::bisect, angle_thresholds, false,
+    {Method::angles, "angles", Cuts::bisect, angle_thresholds, false, false,
      {10.77, 164.76, "DihedralBounds"},
      "as published, at the thresholds of the widest angles"},
-    {Method::embedding, "embedding", Cuts::bisect, embedding_thresholds, false,
+    {Method::embedding, "embedding", Cuts::bisect, embedding_thresholds, false, false,
      {9.27, 161.46, "DihedralBoundsEmbedding"},
      "as published, at thresholds by which the lattice never folds"},
-    {Method::midpoint, "midpoint", Cuts::midpoint, no_warp_thresholds, false,
+    {Method::midpoint, "midpoint", Cuts::midpoint, no_warp_thresholds, false, true,
      {30, 135, "MidpointBounds"},
      "cuts in the middle of edges, no vertex is warped"},
 }};

@@ -73,7 +73,14 @@ class Stuffing {
   /// What the domain calls the materials: that of material m is labels()[m - 1].
   /// None: tetrahedra have no labels.
   [[nodiscard]] std::span<const std::int32_t> labels() const;
-  /// Asks the domain for the materials of the tetrahedra of the layers [begin, end):
+  /// Whether several materials are cut where they meet, so that the mesh itself decides
+  /// what its tetrahedra are made of.
+  [[nodiscard]] bool has_interfaces() const;
+  /// Writes the materials of the tetrahedra of the layers [begin, end), as emit_tets writes
+  /// them, of a mesh that has interfaces.
+  void emit_materials(std::int32_t begin, std::int32_t end, std::span<Material> out,
+                      Context& context) const;
+  /// Of a mesh that has none: asks the domain for the materials of the tetrahedra of the layers [begin, end):
   /// `tets`, as emit_tets writes them.  `points` are those of the layers [begin,
   /// end + 1), or up to the last layer, as emit_points writes them.
   /// \throws Error `bad_option` if a size is another one, `cancelled`; what the

@@ -1,0 +1,104 @@
+#include "material_links.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "certet/lattice/material_stencil.hpp"
+#include "certet/lattice/well_shaped.hpp"
+
+namespace certet::core {
+namespace {
+
+/// The materials around a vertex, and which of its neighbours are of each.
+class MaterialSets {
+ public:
+  void add(Material material, LinkSet neighbours) {
+    std::size_t n = 0;
+    while (n < count_ && material_[n] != material) ++n;
+    if (n == count_) {
+      material_[count_] = material;
+      set_[count_++] = 0;
+    }
+    set_[n] |= neighbours;
+  }
+
+  /// As the class asks; `zero` are the neighbours that are of none.
+  [[nodiscard]] bool are_strict_disks(LinkSet zero) const {
+    const auto materials = std::span(material_).first(count_);
+    const Material lowest = *std::ranges::min_element(materials);
+    LinkSet others = 0;
+    for (std::size_t n = 0; n < count_; ++n) {
+      if (material_[n] == lowest) continue;
+      if (!is_strict_disk(set_[n], zero)) return false;
+      others |= set_[n];
+    }
+    return count_ == 2 || is_strict_disk(others, zero);
+  }
+
+ private:
+  std::size_t count_ = 0;
+  std::array<Material, direction_count + 2> material_;
+  std::array<LinkSet, direction_count + 2> set_;
+};
+
+/// Whether two fills of one material would touch each other in an edge alone: on both
+/// sides of a cut long edge of the link, with nothing else of the material between.
+bool fills_would_touch(const std::array<Material, direction_count>& around) {
+  return std::ranges::any_of(long_link_edges, [&](const LinkEdge& edge) {
+    const Material first = around[edge.ends[0]];
+    const Material last = around[edge.ends[1]];
+    const Material side = around[edge.sides[0]];
+    return first != last && first != moved_corner && last != moved_corner &&
+           side != moved_corner && side == around[edge.sides[1]] && side != first && side != last;
+  });
+}
+
+}  // namespace
+
+bool MaterialLinks::is_greater(const VertexIndex& v, const Displacement& move) const {
+  return material(v) > material(v.next(move.direction));
+}
+
+Material MaterialLinks::lower(const VertexIndex& v) const {
+  const Displacement& move = violations_.target(v.grid, v.i, v.j, v.k);
+  return std::min(material(v), material(v.next(move.direction)));
+}
+
+bool MaterialLinks::are_disks(const VertexIndex& v, const Displacement& move,
+                              LinkSet zero) const {
+  MaterialSets sets;
+  sets.add(material(v), 0);
+  sets.add(material(v.next(move.direction)), 0);
+  std::array<Material, direction_count> around;
+  for (std::size_t d = 0; d < direction_count; ++d) {
+    const bool moved = (zero >> d & 1) != 0;
+    around[d] = moved ? moved_corner : material(v.next(d));
+    if (!moved) sets.add(around[d], LinkSet{1} << d);
+  }
+  return sets.are_strict_disks(zero) && !fills_would_touch(around);
+}
+
+Coord3 MaterialLinks::place(const VertexIndex& v, const Displacement& move) const {
+  return steps * lattice_point(lattice_, {v.grid, {}}, v.i, v.j, v.k) +
+         std::int32_t{move.distance} * tiling.directions[move.direction];
+}
+
+bool MaterialLinks::may_share(const VertexIndex& v, const Displacement& move,
+                              LinkSet zero) const {
+  const Material shared = lower(v);
+  for (const auto& triangle : link_triangles) {
+    if (!std::ranges::all_of(triangle, [&](int d) { return (zero >> d & 1) != 0; })) continue;
+    for (const std::size_t d : triangle)
+      if (lower(v.next(d)) != shared) return false;
+    if (shared == 0) continue;
+    std::array<Coord3, 4> corners{place(v, move)};
+    for (std::size_t n = 0; n < 3; ++n) {
+      const VertexIndex w = v.next(triangle[n]);
+      corners[n + 1] = place(w, violations_.target(w.grid, w.i, w.j, w.k));
+    }
+    if (!is_well_shaped(corners)) return false;
+  }
+  return true;
+}
+
+}  // namespace certet::core
