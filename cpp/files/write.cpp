@@ -37,6 +37,7 @@ template <class Index>
 Survey survey_of(const Mesh& mesh, std::span<const Tet<Index>> tets, Context& context) {
   Survey found = survey(mesh.points.size(), tets, mesh.labels, context);
   name_regions(found, mesh.names);
+  if (!facts(mesh.method).interfaces) found.interfaces.clear();
   const Cuts cuts = facts(mesh.method).cuts;
   for (BoundaryFace& face : found.boundary)
     if (std::ranges::all_of(face.points, [&](std::uint64_t p) {

@@ -22,14 +22,58 @@ std::vector<Face> single_faces(std::uint64_t points, std::span<const Tet<Index>>
              : find_faces<WideFace>(points, tets, valid, context).boundary;
 }
 
+/// Tells which tetrahedra name four different points that are there.
 template <class Index>
-std::vector<BoundaryFace> boundary(std::uint64_t points, std::span<const Tet<Index>> tets,
-                                   Context& context) {
-  const auto valid = [&](std::size_t i) {
+auto validity(std::uint64_t points, std::span<const Tet<Index>> tets) {
+  return [=](std::size_t i) {
     std::array<Index, 4> p = tets[i];
     std::ranges::sort(p);
     return p[3] < points && std::ranges::adjacent_find(p) == p.end();
   };
+}
+
+/// The points where tetrahedra of different labels meet.
+template <class Index>
+std::vector<bool> points_between(std::uint64_t points, std::span<const Tet<Index>> tets,
+                                 std::span<const std::int32_t> labels) {
+  const auto valid = validity(points, tets);
+  std::vector<std::int32_t> first(points);
+  std::vector<bool> seen(points), between(points);
+  for (std::size_t i = 0; i < tets.size(); ++i) {
+    if (!valid(i)) continue;
+    for (const Index point : tets[i]) {
+      if (seen[point] && first[point] != labels[i]) between[point] = true;
+      seen[point] = true;
+      first[point] = labels[i];
+    }
+  }
+  return between;
+}
+
+template <class Index>
+std::vector<Interface> interfaces(std::uint64_t points, std::span<const Tet<Index>> tets,
+                                  std::span<const std::int32_t> labels, Context& context) {
+  const auto valid = validity(points, tets);
+  const std::vector<bool> between = points_between(points, tets, labels);
+  std::vector<BoundaryFace> faces;
+  for (std::size_t i = 0; i < tets.size(); ++i) {
+    stop_now_and_then(i, context);
+    if (!valid(i)) continue;
+    for (std::uint8_t opposite = 0; opposite < 4; ++opposite) {
+      const BoundaryFace face = face_of(tets[i], i, opposite, labels[i]);
+      if (std::ranges::all_of(face.points, [&](std::uint64_t p) { return between[p]; }))
+        faces.push_back(face);
+    }
+  }
+  std::vector<InnerFace> inner;
+  keep_single_faces(faces, inner);
+  return interfaces_of(std::move(inner));
+}
+
+template <class Index>
+std::vector<BoundaryFace> boundary(std::uint64_t points, std::span<const Tet<Index>> tets,
+                                   std::span<const std::int32_t> labels, Context& context) {
+  const auto valid = validity(points, tets);
   const std::vector<Face> single = single_faces(points, tets, valid, context);
   std::vector<bool> used(points);
   for (const Face& face : single)
@@ -40,7 +84,8 @@ std::vector<BoundaryFace> boundary(std::uint64_t points, std::span<const Tet<Ind
     stop_now_and_then(i, context);
     if (!valid(i)) continue;
     for (std::uint8_t opposite = 0; opposite < 4; ++opposite) {
-      const BoundaryFace face = face_of(tets[i], i, opposite);
+      const BoundaryFace face =
+          face_of(tets[i], i, opposite, labels.empty() ? only_label : labels[i]);
       if (!std::ranges::all_of(face.points, [&](std::uint64_t p) { return used[p]; })) continue;
       const auto [a, b, c] = key(face);
       const std::array<std::uint64_t, 3> sorted{a, b, c};
@@ -57,7 +102,9 @@ Survey survey_of(std::uint64_t points, std::span<const Tet<Index>> tets,
   RegionCounts counts;
   counts.add(labels);
   if (labels.empty() && !tets.empty()) counts.add(only_label, tets.size());
-  return {counts.regions(), boundary(points, tets, context)};
+  Survey found{counts.regions(), boundary(points, tets, labels, context)};
+  if (found.regions.size() > 1) found.interfaces = interfaces(points, tets, labels, context);
+  return found;
 }
 
 }  // namespace
@@ -65,16 +112,37 @@ Survey survey_of(std::uint64_t points, std::span<const Tet<Index>> tets,
 bool comes_before(const BoundaryFace& a, const BoundaryFace& b) { return key(a) < key(b); }
 bool same_points(const BoundaryFace& a, const BoundaryFace& b) { return key(a) == key(b); }
 
-void keep_single_faces(std::vector<BoundaryFace>& faces) {
+void keep_single_faces(std::vector<BoundaryFace>& faces, std::vector<InnerFace>& inner) {
   std::ranges::sort(faces, comes_before);
   std::size_t kept = 0;
   for (std::size_t begin = 0; begin < faces.size();) {
     std::size_t end = begin + 1;
     while (end < faces.size() && same_points(faces[begin], faces[end])) ++end;
     if (end == begin + 1) faces[kept++] = faces[begin];
+    if (end == begin + 2 && faces[begin].label != faces[begin + 1].label) {
+      const auto [lesser, greater] = std::minmax(
+          faces[begin], faces[begin + 1],
+          [](const BoundaryFace& a, const BoundaryFace& b) { return a.label < b.label; });
+      inner.push_back({lesser, greater.label});
+    }
     begin = end;
   }
   faces.resize(kept);
+}
+
+std::vector<Interface> interfaces_of(std::vector<InnerFace> faces) {
+  std::ranges::sort(faces, [](const InnerFace& a, const InnerFace& b) {
+    return std::tuple(a.face.label, a.behind, key(a.face)) <
+           std::tuple(b.face.label, b.behind, key(b.face));
+  });
+  std::vector<Interface> interfaces;
+  for (const auto& [face, behind] : faces) {
+    const std::array labels{face.label, behind};
+    if (interfaces.empty() || interfaces.back().labels != labels)
+      interfaces.push_back({labels, {}});
+    interfaces.back().faces.push_back(face);
+  }
+  return interfaces;
 }
 
 /// Labels come in runs.

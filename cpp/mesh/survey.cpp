@@ -21,6 +21,7 @@ using core::RegionCounts;
 struct LayerFindings {
   RegionCounts counts;
   std::vector<BoundaryFace> faces;
+  std::vector<core::InnerFace> inner;
 };
 
 /// For what the engine does within a single layer.
@@ -37,9 +38,12 @@ class LayerSurvey {
   LayerFindings find(MaterialRuns& runs);
 
  private:
-  void find_faces(std::vector<BoundaryFace>& faces) const;
+  void find_faces(LayerFindings& found) const;
   void find_patches(std::vector<BoundaryFace>& faces) const;
   void find_materials(MaterialRuns& runs, RegionCounts& counts);
+  [[nodiscard]] std::int32_t label_of(std::size_t tet) const {
+    return labels_.empty() ? only_label : labels_[tet];
+  }
 
   const Stuffing& stuffing_;
   std::int32_t layer_;
@@ -48,6 +52,7 @@ class LayerSurvey {
   Buffer<Tet<Index>> tets_;
   Buffer<std::uint8_t> on_surface_;
   Buffer<Coord3> points_;  ///< empty where nobody asks for them
+  Buffer<std::int32_t> labels_;  ///< empty where there are none
 };
 
 template <class Index>
@@ -68,19 +73,20 @@ LayerSurvey<Index>::LayerSurvey(const Stuffing& stuffing, std::int32_t layer)
 template <class Index>
 LayerFindings LayerSurvey<Index>::find(MaterialRuns& runs) {
   LayerFindings found;
-  find_faces(found.faces);
-  if (stuffing_.has_border()) find_patches(found.faces);
   if (!stuffing_.labels().empty())
     find_materials(runs, found.counts);
   else if (!tets_.empty())
     found.counts.add(only_label, tets_.size());
+  find_faces(found);
+  if (stuffing_.has_border()) find_patches(found.faces);
   return found;
 }
 
 /// A face that no other tetrahedron shares has its three points on the surface
-/// (theorem BoundaryOnSurface), so that no other faces need to be compared.
+/// (theorem BoundaryOnSurface), and so has one between two materials that are cut where
+/// they meet, so that no other faces need to be compared.
 template <class Index>
-void LayerSurvey<Index>::find_faces(std::vector<BoundaryFace>& faces) const {
+void LayerSurvey<Index>::find_faces(LayerFindings& found) const {
   for (std::size_t i = 0; i < tets_.size(); ++i) {
     std::array<int, 4> marks;
     for (std::size_t v = 0; v < 4; ++v) marks[v] = on_surface_[tets_[i][v] - first_point_];
@@ -88,9 +94,10 @@ void LayerSurvey<Index>::find_faces(std::vector<BoundaryFace>& faces) const {
     if (sum < 3) continue;
     for (std::uint8_t opposite = 0; opposite < 4; ++opposite)
       if (sum - marks[opposite] == 3)
-        faces.push_back(core::face_of(tets_[i], first_tet_ + i, opposite));
+        found.faces.push_back(core::face_of(tets_[i], first_tet_ + i, opposite, label_of(i)));
   }
-  core::keep_single_faces(faces);
+  core::keep_single_faces(found.faces, found.inner);
+  if (!stuffing_.has_interfaces()) found.inner.clear();
 }
 
 template <class Index>
@@ -104,7 +111,7 @@ void LayerSurvey<Index>::find_patches(std::vector<BoundaryFace>& faces) const {
 
 template <class Index>
 void LayerSurvey<Index>::find_materials(MaterialRuns& runs, RegionCounts& counts) {
-  Buffer<std::int32_t> materials(tets_.size());
+  Buffer<std::int32_t>& materials = labels_ = Buffer<std::int32_t>(tets_.size());
   if (stuffing_.has_interfaces())
     stuffing_.emit_materials(layer_, layer_ + 1, materials, context_);
   else
@@ -126,12 +133,16 @@ Survey survey_layers(const Stuffing& stuffing, Context& context) {
   });
   Survey survey;
   RegionCounts counts;
+  std::vector<core::InnerFace> inner;
   for (LayerFindings& layer : layers) {
     counts += layer.counts;
     survey.boundary.insert(survey.boundary.end(), layer.faces.begin(), layer.faces.end());
+    inner.insert(inner.end(), layer.inner.begin(), layer.inner.end());
     layer.faces = {};
+    layer.inner = {};
   }
-  core::keep_single_faces(survey.boundary);
+  core::keep_single_faces(survey.boundary, inner);
+  if (stuffing.has_interfaces()) survey.interfaces = core::interfaces_of(std::move(inner));
   survey.regions = counts.regions();
   survey.materials = std::move(runs);
   return survey;

@@ -1,9 +1,10 @@
-// Abaqus input: nodes, an element set for each region, a surface for each patch.
+// Abaqus input: nodes, an element set for each region, a surface for each patch and interface.
 
 #include "line.hpp"
 #include "names.hpp"
 #include "region_sections.hpp"
 #include "registry.hpp"
+#include "sheets.hpp"
 #include "streamed_writer.hpp"
 
 namespace certet::formats {
@@ -55,22 +56,15 @@ class AbaqusWriter final : public StreamedWriter {
 
   void close() override {
     tets_.flush();
-    for (const Patch patch : {Patch::surface, Patch::border}) put_surface(patch);
-    text_.flush();
-  }
-
-  void put_surface(Patch patch) {
-    bool opened = false;
-    for (const BoundaryFace& face : survey().boundary) {
-      if (face.patch != patch) continue;
-      if (!opened)
-        text_.append_all((Line() << "*SURFACE, TYPE=ELEMENT, NAME="
-                                 << patch_names[static_cast<std::size_t>(patch)] << '\n')
-                             .text());
-      opened = true;
-      text_.append_all(
-          (Line() << face.tet + 1 << ", S" << face_number[face.opposite] << '\n').text());
+    const Sheets sheets(survey(), NameRule::identifier);
+    for (const Sheet& sheet : sheets.all()) {
+      text_.append_all((Line() << "*SURFACE, TYPE=ELEMENT, NAME=" << sheet.name << '\n').text());
+      sheets.for_each_face(sheet, [&](const BoundaryFace& face) {
+        text_.append_all(
+            (Line() << face.tet + 1 << ", S" << face_number[face.opposite] << '\n').text());
+      });
     }
+    text_.flush();
   }
 
   Section text_;
@@ -87,7 +81,7 @@ std::unique_ptr<MeshWriter> open_abaqus(const std::filesystem::path& file,
 
 std::uint64_t abaqus_bytes(const MeshSize& size) {
   const std::uint64_t point_digits = digits_of(size.points), tet_digits = digits_of(size.tets);
-  const std::uint64_t faces = size.survey == nullptr ? 0 : size.survey->boundary.size();
+  const std::uint64_t faces = size.survey == nullptr ? 0 : Sheets::face_count(*size.survey);
   return 200 + size.points * (point_digits + 63 + 3) +
          size.tets * (tet_digits + 4 * (2 + point_digits) + 1) + faces * (tet_digits + 5);
 }

@@ -1,10 +1,11 @@
-// FEBio 4.0: the mesh, with a part for each region and a surface for each patch.
+// FEBio 4.0: the mesh, with a part for each region and a surface for each patch and interface.
 // Materials and all else are for the user to add.
 
 #include "line.hpp"
 #include "names.hpp"
 #include "region_sections.hpp"
 #include "registry.hpp"
+#include "sheets.hpp"
 #include "streamed_writer.hpp"
 
 namespace certet::formats {
@@ -70,25 +71,22 @@ class FebioWriter final : public StreamedWriter {
 
   void close() override {
     tets_.flush();
-    for (const Patch patch : {Patch::surface, Patch::border}) put_surface(patch);
+    const Sheets sheets(survey(), NameRule::xml);
+    for (const Sheet& sheet : sheets.all()) put_sheet(sheets, sheet);
     text_.append_text("  </Mesh>\n</febio_spec>\n");
     text_.flush();
   }
 
-  void put_surface(Patch patch) {
+  void put_sheet(const Sheets& sheets, const Sheet& sheet) {
+    text_.append_all((Line() << "    <Surface name=\"" << sheet.name << "\">\n").text());
     std::uint64_t number = 0;
-    for (const BoundaryFace& face : survey().boundary) {
-      if (face.patch != patch) continue;
-      if (number == 0)
-        text_.append_all((Line() << "    <Surface name=\""
-                                 << patch_names[static_cast<std::size_t>(patch)] << "\">\n")
-                             .text());
+    sheets.for_each_face(sheet, [&](const BoundaryFace& face) {
       const auto& [a, b, c] = face.points;
       text_.append_all((Line() << "<tri3 id=\"" << ++number << "\">" << a + 1 << ',' << b + 1
                                << ',' << c + 1 << "</tri3>\n")
                            .text());
-    }
-    if (number > 0) text_.append_text("    </Surface>\n");
+    });
+    text_.append_text("    </Surface>\n");
   }
 
   Section text_;
@@ -104,7 +102,7 @@ std::unique_ptr<MeshWriter> open_febio(const std::filesystem::path& file, const 
 
 std::uint64_t febio_bytes(const MeshSize& size) {
   const std::uint64_t point_digits = digits_of(size.points), tet_digits = digits_of(size.tets);
-  const std::uint64_t faces = size.survey == nullptr ? 0 : size.survey->boundary.size();
+  const std::uint64_t faces = size.survey == nullptr ? 0 : Sheets::face_count(*size.survey);
   return 400 + size.points * (point_digits + 60 + 22) +
          size.tets * (tet_digits + 4 * point_digits + 25) +
          faces * (digits_of(faces) + 3 * point_digits + 24);

@@ -1,24 +1,22 @@
 #pragma once
 /// \file
-/// Regions and patches as Gmsh's physical groups.
+/// Regions, patches and interfaces as Gmsh's physical groups.
 
 #include <string>
 #include <vector>
 
-#include "certet/survey.hpp"
+#include "sheets.hpp"
 
 namespace certet::formats {
 
 /// A group's number is positive and its own among those of its dimension.
 struct GmshGroups {
+  /// `survey` must live as long.
   explicit GmshGroups(const Survey& survey);
 
   /// The section $PhysicalNames.
   [[nodiscard]] std::string names_section() const;
   [[nodiscard]] std::int32_t tag_of(std::int32_t label) const;
-  [[nodiscard]] static std::int32_t tag_of(Patch patch) {
-    return static_cast<std::int32_t>(patch) + 1;
-  }
 
   struct Group {
     std::int32_t label;
@@ -26,8 +24,7 @@ struct GmshGroups {
     std::string name;
   };
   std::vector<Group> regions;  ///< by growing labels
-  std::vector<Patch> patches;  ///< that have faces
-  std::array<std::uint64_t, patch_names.size()> patch_faces{};
+  Sheets sheets;               ///< the number of each is its tag
 };
 
 }  // namespace certet::formats

@@ -41,13 +41,13 @@ using Size = std::uint64_t;
 constexpr Int surface_dimension = 2, volume_dimension = 3;
 constexpr Size tet_bytes = 5 * sizeof(Size), face_bytes = 4 * sizeof(Size);
 
-/// A surface for each patch and a volume for each region, none with boundaries of
+/// A surface for each patch and interface, and a volume for each region, none with boundaries of
 /// its own.
 void add_entities(Bytes& bytes, const GmshGroups& groups, const Bounds& box) {
   const auto add = [&](Int tag) { bytes.add(tag, box.low, box.high, Size{1}, tag, Size{0}); };
   bytes.text("$Entities\n");
-  bytes.add(Size{0}, Size{0}, Size{groups.patches.size()}, Size{groups.regions.size()});
-  for (const Patch patch : groups.patches) add(GmshGroups::tag_of(patch));
+  bytes.add(Size{0}, Size{0}, Size{groups.sheets.all().size()}, Size{groups.regions.size()});
+  for (const Sheet& sheet : groups.sheets.all()) add(sheet.number);
   for (const GmshGroups::Group& region : groups.regions) add(region.tag);
   bytes.text("\n$EndEntities\n");
 }
@@ -74,7 +74,7 @@ Bytes nodes_heading(const GmshGroups& groups, Size points) {
 Bytes elements_heading(const GmshGroups& groups, Size elements) {
   Bytes bytes;
   bytes.text("\n$EndNodes\n$Elements\n");
-  bytes.add(Size{groups.regions.size() + groups.patches.size()}, elements,
+  bytes.add(Size{groups.regions.size() + groups.sheets.all().size()}, elements,
             Size{elements > 0 ? 1u : 0u}, elements);
   return bytes;
 }
@@ -133,7 +133,7 @@ void GmshWriter::put_points(std::uint64_t first, std::span<const Point3> points)
 void GmshWriter::open_tets() {
   tags_->flush();
   coordinates_->flush();
-  const Bytes elements = elements_heading(groups_, size_.tets + survey().boundary.size());
+  const Bytes elements = elements_heading(groups_, size_.tets + Sheets::face_count(survey()));
   file_.write_at(end_, elements.all());
   end_ += elements.all().size();
   for (std::size_t i = 0; i < groups_.regions.size(); ++i) {
@@ -157,16 +157,13 @@ void GmshWriter::close() {
   tets_.flush();
   Section out(file_, end_);
   Size number = size_.tets;
-  for (const Patch patch : groups_.patches) {
-    const Size faces = groups_.patch_faces[static_cast<std::size_t>(patch)];
-    out.append(
-        block_heading(surface_dimension, GmshGroups::tag_of(patch), gmsh_triangle, faces).all());
-    for (const BoundaryFace& face : survey().boundary) {
-      if (face.patch != patch) continue;
+  for (const Sheet& sheet : groups_.sheets.all()) {
+    out.append(block_heading(surface_dimension, sheet.number, gmsh_triangle, sheet.faces).all());
+    groups_.sheets.for_each_face(sheet, [&](const BoundaryFace& face) {
       const auto& [a, b, c] = face.points;
       const std::array<Size, 4> record{++number, a + 1, b + 1, c + 1};
       out.append_all(std::span<const Size>(record));
-    }
+    });
   }
   out.append_text(footer);
   out.flush();
@@ -183,8 +180,8 @@ std::uint64_t gmsh_bytes(const MeshSize& size) {
   static const Survey nothing;
   const Survey& survey = size.survey == nullptr ? nothing : *size.survey;
   const GmshGroups groups(survey);
-  const std::uint64_t faces = survey.boundary.size();
-  const std::uint64_t blocks = groups.regions.size() + groups.patches.size();
+  const std::uint64_t faces = Sheets::face_count(survey);
+  const std::uint64_t blocks = groups.regions.size() + groups.sheets.all().size();
   return header_of(groups, {}).all().size() +
          nodes_heading(groups, size.points).all().size() +
          size.points * (sizeof(Size) + sizeof(Point3)) +

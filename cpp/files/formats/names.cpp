@@ -106,4 +106,17 @@ std::vector<std::string> names_of(const std::vector<Region>& regions, NameRule r
   return names;
 }
 
+std::vector<std::string> names_of_interfaces(const Survey& survey, NameRule rule) {
+  const auto name_of = [&](std::int32_t label) {
+    const auto region = std::ranges::find(survey.regions, label, &Region::label);
+    return region == survey.regions.end() || region->name.empty() ? default_name({label, {}, 0})
+                                                                  : region->name;
+  };
+  std::vector<Region> pairs;
+  for (const Interface& interface : survey.interfaces)
+    pairs.push_back({static_cast<std::int32_t>(pairs.size()) + 1,
+                     name_of(interface.labels[0]) + "-" + name_of(interface.labels[1]), 0});
+  return names_of(pairs, rule);
+}
+
 }  // namespace certet::formats

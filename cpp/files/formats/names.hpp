@@ -21,4 +21,8 @@ enum class NameRule {
 /// that have none are called region_<label>.
 std::vector<std::string> names_of(const std::vector<Region>& regions, NameRule rule);
 
+/// A name for each interface: those of its two regions, with a hyphen between them or, in an
+/// identifier, an underscore; all different.
+std::vector<std::string> names_of_interfaces(const Survey& survey, NameRule rule);
+
 }  // namespace certet::formats

@@ -35,27 +35,39 @@ enum class Patch : std::uint8_t {
 };
 inline constexpr std::array<std::string_view, 2> patch_names{"surface", "border"};
 
-/// A face that belongs to one tetrahedron only.
+/// A face that belongs to one tetrahedron only, or to two of different labels.
 struct BoundaryFace {
   /// Counterclockwise as seen from outside, from the lowest number on.
   std::array<std::uint64_t, 3> points;
   std::uint64_t tet;      ///< whose face it is
   std::uint8_t opposite;  ///< which of that one's corners it does not have
-  Patch patch = Patch::surface;
+  Patch patch = Patch::surface;  ///< of a face of one tetrahedron
+  std::int32_t label = only_label;  ///< of `tet`
 
   friend bool operator==(const BoundaryFace&, const BoundaryFace&) = default;
+};
+
+/// Where two regions touch each other.
+struct Interface {
+  std::array<std::int32_t, 2> labels;  ///< the lesser first
+  /// Those of the tetrahedra of the lesser label, by growing numbers of points.
+  std::vector<BoundaryFace> faces;
+
+  friend bool operator==(const Interface&, const Interface&) = default;
 };
 
 struct Survey {
   std::vector<Region> regions;         ///< by growing labels; none is empty
   std::vector<BoundaryFace> boundary;  ///< by growing numbers of points
+  std::vector<Interface> interfaces = {};  ///< by growing labels; none is empty
   /// Of the tetrahedra of a counted mesh, where they have labels.
   MaterialRuns materials = {};
 };
 
 /// Surveys a mesh that is counted but not written, with memory for its boundary and
 /// the runs of its materials alone.  A face of the boundary belongs to the patch
-/// `border` if the domain is cut off at its three points.  The result does not depend
+/// `border` if the domain is cut off at its three points.  Interfaces are found where the
+/// mesh is made to have them (`Stuffing::has_interfaces`).  The result does not depend
 /// on the number of threads.  Names are left empty.
 /// \throws Error `cancelled`, `too_large` (out of memory); what the domain throws.
 Survey survey(const Stuffing& stuffing, Context& context);

@@ -1,0 +1,68 @@
+#pragma once
+/// \file
+/// The named surfaces of a mesh: the patches of its boundary, and its interfaces.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "certet/survey.hpp"
+#include "names.hpp"
+
+namespace certet::formats {
+
+/// A surface of triangles with a name.
+struct Sheet {
+  std::string name;
+  std::int32_t number;  ///< from 1: the patches by `patch_names`, then the interfaces
+  std::uint64_t faces;  ///< never 0
+};
+
+/// An interface is called after both of its regions.  Its faces are those of the
+/// region of the lesser label.
+class Sheets {
+ public:
+  static constexpr std::int32_t number_of(Patch patch) {
+    return static_cast<std::int32_t>(patch) + 1;
+  }
+  static constexpr std::int32_t first_interface = static_cast<std::int32_t>(patch_names.size()) + 1;
+
+  /// `survey` must live as long.
+  Sheets(const Survey& survey, NameRule rule);
+
+  /// By growing numbers.
+  [[nodiscard]] const std::vector<Sheet>& all() const { return all_; }
+  /// Of all together.
+  [[nodiscard]] static std::uint64_t face_count(const Survey& survey);
+
+  /// Calls visit(face) for the faces of one.
+  template <class Visit>
+  void for_each_face(const Sheet& sheet, const Visit& visit) const {
+    if (sheet.number >= first_interface) {
+      for (const BoundaryFace& face :
+           survey_.interfaces[static_cast<std::size_t>(sheet.number - first_interface)].faces)
+        visit(face);
+      return;
+    }
+    for (const BoundaryFace& face : survey_.boundary)
+      if (number_of(face.patch) == sheet.number) visit(face);
+  }
+
+  /// Calls visit(face, number) for the boundary, whose patches alternate, and then for the
+  /// interfaces, one after the other.
+  template <class Visit>
+  static void for_each_face(const Survey& survey, const Visit& visit) {
+    for (const BoundaryFace& face : survey.boundary) visit(face, number_of(face.patch));
+    std::int32_t number = first_interface;
+    for (const Interface& interface : survey.interfaces) {
+      for (const BoundaryFace& face : interface.faces) visit(face, number);
+      ++number;
+    }
+  }
+
+ private:
+  const Survey& survey_;
+  std::vector<Sheet> all_;
+};
+
+}  // namespace certet::formats
