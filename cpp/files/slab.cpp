@@ -1,6 +1,7 @@
 #include "slab.hpp"
 
 #include "certet/context.hpp"
+#include "certet/lattice/orientation.hpp"
 #include "engine/corners.hpp"
 #include "engine/emit.hpp"
 #include "mesh/quality/lattice_measurement.hpp"
@@ -57,9 +58,12 @@ Quality TetSlab<Index>::measure_layer(const Source& source, std::span<const Coor
 }
 
 template <class Index>
-core::RegionCounts TetSlab<Index>::label_layer(const Source& source, std::int32_t layer) {
+core::RegionCounts TetSlab<Index>::label_layer(const Source& source,
+                                               std::span<const Coord3> points,
+                                               std::int32_t layer) {
   const Stuffing& stuffing = source.stuffing;
-  const std::size_t count = tets(stuffing, layer).size();
+  const std::span<const Tet<Index>> made = tets(stuffing, layer);
+  const std::size_t count = made.size();
   core::RegionCounts regions;
   if (labels_.empty()) {
     if (count != 0) regions.add(only_label, count);
@@ -73,9 +77,16 @@ core::RegionCounts TetSlab<Index>::label_layer(const Source& source, std::int32_
     OneThread context;
     stuffing.emit_materials(layer, layer + 1, labels, context);
   }
-  core::labels_in_place(
-      labels, stuffing.labels(),
-      [&](std::int32_t label, std::uint64_t run) { regions.add(label, run); });
+  const std::uint64_t first_point = stuffing.first_point(layer);
+  std::size_t begin = 0;
+  core::labels_in_place(labels, stuffing.labels(), [&](std::int32_t label, std::uint64_t run) {
+    WideSum six_volumes;
+    for (const Tet<Index>& tet : made.subspan(begin, run))
+      six_volumes += six_volume(points[tet[0] - first_point], points[tet[1] - first_point],
+                                points[tet[2] - first_point], points[tet[3] - first_point]);
+    regions.add(label, run, six_volumes);
+    begin += run;
+  });
   return regions;
 }
 
@@ -102,7 +113,7 @@ Findings TetSlab<Index>::make_layer(Source& source, const PointSlab& points, std
   }
   found.tets.tets(first_tet, made);
   found.points.points(first_point, points.steps(stuffing, layer, layer + 1));
-  found.regions = label_layer(source, layer);
+  found.regions = label_layer(source, points.steps(stuffing, layer, behind), layer);
   return found;
 }
 

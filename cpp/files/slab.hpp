@@ -88,7 +88,8 @@ class TetSlab {
   /// Leaves materials in the place of labels, unless a survey has kept them.
   Quality measure_layer(const Source& source, std::span<const Coord3> points,
                         std::int32_t layer);
-  core::RegionCounts label_layer(const Source& source, std::int32_t layer);
+  core::RegionCounts label_layer(const Source& source, std::span<const Coord3> points,
+                                                std::int32_t layer);
 
   std::uint64_t first_ = 0;
   Buffer<Tet<Index>> tets_;

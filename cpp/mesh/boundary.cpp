@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "faces.hpp"
+#include "quality/extremes.hpp"
 
 namespace certet {
 namespace core {
@@ -156,13 +157,14 @@ void RegionCounts::add(std::span<const std::int32_t> labels) {
 }
 
 RegionCounts& RegionCounts::operator+=(const RegionCounts& other) {
-  for (const auto& [label, tets] : other.tets_) add(label, tets);
+  for (const auto& [label, count] : other.counts_) add(label, count.tets, count.six_volumes);
   return *this;
 }
 
 std::vector<Region> RegionCounts::regions() const {
   std::vector<Region> regions;
-  for (const auto& [label, tets] : tets_) regions.push_back({label, {}, tets});
+  for (const auto& [label, count] : counts_)
+    regions.push_back({label, {}, count.tets, long_edges_cubed(count.six_volumes)});
   return regions;
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "certet/quality.hpp"
 #include "certet/survey.hpp"
 
 namespace certet::core {
@@ -46,13 +47,22 @@ std::vector<Interface> interfaces_of(std::vector<InnerFace> faces);
 /// How often there is each label, as regions without names.
 class RegionCounts {
  public:
-  void add(std::int32_t label, std::uint64_t tets) { tets_[label] += tets; }
+  /// So many tetrahedra, and six times their volume in steps cubed, where it was measured.
+  void add(std::int32_t label, std::uint64_t tets, const WideSum& six_volumes = {}) {
+    Count& count = counts_[label];
+    count.tets += tets;
+    count.six_volumes += six_volumes;
+  }
   void add(std::span<const std::int32_t> labels);
   RegionCounts& operator+=(const RegionCounts& other);
   [[nodiscard]] std::vector<Region> regions() const;
 
  private:
-  std::map<std::int32_t, std::uint64_t> tets_;
+  struct Count {
+    std::uint64_t tets = 0;
+    WideSum six_volumes;
+  };
+  std::map<std::int32_t, Count> counts_;
 };
 
 }  // namespace certet::core

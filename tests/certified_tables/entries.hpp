@@ -62,10 +62,11 @@ void for_each_part(T& value, const Visit& visit) {
   auto& [a, b, c, d] = value;
   visit(a), visit(b), visit(c), visit(d);
 }
-/// All that a method does and promises, but for the sentence that tells people of it.
+/// All that a method does and promises, but for the sentence that tells people of it, and
+/// whether the product cuts materials apart with it, which the theorem does not ask.
 template <OneOf<MethodFacts> T, class Visit>
 void for_each_part(T& value, const Visit& visit) {
-  auto& [method, name, cuts, thresholds, settles, bounds, sentence] = value;
+  auto& [method, name, cuts, thresholds, settles, interfaces, bounds, sentence] = value;
   visit(method), visit(name), visit(cuts), visit(thresholds), visit(settles), visit(bounds);
 }
 

@@ -20,6 +20,9 @@ namespace {
 const std::vector<std::int32_t> some_labels{-3, 0, 40000, 7000000};
 constexpr Lattice lattice{{-18, -18, -18}, {18, 18, 18}};
 
+/// A method by which materials are not cut where they meet, so that the domain is asked.
+constexpr Method uncut = Method::embedding;
+
 constexpr std::int32_t half = 16;  ///< of the box, in lattice units
 
 /// Cubes of materials, cut off at a box; counts the tetrahedra that it is asked for.
@@ -37,6 +40,9 @@ class Counting final : public Domain {
     cubes_.at(positions, out);
   }
   [[nodiscard]] std::span<const std::int32_t> labels() const override { return cubes_.labels(); }
+  void row_materials(Coord3 first, std::span<Material> out) const override {
+    cubes_.row_materials(first, out);
+  }
   void materials_at(std::span<const Coord3> positions, std::span<Material> out) const override {
     cubes_.materials_at(positions, out);
   }
@@ -86,7 +92,7 @@ std::map<std::int32_t, std::uint64_t> counts_of(const std::vector<Region>& regio
 TEST(Labels, OfTheMeshInMemoryAreTheDomains) {
   const Counting domain;
   Context context;
-  const Mesh mesh = stuff(domain, lattice, {}, {}, context);
+  const Mesh mesh = stuff(domain, lattice, {}, uncut, context);
   ASSERT_EQ(mesh.labels.size(), mesh.tet_count());
   EXPECT_EQ(domain.asked(), mesh.tet_count());
   const auto& tets = std::get<0>(mesh.tets);
@@ -102,30 +108,58 @@ TEST(Labels, OfTheMeshInMemoryAreTheDomains) {
 }
 
 TEST(Labels, AreTheSameHoweverTheMeshIsWritten) {
-  const Counting domain;
-  Context alone;
-  alone.threads = 1;
-  const Stuffing stuffing(domain, lattice, {}, alone);
-  const Mesh mesh = emit(stuffing, {}, alone);
-  for (const int threads : {1, 3})
-    for (const std::uint64_t bytes : {std::uint64_t{0}, std::uint64_t{300'000}, std::uint64_t{1} << 30})
-      for (const bool surveyed : {false, true}) {
-        Context context;
-        context.threads = threads;
-        domain.asked();
-        Survey found;
-        if (surveyed) found = survey(stuffing, context);
-        Keeper keeper;
-        const WrittenMesh written = write_mesh(stuffing, {}, cut_slabs(stuffing, bytes), keeper,
-                                               context, found.materials);
-        EXPECT_EQ(domain.asked(), mesh.tet_count()) << "each tetrahedron once";
-        EXPECT_TRUE(std::ranges::equal(keeper.labels_, mesh.labels));
-        EXPECT_EQ(counts_of(written.regions), counts(mesh.labels));
-        if (surveyed) {
-          EXPECT_EQ(counts_of(found.regions), counts(mesh.labels));
+  for (const Method method : {uncut, Method::embedded, Method::midpoint}) {
+    const Counting domain;
+    Context alone;
+    alone.threads = 1;
+    const Stuffing stuffing(domain, lattice, method, alone);
+    const Mesh mesh = emit(stuffing, {}, alone);
+    const std::uint64_t once = stuffing.has_interfaces() ? 0 : mesh.tet_count();
+    EXPECT_EQ(once == 0, method != uncut);
+    for (const int threads : {1, 3})
+      for (const std::uint64_t bytes :
+           {std::uint64_t{0}, std::uint64_t{300'000}, std::uint64_t{1} << 30})
+        for (const bool surveyed : {false, true}) {
+          Context context;
+          context.threads = threads;
+          domain.asked();
+          Survey found;
+          if (surveyed) found = survey(stuffing, context);
+          Keeper keeper;
+          const WrittenMesh written = write_mesh(stuffing, {}, cut_slabs(stuffing, bytes), keeper,
+                                                 context, found.materials);
+          EXPECT_EQ(domain.asked(), once) << "each tetrahedron once, or never";
+          EXPECT_TRUE(std::ranges::equal(keeper.labels_, mesh.labels));
+          EXPECT_EQ(counts_of(written.regions), counts(mesh.labels));
+          if (surveyed) {
+            EXPECT_EQ(counts_of(found.regions), counts(mesh.labels));
+          }
+          EXPECT_EQ(found.materials.empty(), !surveyed);
         }
-        EXPECT_EQ(found.materials.empty(), !surveyed);
-      }
+  }
+}
+
+/// The interfaces of a mesh that is made to have them are those that are found in it.
+TEST(Labels, MeetInInterfaces) {
+  const Counting domain;
+  Context context;
+  for (const Method method : {Method::embedded, Method::midpoint}) {
+    const Stuffing stuffing(domain, lattice, method, context);
+    const Mesh mesh = emit(stuffing, {}, context);
+    const Survey counted = survey(stuffing, context);
+    const Survey found = survey(
+        mesh.points.size(), std::span<const Tet<std::uint32_t>>(std::get<0>(mesh.tets)), mesh.labels, context);
+    EXPECT_EQ(counted.interfaces.size(), 6u);
+    EXPECT_EQ(counted.interfaces, found.interfaces);
+    ASSERT_EQ(counted.boundary.size(), found.boundary.size());
+    for (const Interface& interface : counted.interfaces) {
+      EXPECT_LT(interface.labels[0], interface.labels[1]);
+      for (const BoundaryFace& face : interface.faces)
+        ASSERT_EQ(mesh.labels[face.tet], interface.labels[0]);
+    }
+  }
+  const Stuffing stuffing(domain, lattice, uncut, context);
+  EXPECT_TRUE(survey(stuffing, context).interfaces.empty());
 }
 
 /// A survey of another mesh would be noticed by the labels.
@@ -197,7 +231,7 @@ TEST(Labels, TheSurveyAsksTheDomainForItsBorder) {
 TEST(Labels, WhatTheDomainThrowsEndsTheRun) {
   Counting domain;
   Context context;
-  const Stuffing stuffing(domain, lattice, {}, context);
+  const Stuffing stuffing(domain, lattice, uncut, context);
   domain.throws = true;
   Keeper keeper;
   EXPECT_THROW(survey(stuffing, context), Error);
@@ -219,7 +253,7 @@ TEST(Labels, CanBeCancelled) {
   Context context;
   context.threads = 1;
   const Cancelling domain(context);
-  const Stuffing stuffing(domain, lattice, {}, context);
+  const Stuffing stuffing(domain, lattice, uncut, context);
   try {
     emit(stuffing, {}, context);
     ADD_FAILURE();

@@ -26,6 +26,7 @@ struct Region {
   std::int32_t label = only_label;
   std::string name;  ///< empty if the label has none
   std::uint64_t tets = 0;
+  double volume = 0;  ///< in long edges cubed; 0 where it was not measured
 };
 
 /// What a face of the boundary is part of.
