@@ -68,6 +68,16 @@ def boundary_of(tets):
     return rotated(faces[where[counts == 1]])
 
 
+def interfaces_of(tets, labels):
+    """Faces between two labels, as seen from outside of the lesser one."""
+    faces = np.concatenate([tets[:, f] for f in FACES])
+    owners = np.tile(labels, len(FACES))
+    order = np.lexsort((owners, *np.sort(faces, axis=1).T))
+    keys, owners = np.sort(faces, axis=1)[order], owners[order]
+    pairs = (keys[1:] == keys[:-1]).all(axis=1) & (owners[1:] != owners[:-1])
+    return rotated(faces[order[:-1][pairs]])
+
+
 def volume_within(points, triangles):
     a, b, c = (points[triangles[:, i]] for i in range(3))
     return np.einsum("ij,ij->", a, np.cross(b, c)) / 6
@@ -98,6 +108,13 @@ def differences(truth, read, exact=True):
 
 def boundary_differences(truth, read):
     found = []
+    if read.patches is not None:
+        inner = np.asarray(read.patches) > 2
+        if not np.array_equal(interfaces_of(truth.tets, truth.labels),
+                              rotated(read.triangles[inner])):
+            found.append("other interfaces")
+        read = Mesh(read.points, read.tets, read.labels, read.triangles[~inner],
+                    read.patches[~inner])
     if not np.array_equal(boundary_of(truth.tets), rotated(read.triangles)):
         found.append("other boundary")
     if open_edges(read.triangles) != 0:
@@ -168,9 +185,13 @@ class Readback(ProgramTest):
         if read.triangles is not None:
             turned = read.triangles.copy()
             turned[3] = turned[3][::-1]
-            for triangles in (turned, read.triangles[1:]):
+            patches = read.patches
+            for chosen in (slice(1, None), slice(None, -1)):
                 self.assertNotEqual(boundary_differences(truth, Mesh(
-                    read.points, read.tets, read.labels, triangles)), [])
+                    read.points, read.tets, read.labels, read.triangles[chosen],
+                    None if patches is None else patches[chosen])), [])
+            self.assertNotEqual(boundary_differences(truth, Mesh(
+                read.points, read.tets, read.labels, turned, patches)), [])
         if read.patches is not None:
             patches = read.patches.copy()
             patches[11] = 3 - patches[11]
@@ -200,7 +221,9 @@ class Meshio(Readback):
         self.assert_same(self.truth.by_region(), read)
         self.assertEqual({name: tuple(tag) for name, tag in mesh.field_data.items()}, {
             "surface": (1, 2), "border": (2, 2), "Left <lobe> & more": (3, 3),
-            "Left-lobe": (7, 3), "left?lobe": (12, 3)})
+            "Left-lobe": (7, 3), "left?lobe": (12, 3),
+            "Left <lobe> & more-Left-lobe": (3, 2), "Left <lobe> & more-left?lobe": (4, 2),
+            "Left-lobe-left?lobe": (5, 2)})
 
     def test_gmsh_22(self):
         mesh, read = self.read("a.msh", "gmsh:physical", "--format", "msh22",
@@ -228,7 +251,10 @@ class Meshio(Readback):
             words = [w.strip() for w in line.split(",")]
             if line.startswith("*"):
                 kind = words[0]
-                patch = {"NAME=surface": 1, "NAME=border": 2}.get(words[-1], 0)
+                patch = {"NAME=surface": 1, "NAME=border": 2,
+                         "NAME=Left__lobe____more_Left_lobe": 3,
+                         "NAME=Left__lobe____more_left_lobe": 4,
+                         "NAME=Left_lobe_left_lobe": 5}.get(words[-1], 0)
             elif kind == "*ELEMENT":
                 tets[int(words[0])] = [int(w) - 1 for w in words[1:]]
             elif kind == "*SURFACE":
@@ -348,7 +374,10 @@ class Febio(Readback):
         rows = np.array(sorted(rows))
         self.assertEqual(rows[:, 0].tolist(), list(range(1, len(rows) + 1)))
         triangles, patches = [], []
-        for patch, name in ((1, "surface"), (2, "border")):
+        sheets = ["surface", "border", "Left <lobe> & more-Left-lobe",
+                  "Left <lobe> & more-left?lobe", "Left-lobe-left?lobe"]
+        self.assertEqual([s.get("name") for s in mesh.findall("Surface")], sheets)
+        for patch, name in enumerate(sheets, start=1):
             (surface,) = (s for s in mesh.findall("Surface") if s.get("name") == name)
             triangles += [numbers(e) for e in surface]
             patches += [patch] * len(surface)
@@ -362,6 +391,7 @@ class Patches(Readback):
         self.make("m.node", "--cuts", "midpoint")
         points = np.loadtxt(self.folder / "m.node", skiprows=1)[:, 1:4]
         rows = np.loadtxt(self.folder / "m.face", skiprows=1, dtype=np.int64)
+        rows = rows[rows[:, 4] <= 2]  # without interfaces
         low, high = np.full(3, -0.5), np.asarray(SIZE) - 0.5
         near = (np.abs(points - low) < 0.26) | (np.abs(points - high) < 0.26)
         at_border = near.any(axis=1)[rows[:, 1:4] - 1].all(axis=1)

@@ -55,11 +55,15 @@ Json seconds(const MeshReport& report) {
 
 Json regions(const MeshReport& report) {
   Json all = Json::array();
-  for (const auto& [region, tets] : report.regions) {
+  for (const auto& [region, tets, volume, voxel_volume] : report.regions) {
     Json one{{"label", region.label}, {"voxels", region.voxels}};
     if (const auto name = report.names.find(region.label); name != report.names.end())
       one["name"] = name->second;
     if (!report.dry_run) one["tets"] = tets;
+    if (volume > 0) {
+      one["volume"] = volume;
+      one["voxel_volume"] = voxel_volume;
+    }
     if (report.counted_pieces) {
       one["pieces"] = region.lattice_pieces;
       one["image_pieces"] = {{"by_corners", region.pieces_by_corners},

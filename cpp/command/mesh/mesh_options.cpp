@@ -39,6 +39,10 @@ volumes, or of several numbers per voxel, is read with --volume.  The segments o
 Slicer (.seg.nrrd) and of DICOM SEG are labels with the names that the file has;
 where they overlap the later one wins, which a note counts.
 
+Labels that touch each other are cut where they meet, but not by --method paper, where
+each tetrahedron has the label at its centre.  Formats with named surfaces have one for
+each pair that touches, called after both.
+
 A label that the lattice is too coarse for is named in a warning, and so is one that
 has more or fewer pieces in the mesh than in the image, where voxels may touch at
 edges and corners or not.  Pieces are counted where --size is above the smallest
@@ -80,7 +84,7 @@ greatest, rms, greatest_edges, rms_edges}}, theorem, mesh {points, tets, volume,
 theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
 cut, warp, count, emit, measure, write, total}, memory {limit, needed, least,
 peak}, warnings, and for images regions [{label, voxels, tets, name where the file or
---label-names has one, and where pieces were counted: pieces, image_pieces {by_corners, by_faces}}], with --smooth: smoothing
+--label-names has one, volume and voxel_volume, and where pieces were counted: pieces, image_pieces {by_corners, by_faces}}], with --smooth: smoothing
 {sigma, voxel_volume, mesh_volume, change}.  Lengths are in world units, angles in degrees, memory in bytes; the
 histogram has 36 bins of 5 degrees, counted before coordinates are rounded; rounding
 is what the doubles of the world can turn an angle by; output.origin is where in the

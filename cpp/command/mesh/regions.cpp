@@ -36,6 +36,7 @@ RegionWatch::RegionWatch(const Source& source, const PlacedSource& placed,
   regions_ = solid.level ? regions_of_level(*solid.image, *solid.level)
                          : regions_of_labels(*solid.image, solid.labels);
   tets_.resize(regions_.size());
+  volumes_.resize(regions_.size());
   if (solid.cropped || (size_ <= finest_ && !solid.smoothed)) return;
   count_pieces(*solid.image, solid.level, *placed.domain, regions_, context);
   counted_pieces_ = true;
@@ -44,14 +45,20 @@ RegionWatch::RegionWatch(const Source& source, const PlacedSource& placed,
 void RegionWatch::see(std::span<const Region> written) {
   for (const Region& region : written) {
     const std::size_t which = index_of(regions_, region.label);
-    if (which < regions_.size()) tets_[which] = region.tets;
+    if (which >= regions_.size()) continue;
+    tets_[which] = region.tets;
+    volumes_[which] = region.volume * size_ * size_ * size_;
   }
 }
 
 std::vector<MeshedRegion> RegionWatch::regions(std::uint64_t all_tets) const {
   std::vector<MeshedRegion> result;
-  for (std::size_t r = 0; r < regions_.size(); ++r)
-    result.push_back({regions_[r], source_.voxels->level ? all_tets : tets_[r]});
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    const auto& spacing = source_.voxels->image->spacing;
+    const double voxel = spacing[0] * spacing[1] * spacing[2];
+    result.push_back({regions_[r], source_.voxels->level ? all_tets : tets_[r], volumes_[r],
+                      voxel * static_cast<double>(regions_[r].voxels)});
+  }
   return result;
 }
 

@@ -15,6 +15,8 @@ namespace certet::command {
 struct MeshedRegion {
   ImageRegion region;
   std::uint64_t tets = 0;
+  double volume = 0;        ///< of the mesh, in world units
+  double voxel_volume = 0;  ///< of its voxels
 };
 
 /// Watches a run from the counted lattice to the written mesh.
@@ -44,6 +46,7 @@ class RegionWatch {
   double size_, finest_ = 0;
   std::vector<ImageRegion> regions_;
   std::vector<std::uint64_t> tets_;  ///< of each region
+  std::vector<double> volumes_;      ///< in world units
   bool counted_pieces_ = false;
 };
 
