@@ -8,6 +8,7 @@
 #include "certet/formats.hpp"
 #include "certet/placed_quality.hpp"
 #include "engine/border.hpp"
+#include "mesh/boundary.hpp"
 
 namespace certet {
 namespace {
@@ -39,11 +40,10 @@ Survey survey_of(const Mesh& mesh, std::span<const Tet<Index>> tets, Context& co
   name_regions(found, mesh.names);
   if (!facts(mesh.method).interfaces) found.interfaces.clear();
   const Cuts cuts = facts(mesh.method).cuts;
-  for (BoundaryFace& face : found.boundary)
-    if (std::ranges::all_of(face.points, [&](std::uint64_t p) {
-          return core::is_on_border(mesh.points[static_cast<std::size_t>(p)], mesh.border, cuts);
-        }))
-      face.patch = Patch::border;
+  const auto doubtful = core::put_on_border(found.boundary, [&](std::uint64_t point) {
+    return core::is_on_border(mesh.points[static_cast<std::size_t>(point)], mesh.border, cuts);
+  });
+  core::put_on_border(found, doubtful);
   return found;
 }
 

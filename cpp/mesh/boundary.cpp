@@ -131,6 +131,19 @@ void keep_single_faces(std::vector<BoundaryFace>& faces, std::vector<InnerFace>&
   faces.resize(kept);
 }
 
+void put_on_border(Survey& survey, std::span<const DoubtfulFace> faces) {
+  if (survey.interfaces.empty()) return;
+  std::vector<std::uint64_t> between;
+  for (const Interface& interface : survey.interfaces)
+    for (const BoundaryFace& face : interface.faces)
+      between.insert(between.end(), face.points.begin(), face.points.end());
+  std::ranges::sort(between);
+  std::vector<std::array<std::uint64_t, 3>> found;
+  for (const auto& [points, third] : faces)
+    if (std::ranges::binary_search(between, third)) found.push_back(points);
+  set_border(survey, std::move(found));
+}
+
 std::vector<Interface> interfaces_of(std::vector<InnerFace> faces) {
   std::ranges::sort(faces, [](const InnerFace& a, const InnerFace& b) {
     return std::tuple(a.face.label, a.behind, key(a.face)) <
@@ -178,6 +191,12 @@ Survey survey(std::uint64_t points, std::span<const Tet<std::uint32_t>> tets,
 Survey survey(std::uint64_t points, std::span<const Tet<std::uint64_t>> tets,
               std::span<const std::int32_t> labels, Context& context) {
   return core::survey_of(points, tets, labels, context);
+}
+
+std::uint64_t face_count(const Survey& survey) {
+  std::uint64_t faces = survey.boundary.size();
+  for (const Interface& interface : survey.interfaces) faces += interface.faces.size();
+  return faces;
 }
 
 void set_border(Survey& survey, std::vector<std::array<std::uint64_t, 3>> faces) {

@@ -41,6 +41,33 @@ struct InnerFace {
 /// twice, with different labels, it adds what they are to `inner`.
 void keep_single_faces(std::vector<BoundaryFace>& faces, std::vector<InnerFace>& inner);
 
+/// A face of the boundary of which two points lie where the domain is cut off.
+struct DoubtfulFace {
+  std::array<std::uint64_t, 3> points;
+  std::uint64_t third;  ///< its other point
+};
+
+/// Puts faces of the boundary into the patch `border`: those of which `is_on_border` tells
+/// it of three points.  \returns those of which it does of two.
+template <class IsOnBorder>
+std::vector<DoubtfulFace> put_on_border(std::span<BoundaryFace> faces,
+                                        const IsOnBorder& is_on_border) {
+  std::vector<DoubtfulFace> doubtful;
+  for (BoundaryFace& face : faces) {
+    std::size_t count = 0;
+    std::uint64_t third = 0;
+    for (const std::uint64_t point : face.points)
+      is_on_border(point) ? static_cast<void>(++count) : static_cast<void>(third = point);
+    if (count == 3) face.patch = Patch::border;
+    if (count == 2) doubtful.push_back({face.points, third});
+  }
+  return doubtful;
+}
+
+/// Where two materials and the outside meet, the boundary has a point between the two:
+/// puts those faces on the border whose third point is such a one.
+void put_on_border(Survey& survey, std::span<const DoubtfulFace> faces);
+
 /// Faces between labels, brought together by the labels.
 std::vector<Interface> interfaces_of(std::vector<InnerFace> faces);
 

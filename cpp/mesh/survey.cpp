@@ -22,6 +22,7 @@ struct LayerFindings {
   RegionCounts counts;
   std::vector<BoundaryFace> faces;
   std::vector<core::InnerFace> inner;
+  std::vector<core::DoubtfulFace> doubtful;
 };
 
 /// For what the engine does within a single layer.
@@ -39,7 +40,7 @@ class LayerSurvey {
 
  private:
   void find_faces(LayerFindings& found) const;
-  void find_patches(std::vector<BoundaryFace>& faces) const;
+  void find_patches(LayerFindings& found) const;
   void find_materials(MaterialRuns& runs, RegionCounts& counts);
   [[nodiscard]] std::int32_t label_of(std::size_t tet) const {
     return labels_.empty() ? only_label : labels_[tet];
@@ -78,7 +79,7 @@ LayerFindings LayerSurvey<Index>::find(MaterialRuns& runs) {
   else if (!tets_.empty())
     found.counts.add(only_label, tets_.size());
   find_faces(found);
-  if (stuffing_.has_border()) find_patches(found.faces);
+  if (stuffing_.has_border()) find_patches(found);
   return found;
 }
 
@@ -101,12 +102,11 @@ void LayerSurvey<Index>::find_faces(LayerFindings& found) const {
 }
 
 template <class Index>
-void LayerSurvey<Index>::find_patches(std::vector<BoundaryFace>& faces) const {
-  const auto is_on_border = [&](std::uint64_t point) {
+void LayerSurvey<Index>::find_patches(LayerFindings& found) const {
+  found.doubtful = core::put_on_border(found.faces, [&](std::uint64_t point) {
     return stuffing_.is_on_border(points_[point - first_point_]);
-  };
-  for (BoundaryFace& face : faces)
-    if (std::ranges::all_of(face.points, is_on_border)) face.patch = Patch::border;
+  });
+  if (!stuffing_.has_interfaces()) found.doubtful.clear();
 }
 
 template <class Index>
@@ -134,15 +134,19 @@ Survey survey_layers(const Stuffing& stuffing, Context& context) {
   Survey survey;
   RegionCounts counts;
   std::vector<core::InnerFace> inner;
+  std::vector<core::DoubtfulFace> doubtful;
   for (LayerFindings& layer : layers) {
     counts += layer.counts;
     survey.boundary.insert(survey.boundary.end(), layer.faces.begin(), layer.faces.end());
     inner.insert(inner.end(), layer.inner.begin(), layer.inner.end());
     layer.faces = {};
+    doubtful.insert(doubtful.end(), layer.doubtful.begin(), layer.doubtful.end());
     layer.inner = {};
+    layer.doubtful = {};
   }
   core::keep_single_faces(survey.boundary, inner);
   if (stuffing.has_interfaces()) survey.interfaces = core::interfaces_of(std::move(inner));
+  core::put_on_border(survey, doubtful);
   survey.regions = counts.regions();
   survey.materials = std::move(runs);
   return survey;

@@ -253,7 +253,7 @@ class Meshio(Readback):
                 kind = words[0]
                 patch = {"NAME=surface": 1, "NAME=border": 2,
                          "NAME=Left__lobe____more_Left_lobe": 3,
-                         "NAME=Left__lobe____more_left_lobe": 4,
+                         "NAME=Left__lobe____more_left_lobe_2": 4,
                          "NAME=Left_lobe_left_lobe": 5}.get(words[-1], 0)
             elif kind == "*ELEMENT":
                 tets[int(words[0])] = [int(w) - 1 for w in words[1:]]

@@ -11,6 +11,7 @@
 #include "report.hpp"
 #include "signals.hpp"
 #include "stopwatch.hpp"
+#include "surface_choice.hpp"
 #include "table.hpp"
 
 namespace certet::command {
@@ -30,7 +31,7 @@ Keys of the JSON: certet, command, input, output {file, format, bytes, origin}, 
 /// What the user asks of `certet convert`.
 struct ConvertOptions {
   std::filesystem::path input, output, label_names;
-  std::string format, json, origin;
+  std::string format, json, origin, surface;
   bool compress = false;
 };
 
@@ -121,6 +122,7 @@ void write(const ConvertOptions& options, Format format, const FileMesh& mesh,
 ConvertReport run(const ConvertOptions& options, Context& context) {
   const Stopwatch clock;
   const Format format = choose_format(options.output, options.format, options.compress);
+  check_surface_choice(options.surface, format);
   check_files(options, format);
   FileMesh mesh = certet::read(options.input, context);
   check_indices(options, mesh);
@@ -129,6 +131,8 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
   auto found = std::make_shared<Survey>(survey(mesh.points.size(), mesh.tets, mesh.labels, context));
   set_border(*found, std::move(mesh.border));
   name_regions(*found, mesh.names);
+  const std::uint64_t boundary_faces = found->boundary.size();
+  choose_surface(options.surface, mesh.names, *found);
   stop_if_cancelled(context);
   const MeshSize size{mesh.points.size(), mesh.tets.size(), !mesh.labels.empty(), found};
   write(options, format, mesh, size, context);
@@ -138,7 +142,7 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
   report.points = size.points;
   report.tets = size.tets;
   report.regions = found->regions.size();
-  report.boundary_faces = found->boundary.size();
+  report.boundary_faces = boundary_faces;
   report.checksum = checksum(mesh);
   report.output_origin = moved_to;
   report.seconds = clock.seconds();
@@ -175,6 +179,7 @@ Run declare_convert(CLI::App& app) {
   app.add_option("--label-names", options->label_names,
                  "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
       ->option_text("FILE");
+  declare_surface_choice(app, options->surface);
   app.add_option("--json", options->json, "Report for programs; - is stdout")
       ->option_text("FILE|-");
   app.footer(convert_notes);

@@ -18,6 +18,7 @@
 #include "regions.hpp"
 #include "signals.hpp"
 #include "source.hpp"
+#include "surface_choice.hpp"
 #include "target_size.hpp"
 
 namespace certet::command {
@@ -81,7 +82,7 @@ Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report) {
   const auto& [source, stuffing] = counted;
   std::uint64_t held = source.bytes + stuffing.bytes();
   if (size.survey != nullptr)
-    held += size.survey->boundary.size() * sizeof(BoundaryFace) + size.survey->materials.bytes();
+    held += face_count(*size.survey) * sizeof(BoundaryFace) + size.survey->materials.bytes();
   report.memory_least = held + cut_slabs(stuffing, 0).bytes;
   if (report.memory_least > report.memory_limit)
     refuse_memory("the mesh", report.memory_least, report.memory_limit);
@@ -131,6 +132,7 @@ MeshSize announce(const MeshOptions& options, const LabelNames& names, const Cou
   if (!needs_survey(options.format)) return size;
   auto found = std::make_shared<Survey>(survey(stuffing, context));
   name_regions(*found, names);
+  choose_surface(options.surface, names, *found);
   size.survey = std::move(found);
   return size;
 }

@@ -10,6 +10,7 @@
 #include "method.hpp"
 #include "option_values.hpp"
 #include "refusal.hpp"
+#include "surface_choice.hpp"
 
 namespace certet::command {
 namespace {
@@ -180,6 +181,7 @@ void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("--label-names", options.label_names,
                   "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
       ->option_text("FILE");
+  declare_surface_choice(mesh, options.surface);
   mesh.add_option("--threads", options.threads, "Threads (default: as many as there are)")
       ->check(CLI::Range(0, 1024))
       ->option_text("N");
@@ -263,6 +265,7 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   if (!raw.bounds.empty()) options.bounds = parse_bounds(raw.bounds);
   if (options.output.empty() && !options.dry_run) refuse("mesh needs an output: -o OUT");
   options.format = choose_format(options.output, raw.format, raw.compress);
+  check_surface_choice(options.surface, options.format);
   if (raw.origin == "0") options.origin = OutputOrigin::lattice;
   return options;
 }

@@ -49,6 +49,7 @@ struct MeshOptions {
   Format format = Format::vtu;
   OutputOrigin origin = OutputOrigin::world;
   std::filesystem::path label_names;  ///< empty: labels have no names
+  std::string surface;                ///< what --surface says; empty: all of the boundary
   std::string json;  ///< a file, - for stdout, or empty
 };
 

@@ -81,7 +81,7 @@ std::unique_ptr<MeshWriter> open_abaqus(const std::filesystem::path& file,
 
 std::uint64_t abaqus_bytes(const MeshSize& size) {
   const std::uint64_t point_digits = digits_of(size.points), tet_digits = digits_of(size.tets);
-  const std::uint64_t faces = size.survey == nullptr ? 0 : Sheets::face_count(*size.survey);
+  const std::uint64_t faces = size.survey == nullptr ? 0 : face_count(*size.survey);
   return 200 + size.points * (point_digits + 63 + 3) +
          size.tets * (tet_digits + 4 * (2 + point_digits) + 1) + faces * (tet_digits + 5);
 }

@@ -102,7 +102,7 @@ std::unique_ptr<MeshWriter> open_febio(const std::filesystem::path& file, const 
 
 std::uint64_t febio_bytes(const MeshSize& size) {
   const std::uint64_t point_digits = digits_of(size.points), tet_digits = digits_of(size.tets);
-  const std::uint64_t faces = size.survey == nullptr ? 0 : Sheets::face_count(*size.survey);
+  const std::uint64_t faces = size.survey == nullptr ? 0 : face_count(*size.survey);
   return 400 + size.points * (point_digits + 60 + 22) +
          size.tets * (tet_digits + 4 * point_digits + 25) +
          faces * (digits_of(faces) + 3 * point_digits + 24);

@@ -28,7 +28,7 @@ class Gmsh22Writer final : public StreamedWriter {
   }
 
   void open_tets() override {
-    append(Line() << "$EndNodes\n$Elements\n" << size_.tets + Sheets::face_count(survey()) << '\n');
+    append(Line() << "$EndNodes\n$Elements\n" << size_.tets + face_count(survey()) << '\n');
   }
 
   void put_tets(std::uint64_t first, std::span<const Tet<std::uint64_t>> tets,
@@ -74,7 +74,7 @@ std::unique_ptr<MeshWriter> open_gmsh22(const std::filesystem::path& file,
 
 std::uint64_t gmsh22_bytes(const MeshSize& size) {
   const std::uint64_t digits = digits_of(size.points);
-  const std::uint64_t faces = size.survey == nullptr ? 0 : Sheets::face_count(*size.survey);
+  const std::uint64_t faces = size.survey == nullptr ? 0 : face_count(*size.survey);
   return 200 + size.points * (digits + 60 + 2) +
          size.tets * (digits_of(size.tets) + 11 + 4 * (digits + 1)) +
          faces * (digits_of(size.tets) + 9 + 3 * (digits + 1));

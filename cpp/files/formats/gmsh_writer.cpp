@@ -133,7 +133,7 @@ void GmshWriter::put_points(std::uint64_t first, std::span<const Point3> points)
 void GmshWriter::open_tets() {
   tags_->flush();
   coordinates_->flush();
-  const Bytes elements = elements_heading(groups_, size_.tets + Sheets::face_count(survey()));
+  const Bytes elements = elements_heading(groups_, size_.tets + face_count(survey()));
   file_.write_at(end_, elements.all());
   end_ += elements.all().size();
   for (std::size_t i = 0; i < groups_.regions.size(); ++i) {
@@ -180,7 +180,7 @@ std::uint64_t gmsh_bytes(const MeshSize& size) {
   static const Survey nothing;
   const Survey& survey = size.survey == nullptr ? nothing : *size.survey;
   const GmshGroups groups(survey);
-  const std::uint64_t faces = Sheets::face_count(survey);
+  const std::uint64_t faces = face_count(survey);
   const std::uint64_t blocks = groups.regions.size() + groups.sheets.all().size();
   return header_of(groups, {}).all().size() +
          nodes_heading(groups, size.points).all().size() +

@@ -14,7 +14,7 @@ using namespace medit_binary;
 /// The widths of numbers, and where every block begins.
 struct Layout {
   explicit Layout(const MeshSize& size) {
-    const std::uint64_t faces = size.survey == nullptr ? 0 : Sheets::face_count(*size.survey);
+    const std::uint64_t faces = size.survey == nullptr ? 0 : face_count(*size.survey);
     constexpr std::uint64_t limit = std::numeric_limits<std::int32_t>::max();
     const bool many = std::max({size.points, size.tets, faces}) > limit;
     version = many ? 4 : 2;
@@ -97,7 +97,7 @@ class MeditBinaryWriter final : public StreamedWriter {
     for (std::size_t i = 0; i < tets.size(); ++i) put_element(tets[i], labels[i]);
   }
   void close() override {
-    open(triangles, layout_.end_at, Sheets::face_count(survey()));
+    open(triangles, layout_.end_at, face_count(survey()));
     Sheets::for_each_face(survey(), [&](const BoundaryFace& face, std::int32_t number) {
       put_element(face.points, number);
     });

@@ -44,7 +44,7 @@ class MeditWriter final : public StreamedWriter {
   }
 
   void close() override {
-    open("Triangles", Sheets::face_count(survey()));
+    open("Triangles", face_count(survey()));
     Sheets::for_each_face(survey(), [&](const BoundaryFace& face, std::int32_t number) {
       const auto& [a, b, c] = face.points;
       append(Line() << a + 1 << ' ' << b + 1 << ' ' << c + 1 << ' ' << number << '\n');
@@ -68,7 +68,7 @@ std::uint64_t medit_bytes(const MeshSize& size) {
   const std::uint64_t digits = digits_of(size.points);
   const std::uint64_t tet_line = 4 * (digits + 1) + (size.labels ? 5 : 2);
   const std::uint64_t face_line = 3 * (digits + 1) + 2;
-  const std::uint64_t faces = size.survey == nullptr ? 0 : Sheets::face_count(*size.survey);
+  const std::uint64_t faces = size.survey == nullptr ? 0 : face_count(*size.survey);
   return 100 + size.points * point_line + size.tets * tet_line + faces * face_line;
 }
 

@@ -17,10 +17,4 @@ Sheets::Sheets(const Survey& survey, NameRule rule) : survey_(survey) {
                     survey.interfaces[i].faces.size()});
 }
 
-std::uint64_t Sheets::face_count(const Survey& survey) {
-  std::uint64_t faces = survey.boundary.size();
-  for (const Interface& interface : survey.interfaces) faces += interface.faces.size();
-  return faces;
-}
-
 }  // namespace certet::formats

@@ -32,8 +32,6 @@ class Sheets {
 
   /// By growing numbers.
   [[nodiscard]] const std::vector<Sheet>& all() const { return all_; }
-  /// Of all together.
-  [[nodiscard]] static std::uint64_t face_count(const Survey& survey);
 
   /// Calls visit(face) for the faces of one.
   template <class Visit>

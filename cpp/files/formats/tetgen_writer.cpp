@@ -23,7 +23,7 @@ class TetgenWriter final : public StreamedWriter {
     // How many there are, the dimension or the corners, attributes, markers.
     put(node_, Line() << size.points << " 3 0 0\n");
     put(ele_, Line() << size.tets << " 4 1\n");
-    put(face_, Line() << Sheets::face_count(survey()) << " 1\n");
+    put(face_, Line() << face_count(survey()) << " 1\n");
   }
 
  private:
@@ -76,7 +76,7 @@ std::unique_ptr<MeshWriter> open_tetgen(const std::filesystem::path& file,
 
 std::uint64_t tetgen_bytes(const MeshSize& size) {
   const std::uint64_t digits = digits_of(size.points), tet_digits = digits_of(size.tets);
-  const std::uint64_t faces = size.survey == nullptr ? 0 : Sheets::face_count(*size.survey);
+  const std::uint64_t faces = size.survey == nullptr ? 0 : face_count(*size.survey);
   return 100 + size.points * (digits + 60 + 1) +
          size.tets * (tet_digits + 4 * (digits + 1) + 4) +
          faces * (digits_of(faces) + 3 * (digits + 1) + 3);

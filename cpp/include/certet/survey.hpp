@@ -86,6 +86,14 @@ Survey survey(std::uint64_t points, std::span<const Tet<std::uint64_t>> tets,
 /// order, into the patch `border`.
 void set_border(Survey& survey, std::vector<std::array<std::uint64_t, 3>> faces);
 
+/// The faces of the boundary and of all interfaces.
+std::uint64_t face_count(const Survey& survey);
+
+/// Leaves of the boundary one region's surface, closed, as seen from outside of it; or, of
+/// two labels, where their regions touch, as the lesser sees it.  Interfaces are none then.
+/// \throws Error `bad_option` if there is no such region or interface.
+void keep_surface(Survey& survey, std::span<const std::int32_t> labels);
+
 /// Gives regions their names.
 void name_regions(Survey& survey, const LabelNames& names);
 
