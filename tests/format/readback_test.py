@@ -124,15 +124,20 @@ def boundary_differences(truth, read):
     if not np.isclose(volume, volume_within(read.points, read.triangles), rtol=1e-9):
         found.append("a boundary around another volume")
     if read.patches is not None:
-        found += patch_differences(read)
+        found += patch_differences(read, interfaces_of(truth.tets, truth.labels))
     return found
 
 
-def patch_differences(read):
-    """The bricks end at the faces of the voxels of the border."""
+def patch_differences(read, interfaces):
+    """The bricks end at the faces of the voxels of the border; where two of them meet
+    there, the boundary has a point between them."""
     low, high = np.full(3, -0.5), np.asarray(SIZE) - 0.5
     near = (np.abs(read.points - low) < 1e-3) | (np.abs(read.points - high) < 1e-3)
-    at_border = near.any(axis=1)[read.triangles].all(axis=1)
+    near = near.any(axis=1)
+    between = np.zeros(len(near), bool)
+    between[interfaces.ravel()] = True
+    at_border = ((near | between)[read.triangles].all(axis=1)
+                 & (near[read.triangles].sum(axis=1) >= 2))
     return [] if np.array_equal(read.patches == 2, at_border) else ["other patches"]
 
 
