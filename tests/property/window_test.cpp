@@ -25,6 +25,7 @@ struct Made {
   std::vector<Coord3> points;
   std::vector<std::uint8_t> on_surface;
   std::vector<Tet<std::uint32_t>> tets;
+  std::vector<Material> materials;  ///< where several are cut apart
   std::uint64_t inverted = 0;
   WarpFigures figures;
   friend bool operator==(const Made&, const Made&) = default;
@@ -45,7 +46,9 @@ core::WarpedLattice warped_of(const Domain& domain, const Lattice& lattice, core
                               Made& made) {
   Context context;
   context.threads = 1;
-  core::SignPlanes planes = core::sample(domain, lattice, signs, method.cuts, context);
+  core::SignPlanes planes = method.interfaces && domain.labels().size() > 1
+                                ? core::sample_materials(domain, lattice, signs, context)
+                                : core::sample(domain, lattice, signs, method.cuts, context);
   const auto cuts_of = [&](core::Window cut) {
     return core::find_cuts(planes, domain, lattice, cut, method.cuts, context);
   };
@@ -57,7 +60,8 @@ core::WarpedLattice warped_of(const Domain& domain, const Lattice& lattice, core
   core::Settling settled = method.settles
                                ? core::settle(planes, violations, lattice, window, context)
                                : core::Settling{core::move_all(planes, violations, context)};
-  made.inverted += core::inverted_tets(settled.planes, violations, lattice, window, context);
+  if (!method.settles)
+    made.inverted += core::inverted_tets(settled.planes, violations, lattice, window, context);
   made.figures.add(settled.figures);
   return core::warp_lattice({planes, std::move(settled.planes)}, violations, cuts,
                             method.settles ? method.thresholds : no_warp_thresholds, lattice,
@@ -84,6 +88,10 @@ void add_window(const Domain& domain, const Lattice& lattice, core::Window windo
   core::mark_surface(warped, numbers, lattice, window,
                      std::span(made.on_surface).subspan(points), context);
   core::emit_tets(warped, numbers, lattice, window, std::span(made.tets).subspan(tets), context);
+  if (warped.planes.materials() == nullptr) return;
+  made.materials.resize(made.tets.size());
+  core::emit_materials(warped.planes, numbers, lattice, window,
+                       std::span(made.materials).subspan(tets), context);
 }
 
 Made in_windows(const Domain& domain, const Lattice& lattice, const std::vector<int>& bounds,
@@ -163,6 +171,27 @@ TEST(Window, TheWholeIsTheEnginesMesh) {
   }
 }
 
+materials::Positional random_materials() {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  return materials::cubes(seed, *rc::gen::element(1, 2, 5), {1, 2, 3, 8}, 70);
+}
+
+/// Where materials are cut apart, each window has its part of every interface.
+RC_GTEST_PROP(Window, WindowsOfMaterialsMakeTheWhole, ()) {
+  const MethodFacts& method = facts(*rc::gen::element(Method::embedded, Method::midpoint));
+  const Lattice lattice = random_lattice(method);
+  const auto domain = random_materials();
+  const auto layers = lattice.cells[2];
+  const Made whole = in_windows(domain, lattice, {0, layers}, method);
+  RC_ASSERT(whole.materials.size() == whole.tets.size());
+  RC_ASSERT(in_windows(domain, lattice, random_bounds(layers), method) == whole);
+}
+
+/// A method by which the domain is asked for the materials.
+const MethodFacts& random_uncut_method() {
+  return facts(*rc::gen::element(Method::angles, Method::embedding));
+}
+
 /// Materials of the tetrahedra of windows, one after the other.  `behind` is how many
 /// layers of points behind its own each window asks its neighbour for.
 std::vector<Material> materials_in_windows(const Domain& domain, const Lattice& lattice,
@@ -195,14 +224,9 @@ std::vector<Material> materials_in_windows(const Domain& domain, const Lattice& 
   return all;
 }
 
-materials::Positional random_materials() {
-  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
-  return materials::cubes(seed, *rc::gen::element(1, 2, 5), {1, 2, 3, 8}, 70);
-}
-
 /// With the layer of points behind each, windows have the materials of the whole.
 RC_GTEST_PROP(Window, MaterialsOfWindowsAreThoseOfTheWhole, ()) {
-  const MethodFacts& method = random_method();
+  const MethodFacts& method = random_uncut_method();
   const Lattice lattice = random_lattice(method);
   const auto domain = random_materials();
   const auto layers = lattice.cells[2];
