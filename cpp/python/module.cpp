@@ -110,9 +110,12 @@ std::shared_ptr<PythonMesh> mesh_surface(
   return mesh_of(
       [&] {
         const SurfaceRepairs repairs = repair_surface(surface, {repair});
-        if (!is_closed(surface))
+        const bool open = repairs.closed_holes.count != 0;
+        if (!open && !is_closed(surface))
           refuse_open(surface, inspect(surface), repair ? "" : "repair=True closes what is open");
-        return Shape{surface_domain(surface, {size, margin}), sentences_on(repairs)};
+        const SurfaceLattice lattice{size, margin};
+        return Shape{open ? open_surface_domain(surface, lattice) : surface_domain(surface, lattice),
+                     sentences_on(repairs)};
       },
       options);
 }

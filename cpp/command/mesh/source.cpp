@@ -47,8 +47,10 @@ Source from_surface(const MeshOptions& options, const Context& context) {
   CheckedSurface checked = open_surface(options.input, options.repair, context);
   const auto surface = std::make_shared<const TriangleSurface>(std::move(checked.surface));
   const auto place = [surface, margin = options.margin, volume = checked.measures.volume,
-                      own_size = checked.size.size](double size) {
-    PlacedSource source = placed(surface_domain(*surface, {size == 0 ? own_size : size, margin}));
+                      open = checked.open, own_size = checked.size.size](double size) {
+    const SurfaceLattice lattice{size == 0 ? own_size : size, margin};
+    if (open) return placed(open_surface_domain(*surface, lattice));
+    PlacedSource source = placed(surface_domain(*surface, lattice));
     source.volume = volume;
     return source;
   };
