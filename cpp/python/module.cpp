@@ -111,7 +111,8 @@ std::shared_ptr<PythonMesh> mesh_surface(
       [&] {
         const SurfaceRepairs repairs = repair_surface(surface, {repair});
         const bool open = repairs.closed_holes.count != 0;
-        if (!open && !is_closed(surface))
+        if (open) refuse_unclear(surface);
+        else if (!is_closed(surface))
           refuse_open(surface, inspect(surface), repair ? "" : "repair=True closes what is open");
         const SurfaceLattice lattice{size, margin};
         return Shape{open ? open_surface_domain(surface, lattice) : surface_domain(surface, lattice),

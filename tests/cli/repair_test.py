@@ -8,7 +8,7 @@ import surface_defects as defects
 import surfaces
 from program import ProgramTest
 
-BAD_INPUT, USAGE = 3, 2
+BAD_INPUT, USAGE, EMPTY = 3, 2, 4
 TORUS = defects.turned(surfaces.torus(around=48, across=24))
 CUBE = defects.turned(surfaces.cube())
 WALL = (1, 3, 7, 5)  # of a cube, where x is high
@@ -236,13 +236,26 @@ class Holes(RepairTest):
         points = [tuple(c * (1 + 0.1 * math.sin(5 * x) * math.cos(4 * y)) for c in (x, y, z))
                   for x, y, z in ball[0]]
         faces = [face for face in ball[1] if max(points[p][2] for p in face) > -0.8]
-        low = [face for face in ball[1] if face not in faces]
+        kept = set(faces)
+        low = [face for face in ball[1] if face not in kept]
         volume = surfaces.volume((points, ball[1])) - surfaces.volume(defects.lidded(points, low))
         scan = defects.with_holes((points, faces), 60)
         again = [(x + 1e-4, y, z) for x, y, z in points]
         scan = surfaces.join(scan, (again, [f for f in faces if min(points[p][0] for p in f) > 0.5]))
         self.assert_solid(scan, volume, ["holes"], "--repair", writers={"a.stl": surfaces.stl},
                           within=0.03)
+
+    def test_what_winds_around_nothing(self):
+        """A sheet; triangles that face any way; a strip with one side is a unit test's."""
+        flat = ([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2, 3)])
+        (self.folder / "a.stl").write_bytes(surfaces.stl(defects.turned(flat)))
+        self.assert_fails(EMPTY, ["a.stl", "encloses nothing", "0.500 on average"], "mesh",
+                          "a.stl", "--repair", "-o", "a.vtu")
+        anyhow = defects.partly_turned(defects.apart(TORUS, 0.99), 1152)
+        (self.folder / "a.stl").write_bytes(surfaces.stl(anyhow))
+        run = self.run_certet("mesh", "a.stl", "--repair", "-o", "a.vtu")
+        self.assertIn(run.returncode, (BAD_INPUT, EMPTY), run.stdout)
+        self.assertRegex(run.stderr, "encloses nothing|do not agree which side is out")
 
     def test_same_bytes_for_threads_and_streams(self):
         surface = defects.with_holes(defects.apart(TORUS, 0.97), 200)

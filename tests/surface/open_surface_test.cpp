@@ -202,6 +202,18 @@ TEST(OpenSurface, AClosedOneIsAsAlways) {
     }
 }
 
+TEST(OpenSurface, RefusesWhatWindsAroundNothing) {
+  auto sheet = without(box({0, 0, 0}, {1, 1, 1}), [](const Point3& p) { return p[2] > 0; });
+  EXPECT_THROW(refuse_unclear(sheet), Error);
+  const auto cube = box({0, 0, 0}, {1, 1, 1});
+  EXPECT_NO_THROW(refuse_unclear(soup(cube, 0.99)));
+  EXPECT_NO_THROW(refuse_unclear(inside_out(soup(cube, 0.99))));
+  auto anyhow = soup(ball({0, 0, 0}, 1), 0.99);
+  for (std::size_t n = 0; n < anyhow.triangles.size(); n += 2)
+    std::swap(anyhow.triangles[n][0], anyhow.triangles[n][1]);
+  EXPECT_THROW(refuse_unclear(anyhow), Error);
+}
+
 /// A strip with one side: nothing says which way its triangles should face.
 TEST(OpenSurface, MoebiusStripIsRefused) {
   TriangleSurface strip{"strip", {}, {}};

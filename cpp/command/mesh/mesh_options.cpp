@@ -48,7 +48,12 @@ voxel spacing, and with --smooth; not with --crop.  At the smallest spacing, wit
 A surface need not be clean: equal corners that differ by rounding, triangles that are
 repeated, turned or without an area, T-junctions, and walls between two solids that are
 stored once are mended, with the least tolerance that closes the surface, and what was
-done is said.  An open surface is refused, unless --repair closes its holes.  Where the
+done is said.  An open surface is refused.  With --repair its solid is what it winds
+around by more than one half: the winding number is the generalised one, the share of the
+sphere around a point that the triangles cover, each with its sign.  So flat holes close
+flat, and triangles that are all apart are a solid as if there were no gaps.  Where the
+winding number does not tell inside from outside, as of a flat sheet or of triangles that
+face any way, the surface is refused all the same.  Where the
 solid behind a fiftieth of the surface is thin, the default size is a quarter of its
 thickness, as far as about 4 million tetrahedra or 32 million cells of the lattice.
 
@@ -130,7 +135,8 @@ void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("--grid", options.grid, "Grid of a .vdb file (default: its first level set)")
       ->option_text("NAME");
   mesh.add_flag("--repair", options.repair,
-                "Closes the holes of an open surface; without it, such a surface is refused");
+                "Closes the holes of an open surface by the generalised winding number; without "
+                "it, such a surface is refused");
   mesh.add_option("--expr", options.formula,
                   "The solid is where a formula in x, y, z is negative")
       ->option_text("FORMULA");

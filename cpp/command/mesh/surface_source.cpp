@@ -71,7 +71,8 @@ CheckedSurface open_surface(const std::filesystem::path& file, bool close_holes,
   result.notes = sentences_on(repairs);
   result.open = repairs.closed_holes.count != 0;
   const SurfaceDefects defects = inspect(result.surface, context);
-  if (!result.open) refuse_open(result.surface, defects, close_holes ? "" : remedy(defects));
+  if (result.open) refuse_unclear(result.surface);
+  else refuse_open(result.surface, defects, close_holes ? "" : remedy(defects));
   for (std::string& note : notes_on(result.surface, defects))
     result.notes.push_back(std::move(note));
   result.measures = measure(result.surface, context);

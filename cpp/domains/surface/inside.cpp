@@ -78,7 +78,7 @@ Inside::Inside(const TriangleSurface& surface, const std::vector<Coord3>& points
 
 Sign Inside::at_half(int crossings, Coord3 p, exact::Nudge nudge) const {
   if (!is_within({p, p}, around_)) return Sign::minus;
-  const double more = std::fabs(crossings + rims_.rest(p, nudge)) - 0.5;
+  const double more = std::fabs(winding(crossings, p, nudge)) - 0.5;
   return sign_of_bits(more > about, std::fabs(more) <= about);
 }
 
@@ -87,8 +87,7 @@ Extent Inside::over(const IntegerBox& box, Coord3 middle, int crossings) const {
     return at(crossings, middle, exact::Nudge::forward) == Sign::plus ? Extent::inside
                                                                       : Extent::outside;
   if (!box.meets(around_)) return Extent::outside;
-  const double more =
-      std::fabs(crossings + rims_.rest(middle, exact::Nudge::forward)) - 0.5;
+  const double more = std::fabs(winding(crossings, middle, exact::Nudge::forward)) - 0.5;
   const double room = std::fabs(more) - lost;
   if (room < 0 || rims_.variation(middle, half_diagonal(box), room) > room) return Extent::mixed;
   if (more < 0) return Extent::outside;

@@ -40,6 +40,11 @@ class Inside {
     return at_half(crossings, p, nudge);
   }
 
+  /// The winding number around a moved point; NaN on a rim.
+  [[nodiscard]] double winding(int crossings, Coord3 p, exact::Nudge nudge) const {
+    return crossings + rims_.rest(p, nudge);
+  }
+
   /// What is known of a box, in steps, that the surface does not meet, with the
   /// crossings ahead of its middle.
   [[nodiscard]] Extent over(const IntegerBox& box, Coord3 middle, int crossings) const;

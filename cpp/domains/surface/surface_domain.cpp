@@ -98,25 +98,13 @@ class SurfaceDomain final : public PlacedDomain {
 
   [[nodiscard]] Extent extent(const LatticeBox& box) const override {
     if (blocks_.any(box)) return Extent::mixed;
+    constexpr std::int32_t halves = steps / 2;
     const Coord3 middle = halves * (box.low + box.high);
     return inside_.over({steps * box.low, steps * box.high}, middle,
-                        crossings(middle, Nudge::forward));
+                        columns_.crossings(middle, Nudge::forward));
   }
 
  private:
-  static constexpr std::int32_t halves = steps / 2;
-
-  /// Of the ray along x from a moved point.
-  [[nodiscard]] int crossings(Coord3 p, Nudge nudge) const {
-    int sum = 0;
-    columns_.for_each_ahead(p, [&](const exact::Corners& t) {
-      const int direction = exact::passing(t, p, nudge);
-      if (direction != 0 && exact::ahead(t, exact::normal(t), direction, p, nudge))
-        sum += direction;
-    });
-    return sum;
-  }
-
   [[nodiscard]] Sign sign(Coord3 p) const {
     int sum = 0;
     bool touched = false;
@@ -134,7 +122,7 @@ class SurfaceDomain final : public PlacedDomain {
     const Sign forward = inside_.at(sum, p, Nudge::forward);
     if (!touched) return forward;
     const auto inside_backward = [&] {
-      return inside_.at(crossings(p, Nudge::backward), p, Nudge::backward) == Sign::plus;
+      return inside_.at(columns_.crossings(p, Nudge::backward), p, Nudge::backward) == Sign::plus;
     };
     return forward == Sign::plus && inside_backward() ? Sign::plus : Sign::on_surface;
   }

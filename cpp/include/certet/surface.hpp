@@ -141,7 +141,12 @@ std::vector<std::string> sentences_on(const SurfaceRepairs& repairs);
 void refuse_open(const TriangleSurface& surface, const SurfaceDefects& defects,
                  const std::string& remedy);
 
-/// What the solid inside of a closed surface measures.
+/// Of an open surface, by the winding numbers on both sides of some thousand triangles:
+/// \throws Error `empty_domain` where they are about one half, as beside a flat sheet, and
+/// `bad_input` where the solid would be behind many triangles and in front of many others.
+void refuse_unclear(const TriangleSurface& surface);
+
+/// What the solid inside of a surface measures.
 struct SurfaceMeasures {
   /// World units cubed: by the divergence theorem, to rounding, but where the surface
   /// winds around something more than once (solids overlap), or its triangles do not
@@ -211,7 +216,8 @@ std::unique_ptr<PlacedDomain> surface_domain(const TriangleSurface& surface,
 /// every machine.  What is one half to a billionth is on the surface.  Where many edges
 /// are far away, their sum is near: wrong by less than 0.01.
 ///
-/// A closed surface has the same solid as by `surface_domain`.
+/// A closed surface has the same solid as by `surface_domain`; of another, `refuse_unclear`
+/// tells whether the answer makes sense.
 /// \throws Error as `surface_domain`, but where the surface is open only if a piece of it
 /// has a single side, like a Moebius strip.
 std::unique_ptr<PlacedDomain> open_surface_domain(const TriangleSurface& surface,

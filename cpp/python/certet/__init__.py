@@ -342,12 +342,14 @@ def mesh_surface(
     triangles : shape (m, 3), numbers of points, anticlockwise seen from outside
     size : the long edge of the lattice (default: a 64th of the longest side, or less where the
         solid is thin, as far as some 4 million tetrahedra)
-    repair : close the holes of an open surface
+    repair : of an open surface, mesh what it winds around by more than one half (the
+        generalised winding number); `Mesh.notes` says how many holes that closed
     margin, method, cuts, guarantee, threads : as `mesh_image` has them
 
     Raises
     ------
-    ValueError : also for an open surface, unless it is to be repaired
+    ValueError : also for an open surface, unless it is to be repaired, or where the winding
+        number does not tell inside from outside
     MemoryError : as `mesh_image`
     """
     return Mesh(_certet.mesh_surface(np.asarray(points, float), np.asarray(triangles, np.int64),
