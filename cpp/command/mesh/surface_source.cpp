@@ -71,7 +71,7 @@ CheckedSurface open_surface(const std::filesystem::path& file, bool close_holes,
   result.notes = sentences_on(repairs);
   result.open = repairs.closed_holes.count != 0;
   const SurfaceDefects defects = inspect(result.surface, context);
-  if (result.open) refuse_unclear(result.surface);
+  if (result.open) refuse_unclear(result.surface, context);
   else refuse_open(result.surface, defects, close_holes ? "" : remedy(defects));
   for (std::string& note : notes_on(result.surface, defects))
     result.notes.push_back(std::move(note));

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "certet/error.hpp"
+#include "facing.hpp"
 #include "inside.hpp"
 #include "rounding.hpp"
 #include "triangle_columns.hpp"
@@ -64,9 +65,9 @@ Sums sums_over(const TriangleSurface& surface) {
 
 }  // namespace
 
-void refuse_unclear(const TriangleSurface& surface) {
+void refuse_unclear(const TriangleSurface& surface, const Context& context) {
   if (open_rule(surface) != Rule::half) return;
-  constexpr double flat = 0.03, minority = 0.1;
+  constexpr double flat = 0.03, minority = 0.1, stray = 0.02;
   const Sums sums = sums_over(surface);
   if (!(sums.area > 0)) return;
   char text[160];
@@ -77,13 +78,20 @@ void refuse_unclear(const TriangleSurface& surface) {
                 "'" + surface.name + "' is open and encloses nothing: the winding number beside "
                     "its triangles is " + text);
   }
+  const std::string disagree =
+      "'" + surface.name + "' is open, and its triangles do not agree which side is out: ";
   const double behind = sums.behind / sums.area;
-  if (std::min(behind, 1 - behind) < minority) return;
-  std::snprintf(text, sizeof text, "behind %.0f %% of their area and in front of the rest",
-                100 * behind);
-  throw Error(ErrorCode::bad_input,
-              "'" + surface.name + "' is open, and its triangles do not agree which side is out: "
-                  "by the winding number the solid is " + text);
+  if (std::min(behind, 1 - behind) > minority) {
+    std::snprintf(text, sizeof text,
+                  "by the winding number the solid is behind %.0f %% of their area and in front "
+                  "of the rest", 100 * behind);
+    throw Error(ErrorCode::bad_input, disagree + text);
+  }
+  const double against = facing_against(surface, context);
+  if (against < stray) return;
+  std::snprintf(text, sizeof text, "%.0f %% of their area face other ways than what is around them",
+                100 * against);
+  throw Error(ErrorCode::bad_input, disagree + text);
 }
 
 }  // namespace certet

@@ -144,7 +144,7 @@ void refuse_open(const TriangleSurface& surface, const SurfaceDefects& defects,
 /// Of an open surface, by the winding numbers on both sides of some thousand triangles:
 /// \throws Error `empty_domain` where they are about one half, as beside a flat sheet, and
 /// `bad_input` where the solid would be behind many triangles and in front of many others.
-void refuse_unclear(const TriangleSurface& surface);
+void refuse_unclear(const TriangleSurface& surface, const Context& context = {});
 
 /// What the solid inside of a surface measures.
 struct SurfaceMeasures {
