@@ -113,6 +113,12 @@ class Field {
   Inside inside_;
 };
 
+double area_of(const TriangleSurface& surface, std::uint32_t triangle) {
+  const auto& [a, b, c] = surface.triangles[triangle];
+  const Point3 twice = area_vector(surface.points[a], surface.points[b], surface.points[c]);
+  return std::sqrt(dot(twice, twice)) / 2;
+}
+
 /// Far more than what is lost where rims are far.
 bool is_against(const Field::Fall& fall) { return fall.sum < -0.02 * fall.area; }
 
@@ -143,21 +149,25 @@ std::uint64_t face_as_others(TriangleSurface& surface, const SurfacePatches& pat
   return count;
 }
 
-double facing_against(const TriangleSurface& surface, const Context& context) {
+Facing facing_of(const TriangleSurface& surface, const Context& context) {
   constexpr std::size_t most_pieces = 4096;
   TriangleSurface as_it_is = surface;
   std::uint64_t turned = 0;
   const auto pieces = small_pieces(agreed_patches(as_it_is, turned));
-  if (pieces.size() < 2) return 0;
+  if (pieces.size() < 2) return {};
   const Field field(surface);
-  double area = 0, against = 0;
+  double area = 0, against = 0, of_pieces = 0;
   for (std::size_t n = 0; n < pieces.size(); n += 1 + pieces.size() / most_pieces) {
     stop_if_cancelled(context);
     const Field::Fall fall = field.fall(pieces[n]);
     area += fall.area;
     if (is_against(fall)) against += fall.area;
   }
-  return area > 0 ? against / area : 0;
+  for (const auto& piece : pieces)
+    for (const std::uint32_t t : piece) of_pieces += area_of(surface, t);
+  double all = 0;
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) all += area_of(surface, t);
+  return {all > 0 ? of_pieces / all : 0, area > 0 ? against / area : 0};
 }
 
 }  // namespace certet

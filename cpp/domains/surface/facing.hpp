@@ -15,7 +15,11 @@ namespace certet {
 std::uint64_t face_as_others(TriangleSurface& surface, const SurfacePatches& patches,
                              const Context& context);
 
-/// Which part of the area of such pieces faces the other way; 0 if there are none.
-double facing_against(const TriangleSurface& surface, const Context& context);
+/// Such pieces after that.
+struct Facing {
+  double area = 0;     ///< of them, as a part of the surface's
+  double against = 0;  ///< the part of theirs that faces the other way
+};
+Facing facing_of(const TriangleSurface& surface, const Context& context);
 
 }  // namespace certet

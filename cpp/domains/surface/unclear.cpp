@@ -67,7 +67,7 @@ Sums sums_over(const TriangleSurface& surface) {
 
 void refuse_unclear(const TriangleSurface& surface, const Context& context) {
   if (open_rule(surface) != Rule::half) return;
-  constexpr double flat = 0.03, minority = 0.1, stray = 0.02;
+  constexpr double flat = 0.03, minority = 0.1, stray = 0.02, weak = 0.2;
   const Sums sums = sums_over(surface);
   if (!(sums.area > 0)) return;
   char text[160];
@@ -87,10 +87,17 @@ void refuse_unclear(const TriangleSurface& surface, const Context& context) {
                   "of the rest", 100 * behind);
     throw Error(ErrorCode::bad_input, disagree + text);
   }
-  const double against = facing_against(surface, context);
-  if (against < stray) return;
-  std::snprintf(text, sizeof text, "%.0f %% of their area face other ways than what is around them",
-                100 * against);
+  const Facing pieces = facing_of(surface, context);
+  if (pieces.against >= stray) {
+    std::snprintf(text, sizeof text,
+                  "%.0f %% of their area face other ways than what is around them",
+                  100 * pieces.against);
+    throw Error(ErrorCode::bad_input, disagree + text);
+  }
+  if (pieces.area < 0.5 || sums.beside >= weak * sums.area) return;
+  std::snprintf(text, sizeof text,
+                "most touch no others, and the winding number beside them is %.3f on average",
+                0.5 + sums.beside / sums.area);
   throw Error(ErrorCode::bad_input, disagree + text);
 }
 
