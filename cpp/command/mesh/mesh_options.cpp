@@ -51,7 +51,8 @@ stored once are mended, with the least tolerance that closes the surface, and wh
 done is said.  An open surface is refused.  With --repair its solid is what it winds
 around by more than one half: the winding number is the generalised one, the share of the
 sphere around a point that the triangles cover, each with its sign.  So flat holes close
-flat, and triangles that are all apart are a solid as if there were no gaps.  Where the
+flat, and triangles that are all apart are a solid as if there were no gaps; those that
+face another way than the ones around them are turned.  Where the
 winding number does not tell inside from outside, as of a flat sheet or of triangles that
 face any way, the surface is refused all the same.  Where the
 solid behind a fiftieth of the surface is thin, the default size is a quarter of its

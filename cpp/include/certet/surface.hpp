@@ -124,7 +124,8 @@ struct RepairChoice {
 /// both of its sides are inside.
 ///
 /// With `close_holes` the pieces of an open surface are turned as those of a closed one,
-/// a sheet around which no hole is is dropped, and the holes are counted; they stay, and
+/// those of few triangles that touch no other as the winding number of the others wants, a
+/// sheet around which no hole is is dropped, and the holes are counted; they stay, and
 /// `open_surface_domain` tells what is inside.
 ///
 /// What is not closed after this stays open: `inspect` tells.
