@@ -1,6 +1,7 @@
 #include "volume_blocks.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <cstddef>
 
 #include "certet/error.hpp"
 
@@ -43,7 +44,13 @@ void VolumeBlocks::fill(const openvdb::CoordBBox& voxels, Extent extent) {
   openvdb::CoordBBox part = blocks_of(voxels);
   part.intersect(blocks_);
   if (part.empty()) return;
-  for (auto at = part.begin(); at; ++at) extents_[block(*at)] = static_cast<std::uint8_t>(extent);
+  const auto count = static_cast<std::size_t>(part.extents()[0]);
+  for (int z = part.min()[2]; z <= part.max()[2]; ++z)
+    for (int y = part.min()[1]; y <= part.max()[1]; ++y) {
+      const std::size_t row = block({part.min()[0], y, z});
+      std::fill_n(extents_.begin() + static_cast<std::ptrdiff_t>(row), count,
+                  static_cast<std::uint8_t>(extent));
+    }
 }
 
 openvdb::CoordBBox VolumeBlocks::blocks_of(const openvdb::CoordBBox& voxels) const {
