@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 #include "certet/error.hpp"
 
@@ -30,12 +31,13 @@ VolumeBlocks::VolumeBlocks(const openvdb::FloatGrid& grid, double level, double 
   const openvdb::Coord count = blocks_.extents();
   if (double(count[0]) * count[1] * count[2] > double(most_blocks))
     throw Error(ErrorCode::too_large, "the volume spans too many voxels");
-  // Most blocks of a sparse volume are nowhere in its tree.
-  extents_.assign(static_cast<std::size_t>(blocks_.volume()),
-                  static_cast<std::uint8_t>(extent_of(grid.background(), level, sign)));
+  // Most blocks of a sparse volume are nowhere in its tree, and most tiles as what is there.
+  const Extent elsewhere = extent_of(grid.background(), level, sign);
+  extents_.assign(static_cast<std::size_t>(blocks_.volume()), static_cast<std::uint8_t>(elsewhere));
   auto tile = grid.tree().cbeginValueAll();
   for (tile.setMaxDepth(decltype(tile)::LEAF_DEPTH - 1); tile; ++tile)
-    fill(tile.getBoundingBox(), extent_of(tile.getValue(), level, sign));
+    if (const Extent extent = extent_of(tile.getValue(), level, sign); extent != elsewhere)
+      fill(tile.getBoundingBox(), extent);
   for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf)
     fill(leaf->getNodeBoundingBox(), extent_of(*leaf, level, sign));
 }
@@ -45,12 +47,12 @@ void VolumeBlocks::fill(const openvdb::CoordBBox& voxels, Extent extent) {
   part.intersect(blocks_);
   if (part.empty()) return;
   const auto count = static_cast<std::size_t>(part.extents()[0]);
-  for (int z = part.min()[2]; z <= part.max()[2]; ++z)
-    for (int y = part.min()[1]; y <= part.max()[1]; ++y) {
-      const std::size_t row = block({part.min()[0], y, z});
-      std::fill_n(extents_.begin() + static_cast<std::ptrdiff_t>(row), count,
-                  static_cast<std::uint8_t>(extent));
-    }
+  const auto whole = static_cast<std::size_t>(blocks_.extents()[0]);
+  for (int z = part.min()[2]; z <= part.max()[2]; ++z) {
+    std::size_t row = block({part.min()[0], part.min()[1], z});
+    for (int y = part.min()[1]; y <= part.max()[1]; ++y, row += whole)
+      std::fill_n(extents_.data() + row, count, static_cast<std::uint8_t>(extent));
+  }
 }
 
 openvdb::CoordBBox VolumeBlocks::blocks_of(const openvdb::CoordBBox& voxels) const {
