@@ -26,12 +26,13 @@
 #   make mutation         single defects seeded into the core, and how many the tests catch
 #   make soak             10,000 random domains, meshed and verified
 #   make fuzz             libFuzzer against every reader and the core, FUZZ_SECONDS (60) each
+#   make fuzz-memory      what it learnt, again under valgrind: memory that nobody wrote
 
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
 .PHONY: demo test proofs audit audit-selftest check-extracted conformance build bench certified-tables \
   deps build-deps demo-deps proof-deps test-deps bench-deps configured everything clean \
-  install package repeatability checksums tidy sanitize leaks tsan valgrind mutation soak fuzz
+  install package repeatability checksums tidy sanitize leaks tsan valgrind mutation soak fuzz fuzz-memory
 .NOTPARALLEL:
 
 JOBS ?= $(shell nproc)
@@ -191,7 +192,13 @@ FUZZ_SEED ?=
 fuzz: deps
 	cmake --preset fuzz
 	cmake --build --preset fuzz -j $(JOBS)
-	tests/fuzz/run build-fuzz $(FUZZ_SECONDS) $(FUZZ_SEED)
+	PYTHON=$(PYTHON) tests/fuzz/run build-fuzz $(FUZZ_SECONDS) $(FUZZ_SEED)
+
+# By the readers of make test, for valgrind and the sanitizers do not go together.
+fuzz-memory: test-deps
+	$(CONFIGURE) -DCERTET_TESTS=ON
+	cmake --build $(BUILD) -j $(JOBS) --target certet_fuzz_regression
+	tests/fuzz/replay $(BUILD) build-fuzz
 
 clean:
 	$(MAKE) -C coq clean
