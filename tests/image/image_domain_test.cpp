@@ -178,6 +178,59 @@ TEST(LabelDomain, EveryVoxelHoldsOneEvenAndOneOddPoint) {
   }
 }
 
+/// The voxels of the lattice points along the first axis, even and odd ones by turns; 0
+/// beyond the image.
+std::vector<Material> voxels_along(std::int64_t count, double spacing, double size) {
+  Image image;
+  image.name = "a row of voxels";
+  image.size = {count, 1, 1};
+  image.spacing = {spacing, 2 * spacing, 2 * spacing};
+  Buffer<std::int32_t> voxels(static_cast<std::size_t>(count));
+  for (std::size_t n = 0; n < voxels.size(); ++n) voxels[n] = static_cast<std::int32_t>(n) + 1;
+  image.voxels = std::move(voxels);
+  const auto domain = label_domain(std::move(image), {}, {.size = size});
+  EXPECT_TRUE(domain->even_points_tell_pieces());
+  const Lattice& lattice = domain->lattice();
+  std::vector<Material> line, row(static_cast<std::size_t>(lattice.cells[0]));
+  for (std::int32_t y = 0; y < 2 * lattice.cells[1] && line.empty(); y += 2)
+    for (std::int32_t z = 0; z < 2 * lattice.cells[2] && line.empty(); z += 2) {
+      const Coord3 even = lattice.origin + Coord3{0, y, z};
+      domain->row_materials(even, row);
+      if (std::ranges::count(row, 0) == std::ssize(row)) continue;
+      line.resize(2 * row.size());
+      for (std::size_t i = 0; i < row.size(); ++i) line[2 * i] = row[i];
+      domain->row_materials(even + Coord3{1, 1, 1}, row);
+      if (std::ranges::count(row, 0) == std::ssize(row))
+        domain->row_materials(even + Coord3{1, -1, -1}, row);
+      for (std::size_t i = 0; i < row.size(); ++i) line[2 * i + 1] = row[i];
+    }
+  return line;
+}
+
+/// What the proof of VoxelPiecesKept needs of the voxels that lattice points lie in, along
+/// each axis: they rise; no even point skips one, so that none is without; and a point has
+/// a neighbour half an edge away in its own.  In floating point, for spacings that are the
+/// size, or more than it by as little as can be.
+TEST(LabelDomain, NoVoxelIsSkipped) {
+  for (const double size : {1.0, 0.1, 1.0 / 3, 0.9765625, 1e-5, 71234.5})
+    for (const double more : {0.0, 1e-16, 4e-16, 1e-14, 1e-12, 1e-9, 1e-6, 0.001, 0.1, 0.25, 0.5, 1.7}) {
+      const std::int64_t count = 5000;
+      const auto line = voxels_along(count, size * (1 + more), size);
+      const auto first = std::ranges::find(line, 1);
+      const auto last = std::ranges::find(line.rbegin(), line.rend(), count).base();
+      ASSERT_LT(first, last) << size << ' ' << more;
+      std::set<Material> even;
+      for (auto at = first; at != last; ++at) {
+        if (at + 1 != last) {
+          ASSERT_LE(at[0], at[1]) << size << ' ' << more;
+        }
+        ASSERT_TRUE((at != line.begin() && at[-1] == at[0]) || at[1] == at[0]) << size << ' ' << more;
+        if ((at - line.begin()) % 2 == 0) even.insert(*at);
+      }
+      ASSERT_EQ(std::ssize(even), count) << size << ' ' << more;
+    }
+}
+
 TEST(LevelDomain, RowsAreTrilinear) {
   for (const Case& c : cases()) {
     const Image image = blobs<float>(c.axes, c.spacing);

@@ -92,6 +92,12 @@ class LabelDomain final : public PlacedDomain {
     return found == Extent::inside && !reach->whole ? Extent::mixed : found;
   }
 
+  /// Where no voxel is narrower than a long edge, even points are joined by edges exactly
+  /// as voxels are by faces: `VoxelPiecesKept` of the certificate.
+  [[nodiscard]] bool even_points_tell_pieces() const override {
+    return placement_.frame.size <= *std::ranges::min_element(image_->spacing);
+  }
+
   [[nodiscard]] std::span<const BorderBox> border() const override { return placement_.border; }
   [[nodiscard]] LabelNames names() const override { return image_->names; }
 
