@@ -231,6 +231,57 @@ TEST(LabelDomain, NoVoxelIsSkipped) {
     }
 }
 
+/// The cube of voxels in the middle of an image.
+Image cube_of_voxels(std::int64_t side) {
+  Image image;
+  image.name = "a cube";
+  const std::int64_t n = side + 2;
+  image.size = {n, n, n};
+  Buffer<std::uint8_t> voxels(static_cast<std::size_t>(n * n * n));
+  std::size_t at = 0;
+  for (std::int64_t k = 0; k < n; ++k)
+    for (std::int64_t j = 0; j < n; ++j)
+      for (std::int64_t i = 0; i < n; ++i)
+        voxels[at++] = std::min({i, j, k}) > 0 && std::max({i, j, k}) < n - 1 ? 1 : 0;
+  image.voxels = std::move(voxels);
+  return image;
+}
+
+double volume(const Mesh& mesh) {
+  double sum = 0;
+  const auto points = world_points(mesh);
+  for (const auto& [a, b, c, d] : std::get<0>(mesh.tets)) {
+    const auto edge = [&](std::uint32_t to, std::size_t axis) { return points[to][axis] - points[a][axis]; };
+    for (std::size_t x = 0; x < 3; ++x) {
+      const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
+      sum += edge(b, x) * (edge(c, y) * edge(d, z) - edge(c, z) * edge(d, y)) / 6;
+    }
+  }
+  return sum;
+}
+
+/// Its walls are flat but for a cell at its edges, and its volume is its own but for these;
+/// with walls halfway as flat, and more is lost.
+TEST(LabelDomain, AFlatWallIsMeshedFlat) {
+  for (const bool halfway : {false, true}) {
+    const auto domain = label_domain(cube_of_voxels(10), {}, {.walls_halfway = halfway});
+    const Mesh made = mesh(*domain);
+    EXPECT_GT(volume(made), halfway ? 977 : 998);
+    EXPECT_LT(volume(made), 1000);
+    std::size_t on_walls = 0;
+    for (const Point3& p : world_points(made)) {
+      std::array<double, 3> out;  // beyond the nearest wall
+      for (std::size_t a = 0; a < 3; ++a) out[a] = std::max(0.5 - p[a], p[a] - 10.5);
+      std::ranges::sort(out);
+      EXPECT_LT(out[2], 1e-4);
+      if (out[2] < -0.25 || out[1] > -1) continue;
+      EXPECT_GT(out[2], -1e-4);
+      ++on_walls;
+    }
+    EXPECT_GT(on_walls, 300U);
+  }
+}
+
 TEST(LevelDomain, RowsAreTrilinear) {
   for (const Case& c : cases()) {
     const Image image = blobs<float>(c.axes, c.spacing);

@@ -369,7 +369,8 @@ std::unique_ptr<PlacedDomain> label_domain(std::shared_ptr<const Image> image,
             throw Error(ErrorCode::empty_domain,
                         "no voxel of '" + scan.name + "' has " +
                             (all ? "a label other than 0" : "one of the chosen labels"));
-          const Placement placement = place(scan, mask.bounds(), lattice);
+          const Placement placement = place(
+              scan, mask.bounds(), lattice, lattice.walls_halfway ? 0.25 : 0.4375);
           return std::make_unique<LabelDomain<T>>(image, std::move(mask),
                                                   MaterialTable(found.finish()), placement);
         }
