@@ -1150,8 +1150,9 @@ Proof. exact TwoSidesFillProof.OtherSidePlaced. Qed.
 (** ** Beyond the paper: the pieces of a label image
 
     Read [Topology/VoxelSpec.v]: which voxel a lattice point lies in, and how it is
-    sampled.  The library takes every point in the image as inside, odd ones too:
-    of such samples this is not proved. *)
+    sampled.  [VoxelSigns] is extracted, and by default the library takes the same
+    samples.  Where all points in the image are inside, odd ones too, as with the
+    other methods, this is not proved. *)
 
 (** If no voxel is narrower than the lattice's long edge, wherever the lattice lies,
     the pieces of the samples by edges are the pieces of the image by faces, *)

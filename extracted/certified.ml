@@ -1305,6 +1305,32 @@ let nextInLink d e =
   existsb (fun f ->
     coord3Equal (offset f) (difference (offset d) (offset e))) allDirections
 
+(** val flood :
+    nat -> (direction -> bool) -> direction list -> direction list **)
+
+let rec flood steps0 part reached =
+  match steps0 with
+  | O -> reached
+  | S fewer ->
+    flood fewer part
+      (filter (fun d ->
+        (&&) (part d)
+          (existsb (fun e -> (||) (sameDirection e d) (nextInLink e d))
+            reached)) allDirections)
+
+(** val onePiece : (direction -> bool) -> bool **)
+
+let onePiece part =
+  match filter part allDirections with
+  | [] -> false
+  | first :: _ ->
+    let reached =
+      flood (S (S (S (S (S (S (S (S (S (S (S (S (S O))))))))))))) part
+        (first :: [])
+    in
+    forallb (fun d ->
+      (||) (negb (part d)) (existsb (sameDirection d) reached)) allDirections
+
 (** val isInner : (direction -> sign) -> direction -> bool **)
 
 let isInner now d =
@@ -1663,3 +1689,44 @@ let settledTets th sign0 cut zeros0 tid =
 let settledMesh th sign0 cut gap0 vs tids =
   let zeros0 = settle th sign0 cut gap0 vs in
   flat_map (settledTets th sign0 cut zeros0) tids
+
+type voxelGrid =
+| Grid of z * coord3 * coord3
+
+(** val owner : voxelGrid -> coord3 -> coord3 **)
+
+let owner grid v =
+  let Grid (half, c, c0) = grid in
+  let C3 (sx, sy, sz) = c in
+  let C3 (ox, oy, oz) = c0 in
+  let C3 (x, y, z0) = v in
+  C3 ((Z.div (Z.add ox (Z.mul half x)) sx),
+  (Z.div (Z.add oy (Z.mul half y)) sy), (Z.div (Z.add oz (Z.mul half z0)) sz))
+
+(** val inImage : voxelGrid -> (coord3 -> bool) -> coord3 -> bool **)
+
+let inImage grid image v =
+  image (owner grid v)
+
+(** val cubeInner :
+    voxelGrid -> (coord3 -> bool) -> coord3 -> direction -> bool **)
+
+let cubeInner grid image v d =
+  match directionKind d with
+  | Long -> false
+  | Short -> inImage grid image (translate v (offset d))
+
+(** val cubeParted : voxelGrid -> (coord3 -> bool) -> coord3 -> bool **)
+
+let cubeParted grid image v =
+  (&&) (existsb (cubeInner grid image v) allDirections)
+    (negb (onePiece (cubeInner grid image v)))
+
+(** val voxelSigns : voxelGrid -> (coord3 -> bool) -> signField **)
+
+let voxelSigns grid image v = match v with
+| C3 (x, _, _) ->
+  if (&&) (inImage grid image v)
+       ((||) (Z.even x) (negb (cubeParted grid image v)))
+  then Plus
+  else Minus

@@ -330,6 +330,10 @@ val sameDirection : direction -> direction -> bool
 
 val nextInLink : direction -> direction -> bool
 
+val flood : nat -> (direction -> bool) -> direction list -> direction list
+
+val onePiece : (direction -> bool) -> bool
+
 val isInner : (direction -> sign) -> direction -> bool
 
 val isZero : (direction -> sign) -> direction -> bool
@@ -434,3 +438,16 @@ val settledTets :
 val settledMesh :
   thresholds -> signField -> cutField -> gap -> coord3 list ->
   structuredTetId list -> coord3 unstructuredTet list
+
+type voxelGrid =
+| Grid of z * coord3 * coord3
+
+val owner : voxelGrid -> coord3 -> coord3
+
+val inImage : voxelGrid -> (coord3 -> bool) -> coord3 -> bool
+
+val cubeInner : voxelGrid -> (coord3 -> bool) -> coord3 -> direction -> bool
+
+val cubeParted : voxelGrid -> (coord3 -> bool) -> coord3 -> bool
+
+val voxelSigns : voxelGrid -> (coord3 -> bool) -> signField

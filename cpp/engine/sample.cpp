@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "parallel.hpp"
+#include "part_cubes.hpp"
 
 namespace certet::core {
 namespace {
@@ -119,10 +120,8 @@ class BlockRowSampler {
   std::vector<Sign> signs_;
 };
 
-}  // namespace
-
-SignPlanes sample(const Domain& domain, const Lattice& lattice, Window window, Cuts cuts,
-                  Context& context) {
+SignPlanes sample_all(const Domain& domain, const Lattice& lattice, Window window, Cuts cuts,
+                      Context& context) {
   SignPlanes planes(lattice.cells, window);
   const int blocks_j = blocks_in(lattice.cells[1]);
   const int first_k = window.begin / block;
@@ -132,6 +131,19 @@ SignPlanes sample(const Domain& domain, const Lattice& lattice, Window window, C
         .sample(static_cast<int>(task % blocks_j), first_k + static_cast<int>(task / blocks_j));
   });
   return planes;
+}
+
+}  // namespace
+
+SignPlanes sample(const Domain& domain, const Lattice& lattice, Window window,
+                  const MethodFacts& method, Context& context) {
+  if (!method.settles || !domain.even_points_tell_pieces())
+    return sample_all(domain, lattice, window, method.cuts, context);
+  const Window wider = widened(window, 0, 1, lattice);
+  SignPlanes planes = sample_all(domain, lattice, wider, method.cuts, context);
+  part_cubes(planes, window, context);
+  if (wider.end == window.end) return planes;
+  return {planes, window};
 }
 
 }  // namespace certet::core

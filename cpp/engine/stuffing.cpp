@@ -109,7 +109,7 @@ Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, Method method,
     std::uint64_t inverted = 0;
     const Cuts where = facts(method).cuts;
     const Window all = whole(lattice);
-    SignPlanes planes = sample(domain, lattice, all, where, context);
+    SignPlanes planes = sample(domain, lattice, all, facts(method), context);
     Layers<CutLayer> cuts = find_cuts(planes, domain, lattice, all, where, context);
     WarpedLattice warped =
         where == Cuts::midpoint  ? unwarped(std::move(planes), std::move(cuts), all)

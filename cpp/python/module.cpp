@@ -67,7 +67,7 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
   for (const auto& [first, last] : labels) ranges.push_back({first, last});
   return mesh_of(
       [&] {
-        const ImageLattice lattice{size, margin};
+        const ImageLattice lattice{size, margin, !facts(options.method).settles};
         return Shape{iso ? level_domain(std::move(image), *iso, lattice)
                          : label_domain(std::move(image), ranges, lattice)};
       },

@@ -23,6 +23,7 @@ PROGRAMS = {
     "warp": ("tests/differential/warp_test.cpp", "bridge"),
     "mesh": ("tests/differential/mesh_test.cpp", "bridge core"),
     "bisect": ("tests/differential/bisect_test.cpp", "bridge core"),
+    "cubes": ("tests/differential/cube_test.cpp", "bridge core"),
     "engine": ("tests/unit/engine_test.cpp", "core"),
     "faces": ("tests/property/face_test.cpp", ""),
     "soundness": ("tests/property/mesh_test.cpp", "core"),
@@ -42,10 +43,10 @@ FIRST = {
     "cuts.cpp": ["mesh", "bisect"], "domain.cpp": ["bisect", "mesh"], "parallel.hpp": ["engine"], "stuffing.cpp": ["engine", "mesh"],
     "stuffing.hpp": ["engine"], "lattice_around.cpp": ["bounds"],
     "lattice_limits.cpp": ["limits"], "inverted_tets.cpp": ["mesh", "conformance"],
-    "link.hpp": ["link"], "settle.cpp": ["settling"],
+    "link.hpp": ["link"], "settle.cpp": ["settling"], "part_cubes.cpp": ["cubes"],
 }
 OTHERWISE = ["mesh", "engine", "bisect", "soundness", "numbers", "constants", "lattice", "stencil", "warp", "faces",
-             "bounds", "limits", "settling", "link", "conformance"]
+             "bounds", "limits", "settling", "link", "cubes", "conformance"]
 
 
 def programs_for(file):

@@ -41,6 +41,7 @@ EQUIVALENT = [
     (r"cuts\.cpp$", r"batch|reserve", "how many edges are bisected in lockstep"),
     (r"violations\.hpp$", r"direction = 0", "whoever writes a distance writes the direction"),
     (r"warped_lattice\.cpp$", r"if \(zero == 0\) return", "a shortcut around words without zeros"),
+    (r"part_cubes\.cpp$", r"if \(inner != 0\)|edges < 4", "a shortcut around words without odd points inside; more rounds than are needed"),
     (r"settle\.cpp$", r"reserve|relaxed", "room, or the order of what threads see"),
     (r"emit_points\.cpp$", r"w < planes\.words", "the word after a row's last is empty"),
     (r"sign_planes\.hpp$", r"stride_\(|bytes|resize|\(cells", "room around the planes, or what it takes"),

@@ -104,7 +104,7 @@ Source from_voxels(const std::shared_ptr<const Image>& image, const MeshOptions&
   std::optional<double> volume;
   if (!options.iso && !options.crop) volume = chosen_volume(*image, options.labels);
   const auto place = [image, options, volume](double size) {
-    const ImageLattice lattice{size, options.margin};
+    const ImageLattice lattice{size, options.margin, !facts(options.method).settles};
     PlacedSource source = placed_image(options.iso ? level_domain(image, *options.iso, lattice)
                                                    : label_domain(image, options.labels, lattice),
                                        options);
