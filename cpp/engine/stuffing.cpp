@@ -10,6 +10,7 @@
 #include "count.hpp"
 #include "cuts.hpp"
 #include "emit.hpp"
+#include "piece_count.hpp"
 #include "sample.hpp"
 #include "settle.hpp"
 #include "warped_lattice.hpp"
@@ -183,6 +184,12 @@ void Stuffing::materials_of(std::span<const TetCorners> tets, std::span<Material
     std::ranges::fill(out, 1);
   else
     state_->domain.materials_of(tets, out);
+}
+
+Pieces Stuffing::pieces(const Frame& frame, Context& context) const {
+  return within_memory([&] {
+    return count_pieces(state_->warped, state_->lattice, tet_count(), frame, context);
+  });
 }
 
 bool Stuffing::has_border() const { return !state_->domain.border().empty(); }

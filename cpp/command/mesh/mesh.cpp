@@ -249,6 +249,12 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
   report.count_seconds = progress.seconds(Stage::count);
 }
 
+void count_pieces(const Counted& counted, Context& context, MeshReport& report) {
+  const Stopwatch clock;
+  report.pieces = counted.stuffing.pieces(counted.source.frame, context);
+  report.pieces_seconds = clock.seconds();
+}
+
 void describe(RegionWatch& watch, MeshReport& report) {
   report.regions = watch.regions(report.tets);
   report.counted_pieces = watch.counted_pieces();
@@ -277,6 +283,7 @@ MeshReport run(const MeshOptions& options, Context& context) {
   describe(options, counted, progress, report);
   if (report.tets == 0)
     refuse_empty(options, source, report.size, report.memory_limit, context);
+  count_pieces(counted, context, report);
   const MeshSize size = announce(options, names, counted, context);
   report.output_bytes = file_bytes(options.format, size);
   const Slabs slabs = plan(counted, size, report);

@@ -2,6 +2,7 @@
 
 #include "json.hpp"
 #include "mesh_report.hpp"
+#include "pieces.hpp"
 
 namespace certet::command {
 namespace {
@@ -43,7 +44,8 @@ Json seconds(const MeshReport& report) {
             {"sample", report.sample_seconds},
             {"cut", report.cut_seconds},
             {"warp", report.warp_seconds},
-            {"count", report.count_seconds}};
+            {"count", report.count_seconds},
+            {"pieces", report.pieces_seconds}};
   if (!report.dry_run) {
     json["emit"] = report.written.emit_seconds;
     json["measure"] = report.written.measure_seconds;
@@ -111,6 +113,7 @@ std::string json(const MeshReport& report) {
                         {"rounding", written.rounding},
                         {"histogram", written.lattice.histogram}};
   }
+  add_pieces(json["mesh"], report.pieces);
   json["theorem"] = facts(report.used).bounds.theorem;
   json["guarantee"] = guarantee(report);
   json["seconds"] = seconds(report);
