@@ -10,29 +10,35 @@ namespace certet {
 
 /// Things numbered from 0, each in a set of its own until sets are joined.  Sets that
 /// have no thing of a range of numbers may be joined by another thread at the same time.
-class DisjointSets {
+template <class Index>
+class DisjointSetsOf {
  public:
-  explicit DisjointSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
+  explicit DisjointSetsOf(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), Index{0});
   }
 
   [[nodiscard]] std::size_t size() const { return parent_.size(); }
 
   /// The least of its set.
-  std::uint32_t find(std::uint32_t one) {
+  Index find(Index one) {
     while (parent_[one] != one) one = parent_[one] = parent_[parent_[one]];
     return one;
   }
   /// False where they are one set already.
-  bool join(std::uint32_t a, std::uint32_t b) {
+  bool join(Index a, Index b) {
     a = find(a), b = find(b);
     if (a < b) parent_[b] = a;
     else parent_[a] = b;
     return a != b;
   }
 
+  /// Takes a thing out, on condition that all others of its set are taken out too.
+  void take_out(Index one) { parent_[one] = one; }
+
  private:
-  std::vector<std::uint32_t> parent_;
+  std::vector<Index> parent_;
 };
+
+using DisjointSets = DisjointSetsOf<std::uint32_t>;
 
 }  // namespace certet

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "certet/count_pieces.hpp"
 #include "certet/stuffing.hpp"
 #include "domains.hpp"
 #include "plain_pieces.hpp"
@@ -31,6 +32,11 @@ Pieces counted(const Stuffing& stuffing, int threads) {
   Context context;
   context.threads = threads;
   return stuffing.pieces(frame, context);
+}
+
+Pieces in_memory(const plain::Mesh& mesh) {
+  Context context;
+  return count_pieces(mesh.points, std::span<const plain::Four>(mesh.tets), mesh.labels, context);
 }
 
 /// Noise, sparse noise, and blocks of a few cells, in lattices with more layers than one
@@ -61,9 +67,11 @@ TEST(Pieces, AreThoseOfAPlainCount) {
   std::uint64_t pieces = 0, touching = 0, edges = 0, vertices = 0;
   for (int n = 0; n < 72; ++n) {
     const Stuffing stuffing = random_case(n);
-    const Pieces expected = plain::count(emitted(stuffing));
+    const plain::Mesh mesh = emitted(stuffing);
+    const Pieces expected = plain::count(mesh);
     ASSERT_EQ(counted(stuffing, 1), expected) << n;
     ASSERT_EQ(counted(stuffing, 3), expected) << n;
+    ASSERT_EQ(in_memory(mesh), expected) << n;
     pieces += expected.whole.by_faces;
     touching += expected.whole.by_faces - expected.whole.by_vertices;
     edges += expected.surface.edges;
@@ -77,6 +85,50 @@ TEST(Pieces, AreThoseOfAPlainCount) {
   EXPECT_GT(touching, 10U);
   EXPECT_GT(edges, 10U);
   EXPECT_GT(vertices, edges);
+}
+
+/// Tetrahedra that share so many points, the first with the numbers 0 to 3.
+plain::Mesh two_tets(std::size_t shared) {
+  plain::Mesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.tets = {{0, 1, 2, 3}};
+  plain::Four other{};
+  for (std::size_t v = 0; v < 4; ++v) {
+    other[v] = v < shared ? v : mesh.points.size();
+    if (v >= shared)
+      mesh.points.push_back({v == 1 ? -1.0 : 0.0, v == 2 ? -1.0 : 0.0, v == 3 ? -1.0 : 0.0});
+  }
+  std::swap(other[0], other[1]);
+  mesh.tets.push_back(other);
+  return mesh;
+}
+
+TEST(Pieces, PlantedFaultsArePlaced) {
+  const auto found = [](std::size_t shared) { return in_memory(two_tets(shared)); };
+  EXPECT_EQ(found(0).whole, (PieceCount{2, 2}));
+  EXPECT_EQ(found(0).surface, SurfaceFaults{});
+  EXPECT_EQ(found(1).whole, (PieceCount{2, 1}));
+  EXPECT_EQ(found(1).surface, (SurfaceFaults{0, 1, {}, {{0, 0, 0}}}));
+  EXPECT_EQ(found(2).whole, (PieceCount{2, 1}));
+  EXPECT_EQ(found(2).surface, (SurfaceFaults{1, 2, {{0.5, 0, 0}}, {{0, 0, 0}, {1, 0, 0}}}));
+  EXPECT_EQ(found(3).whole, (PieceCount{1, 1}));
+  EXPECT_EQ(found(3).surface, SurfaceFaults{});
+}
+
+TEST(Pieces, OfLabelsAreEachByItself) {
+  plain::Mesh mesh = two_tets(3);
+  mesh.labels = {4, 9};
+  const Pieces pieces = in_memory(mesh);
+  EXPECT_EQ(pieces.whole, (PieceCount{1, 1}));
+  EXPECT_EQ(pieces.largest, 2U);
+  EXPECT_EQ(pieces.regions, (std::vector<RegionPieces>{{4, {1, 1}}, {9, {1, 1}}}));
+}
+
+TEST(Pieces, BadTetrahedraAreLeftOut) {
+  plain::Mesh mesh = two_tets(1);
+  mesh.tets.push_back({0, 1, 2, 99});
+  mesh.tets.push_back({0, 1, 1, 3});
+  EXPECT_EQ(in_memory(mesh), in_memory(two_tets(1)));
 }
 
 }  // namespace

@@ -96,6 +96,9 @@ certet::Pieces count(const Mesh& mesh) {
   const auto by_faces = pieces(mesh, 3);
   found.whole = {by_faces.size(), pieces(mesh, 1).size()};
   for (const auto& piece : by_faces) found.largest = std::max(found.largest, piece.size());
+  for (const std::int32_t label : std::set(mesh.labels.begin(), mesh.labels.end()))
+    found.regions.push_back(
+        {label, {pieces(mesh, 3, label).size(), pieces(mesh, 1, label).size()}});
   const auto [edges, vertices] = faults(mesh);
   certet::SurfaceFaults& surface = found.surface;
   surface.edges = edges.size();

@@ -18,6 +18,13 @@ struct PieceCount {
   friend bool operator==(const PieceCount&, const PieceCount&) = default;
 };
 
+/// The pieces of one label's tetrahedra; those of other labels join nothing.
+struct RegionPieces {
+  std::int32_t label = 0;
+  PieceCount pieces;
+  friend bool operator==(const RegionPieces&, const RegionPieces&) = default;
+};
+
 /// Where the boundary, the faces in one tetrahedron only, is no manifold.
 struct SurfaceFaults {
   std::uint64_t edges = 0;     ///< in more than two faces of the boundary
@@ -34,6 +41,7 @@ inline constexpr std::size_t most_places = 8;
 struct Pieces {
   PieceCount whole;
   std::uint64_t largest = 0;  ///< tetrahedra of the largest piece by faces
+  std::vector<RegionPieces> regions;  ///< by growing labels, where they were counted
   SurfaceFaults surface;
   friend bool operator==(const Pieces&, const Pieces&) = default;
 };
