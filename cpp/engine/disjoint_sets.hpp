@@ -32,6 +32,11 @@ class DisjointSetsOf {
     return a != b;
   }
 
+  /// From now on there are so many things, the new ones each in a set of its own.
+  void grow(std::size_t count) {
+    while (parent_.size() < count) parent_.push_back(static_cast<Index>(parent_.size()));
+  }
+
   /// Takes a thing out, on condition that all others of its set are taken out too.
   void take_out(Index one) { parent_[one] = one; }
 

@@ -10,6 +10,7 @@
 #include "certet/checksum.hpp"
 #include "certet/write_mesh.hpp"
 #include "mesh/boundary.hpp"
+#include "mesh/region_parts.hpp"
 #include "seconds.hpp"
 
 namespace certet::pipeline {
@@ -62,6 +63,7 @@ struct Findings {
   std::uint64_t coincident_points = 0;  ///< of those of the layer and the one behind it
   Checksum points, tets;
   core::RegionCounts regions;
+  core::LayerParts parts;  ///< where there are several labels
 };
 
 /// Tetrahedra of some layers, and their labels.

@@ -1,32 +1,18 @@
 /// \file
-/// The pieces of meshes, and where their surface is no manifold, against a plain count.
+/// The pieces of a mesh, counted by the signs of its lattice, and what is left when some
+/// are dropped, against a plain count over all tetrahedra.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
-#include "certet/count_pieces.hpp"
-#include "certet/stuffing.hpp"
-#include "domains.hpp"
-#include "plain_pieces.hpp"
+#include "piece_cases.hpp"
 
 namespace {
 
-using namespace certet;
-using domains::Positional;
-
-const Frame frame{{3, -1, 2}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 0.5};
-
-plain::Mesh emitted(const Stuffing& stuffing) {
-  Context context;
-  const Mesh mesh = emit(stuffing, frame, context);
-  plain::Mesh result;
-  for (const Coord3& p : mesh.points) result.points.push_back(frame.world(p));
-  for (const auto& t : std::get<0>(mesh.tets)) result.tets.push_back({t[0], t[1], t[2], t[3]});
-  result.labels.assign(mesh.labels.begin(), mesh.labels.end());
-  return result;
-}
+using namespace piece_cases;
 
 Pieces counted(const Stuffing& stuffing, int threads) {
   Context context;
@@ -34,44 +20,13 @@ Pieces counted(const Stuffing& stuffing, int threads) {
   return stuffing.pieces(frame, context);
 }
 
-Pieces in_memory(const plain::Mesh& mesh) {
-  Context context;
-  return count_pieces(mesh.points, std::span<const plain::Four>(mesh.tets), mesh.labels, context);
-}
-
-/// Noise, sparse noise, and blocks of a few cells, in lattices with more layers than one
-/// task joins, or more cells along a row than a word has.
-Stuffing random_case(int n) {
-  const std::uint64_t seed = mixed(test_seed(), n);
-  const Positional noise = domains::random_cuts(seed, 20, {10, 9000, 20000, 32768, 50000});
-  const auto in_blocks = [=](Coord3 p, int size, std::uint64_t parts) {
-    const auto cell = [=](std::int32_t c) { return (c - 20000) >> size; };
-    return mixed(seed, cell(p.x), cell(p.y), cell(p.z)) % parts == 0;
-  };
-  const Positional sparse([=](Coord3 p) {
-    return in_blocks(p, 18, 4) ? noise.sign_at(p) : Sign::minus;
-  });
-  const Positional boxes([=](Coord3 p) {
-    return in_blocks(p, 17, 3) ? Sign::plus : Sign::minus;
-  });
-  const std::array<const Positional*, 3> all{&noise, &sparse, &boxes};
-  const std::array<Lattice, 3> lattices{{{{-6, -8, -40}, {6, 7, 38}},
-                                         {{-70, -8, -6}, {72, 6, 7}},
-                                         {{-6, -8, -4}, {9, 12, 9}}}};
-  Context context;
-  return {*all[static_cast<std::size_t>(n) % 3], lattices[static_cast<std::size_t>(n / 12) % 3],
-          methods[static_cast<std::size_t>(n / 3) % 4].method, context};
-}
-
 TEST(Pieces, AreThoseOfAPlainCount) {
   std::uint64_t pieces = 0, touching = 0, edges = 0, vertices = 0;
   for (int n = 0; n < 72; ++n) {
-    const Stuffing stuffing = random_case(n);
-    const plain::Mesh mesh = emitted(stuffing);
-    const Pieces expected = plain::count(mesh);
+    const auto [domain, stuffing] = random_case(n);
+    const Pieces expected = plain::count(emitted(stuffing));
     ASSERT_EQ(counted(stuffing, 1), expected) << n;
     ASSERT_EQ(counted(stuffing, 3), expected) << n;
-    ASSERT_EQ(in_memory(mesh), expected) << n;
     pieces += expected.whole.by_faces;
     touching += expected.whole.by_faces - expected.whole.by_vertices;
     edges += expected.surface.edges;
@@ -87,48 +42,106 @@ TEST(Pieces, AreThoseOfAPlainCount) {
   EXPECT_GT(vertices, edges);
 }
 
-/// Tetrahedra that share so many points, the first with the numbers 0 to 3.
-plain::Mesh two_tets(std::size_t shared) {
-  plain::Mesh mesh;
-  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  mesh.tets = {{0, 1, 2, 3}};
-  plain::Four other{};
-  for (std::size_t v = 0; v < 4; ++v) {
-    other[v] = v < shared ? v : mesh.points.size();
-    if (v >= shared)
-      mesh.points.push_back({v == 1 ? -1.0 : 0.0, v == 2 ? -1.0 : 0.0, v == 3 ? -1.0 : 0.0});
+using PlacedTet = std::array<Point3, 4>;
+
+/// Tetrahedra by the places of their corners, in their order.
+std::vector<PlacedTet> placed(const plain::Mesh& mesh, std::vector<std::size_t> some) {
+  std::ranges::sort(some);
+  std::vector<PlacedTet> all;
+  for (const std::size_t n : some) {
+    const auto [a, b, c, d] = mesh.tets[n];
+    all.push_back({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]});
   }
-  std::swap(other[0], other[1]);
-  mesh.tets.push_back(other);
-  return mesh;
+  return all;
 }
 
-TEST(Pieces, PlantedFaultsArePlaced) {
-  const auto found = [](std::size_t shared) { return in_memory(two_tets(shared)); };
-  EXPECT_EQ(found(0).whole, (PieceCount{2, 2}));
-  EXPECT_EQ(found(0).surface, SurfaceFaults{});
-  EXPECT_EQ(found(1).whole, (PieceCount{2, 1}));
-  EXPECT_EQ(found(1).surface, (SurfaceFaults{0, 1, {}, {{0, 0, 0}}}));
-  EXPECT_EQ(found(2).whole, (PieceCount{2, 1}));
-  EXPECT_EQ(found(2).surface, (SurfaceFaults{1, 2, {{0.5, 0, 0}}, {{0, 0, 0}, {1, 0, 0}}}));
-  EXPECT_EQ(found(3).whole, (PieceCount{1, 1}));
-  EXPECT_EQ(found(3).surface, SurfaceFaults{});
+std::vector<std::size_t> all_of(const plain::Mesh& mesh) {
+  std::vector<std::size_t> all(mesh.tets.size());
+  for (std::size_t n = 0; n < all.size(); ++n) all[n] = n;
+  return all;
 }
 
-TEST(Pieces, OfLabelsAreEachByItself) {
-  plain::Mesh mesh = two_tets(3);
-  mesh.labels = {4, 9};
-  const Pieces pieces = in_memory(mesh);
-  EXPECT_EQ(pieces.whole, (PieceCount{1, 1}));
-  EXPECT_EQ(pieces.largest, 2U);
-  EXPECT_EQ(pieces.regions, (std::vector<RegionPieces>{{4, {1, 1}}, {9, {1, 1}}}));
+/// A mesh with some tetrahedra alone of another, as they were there; no point is left over.
+void expect_part(const Stuffing& stuffing, const plain::Mesh& whole,
+                 const std::vector<std::size_t>& tets) {
+  const plain::Mesh part = emitted(stuffing);
+  ASSERT_EQ(placed(part, all_of(part)), placed(whole, tets));
+  std::set<std::uint64_t> used;
+  for (const plain::Four& tet : part.tets) used.insert(tet.begin(), tet.end());
+  EXPECT_EQ(used.size(), part.points.size());
+  EXPECT_EQ(std::set(part.points.begin(), part.points.end()).size(), part.points.size());
+  EXPECT_EQ(counted(stuffing, 2), plain::count(part));
 }
 
-TEST(Pieces, BadTetrahedraAreLeftOut) {
-  plain::Mesh mesh = two_tets(1);
-  mesh.tets.push_back({0, 1, 2, 99});
-  mesh.tets.push_back({0, 1, 1, 3});
-  EXPECT_EQ(in_memory(mesh), in_memory(two_tets(1)));
+/// What a rule keeps, and what it drops.
+void expect_kept(Stuffing& stuffing, const plain::Mesh& before, const KeepRule& rule,
+                 const std::vector<std::vector<std::size_t>>& pieces,
+                 const std::vector<bool>& stays, int threads) {
+  std::vector<std::size_t> kept, dropped;
+  for (std::size_t n = 0; n < pieces.size(); ++n) {
+    std::vector<std::size_t>& part = stays[n] ? kept : dropped;
+    part.insert(part.end(), pieces[n].begin(), pieces[n].end());
+  }
+  Context context;
+  context.threads = threads;
+  const Stuffing rest = stuffing.keep(rule, context);
+  expect_part(stuffing, before, kept);
+  expect_part(rest, before, dropped);
+}
+
+TEST(Keep, LeavesTheLargestAsTheyWere) {
+  std::uint64_t kept = 0, dropped = 0;
+  for (int n = 0; n < 36; ++n) {
+    auto [domain, stuffing] = random_case(n);
+    const plain::Mesh mesh = emitted(stuffing);
+    auto pieces = plain::pieces(mesh, 3);
+    std::ranges::stable_sort(pieces, std::ranges::greater(), &std::vector<std::size_t>::size);
+    const auto count = 1 + static_cast<std::size_t>(n) % 4;
+    std::vector<bool> stays(pieces.size(), false);
+    for (std::size_t m = 0; m < std::min(count, pieces.size()); ++m) stays[m] = true;
+    for (std::size_t m = 0; m < pieces.size(); ++m)
+      (stays[m] ? kept : dropped) += pieces[m].size();
+    expect_kept(stuffing, mesh, KeepLargest{count}, pieces, stays, 1 + n % 3);
+  }
+  EXPECT_GT(kept, 1000U);
+  EXPECT_GT(dropped, 1000U);
+}
+
+/// Two bars from end to end, one along x and one along y, and one that is too short.
+TEST(Keep, LeavesWhatGoesThrough) {
+  const Positional bars([](Coord3 p) {
+    const auto unit = [](std::int32_t c) { return static_cast<double>(c) / steps; };
+    const double x = unit(p.x), y = unit(p.y), z = unit(p.z);
+    const auto bar = [](double a, double b, double c, double d) {
+      return std::hypot(a - c, b - d) < 1.3;
+    };
+    const bool along_x = std::abs(x) < 9.1 && bar(y, z, -5, -5);
+    const bool along_y = std::abs(y) < 9.1 && bar(x, z, 5, 5);
+    const bool short_x = x > -2 && x < 9 && bar(y, z, 5, 0);
+    return along_x || along_y || short_x ? Sign::plus : Sign::minus;
+  });
+  const Lattice lattice{{-12, -12, -12}, {12, 12, 12}};
+  for (const Method method : {Method::embedded, Method::midpoint})
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      Context context;
+      Stuffing stuffing(bars, lattice, method, context);
+      const plain::Mesh mesh = emitted(stuffing);
+      const auto pieces = plain::pieces(mesh, 3);
+      ASSERT_EQ(pieces.size(), 3U);
+      std::vector<bool> stays;
+      for (const auto& piece : pieces) {
+        double low = 99, high = -99;
+        for (const std::size_t t : piece)
+          for (const std::uint64_t p : mesh.tets[t]) {
+            low = std::min(low, mesh.points[p][axis] - frame.origin[axis]);
+            high = std::max(high, mesh.points[p][axis] - frame.origin[axis]);
+          }
+        // A lattice unit is a quarter of a world unit here.
+        stays.push_back(low < -1.7 && high > 1.7 && high - low > 4);
+      }
+      EXPECT_EQ(std::ranges::count(stays, true), axis == 2 ? 0 : 1);
+      expect_kept(stuffing, mesh, KeepPercolating{axis}, pieces, stays, 2);
+    }
 }
 
 }  // namespace

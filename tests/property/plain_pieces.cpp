@@ -57,6 +57,17 @@ std::vector<std::vector<std::size_t>> pieces(const Mesh& mesh, std::size_t point
   return all;
 }
 
+std::vector<Two> sharing_tets(const Mesh& mesh) {
+  std::map<Three, std::vector<std::uint64_t>> sharing;
+  for (std::size_t n = 0; n < mesh.tets.size(); ++n)
+    for (const Three& face : faces_of(mesh.tets[n])) sharing[face].push_back(n);
+  std::vector<Two> pairs;
+  for (const auto& [face, tets] : sharing)
+    if (tets.size() == 2) pairs.push_back({tets[0], tets[1]});
+  std::ranges::sort(pairs);
+  return pairs;
+}
+
 Faults faults(const Mesh& mesh) {
   std::map<Three, int> faces;
   for (const Four& tet : mesh.tets)

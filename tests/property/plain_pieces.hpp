@@ -27,6 +27,9 @@ struct Mesh {
 std::vector<std::vector<std::size_t>> pieces(const Mesh& mesh, std::size_t points,
                                              std::optional<std::int32_t> label = {});
 
+/// The pairs of tetrahedra that share a face, in growing order.
+std::vector<Two> sharing_tets(const Mesh& mesh);
+
 /// Edges in more than two faces of the boundary, and vertices whose faces there do not go
 /// once around.
 struct Faults {

@@ -18,6 +18,12 @@
 
 namespace certet::command {
 
+/// What --keep dropped from a mesh, and how many pieces it left.
+struct DroppedPieces {
+  std::uint64_t pieces = 0, kept = 0, tets = 0;
+  double volume = 0;  ///< world units cubed
+};
+
 struct MeshReport {
   bool dry_run = false;
   std::string input_kind;  ///< labels, level, formula, shape, surface or volume
@@ -42,6 +48,8 @@ struct MeshReport {
 
   std::uint64_t points = 0, tets = 0;
   Pieces pieces;
+  std::string keep;  ///< which pieces were to stay; empty: all
+  DroppedPieces dropped;
   WrittenMesh written;  ///< empty after a dry run
 
   double read_seconds = 0, sample_seconds = 0, cut_seconds = 0, warp_seconds = 0,

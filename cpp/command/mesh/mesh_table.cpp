@@ -34,6 +34,10 @@ void add_settling(Lines& lines, const MeshReport& report) {
 }
 
 void add_pieces(Lines& lines, const MeshReport& report) {
+  const DroppedPieces& dropped = report.dropped;
+  if (!report.keep.empty())
+    lines.add("dropped", "{} of {} pieces: {} tetrahedra, volume {:.6g}", grouped(dropped.pieces),
+              grouped(dropped.pieces + dropped.kept), grouped(dropped.tets), dropped.volume);
   lines.add("pieces", "{}", sentence(report.pieces, report.tets));
   if (report.pieces.surface.vertices > 0)
     lines.add("surface", "{}", sentence(report.pieces.surface));

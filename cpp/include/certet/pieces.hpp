@@ -46,4 +46,16 @@ struct Pieces {
   friend bool operator==(const Pieces&, const Pieces&) = default;
 };
 
+/// Which pieces by faces are to stay: those of the whole mesh, whatever their labels are, for
+/// to drop a piece of one label within others would leave a hole.
+struct KeepLargest {
+  std::uint64_t count = 1;  ///< so many of the most tetrahedra, of equals those that begin first
+};
+/// Those whose lattice points inside reach from one end of all those to the other along an
+/// axis of the lattice, but for a long edge at either.
+struct KeepPercolating {
+  std::size_t axis = 0;  ///< 0, 1 or 2
+};
+using KeepRule = std::variant<KeepLargest, KeepPercolating>;
+
 }  // namespace certet

@@ -31,6 +31,7 @@ struct WrittenMesh : PlacedQuality {
   std::uint64_t checksum = 0;       ///< of the mesh in lattice coordinates
   std::uint64_t file_checksum = 0;  ///< that of a `FileMesh` with what was written
   std::vector<Region> regions;      ///< by growing labels, without names; none is empty
+  std::vector<RegionPieces> region_pieces;  ///< of them, where there are several labels
   /// Of all threads together; they overlap.
   double emit_seconds = 0, measure_seconds = 0, write_seconds = 0;
 };
