@@ -175,6 +175,10 @@ void LayerTets::visit(const LayerTets& other, std::int8_t layers,
         if (x < 0 || x >= columns_ || y < 0 || y >= rows_) continue;
         const Cell& next = other.cell_at(x, y);
         if (next.surface == none) continue;
+        if (own.surface == inside && next.surface == inside) {
+          batches.add(own.begin + face.own_case, next.begin + face.other_case);
+          continue;
+        }
         const CaseTets a = at(own, face.own_case);
         const CaseTets b = other.at(next, face.other_case);
         const FaceOwners& of_a = face_owners[a.pattern][face.own_face];

@@ -25,16 +25,12 @@ bool fits_32_bits(const Stuffing& stuffing) {
 }
 
 /// What is held to write slabs of so many points and tetrahedra: tetrahedra
-/// twice, as one slab is written while the next is made; points in both passes; and what
-/// parts of labels they are in.
+/// twice, as one slab is written while the next is made; points in both passes.
 std::uint64_t held_bytes(const Stuffing& stuffing, std::uint64_t points, std::uint64_t tets) {
   const std::uint64_t tet = (fits_32_bits(stuffing) ? sizeof(Tet<std::uint32_t>)
                                                     : sizeof(Tet<std::uint64_t>)) +
                             sizeof(std::int32_t);
-  const std::uint64_t parts =
-      stuffing.labels().size() > 1 ? sizeof(std::uint32_t) * tets + sizeof(core::PartPoint) * points
-                                   : 0;
-  return 2 * (tet * tets + PointSlab::bytes_per_point * points) + parts;
+  return 2 * (tet * tets + PointSlab::bytes_per_point * points);
 }
 
 /// The layers of slab s.
@@ -154,7 +150,7 @@ void write_tets(Source& source, const Slabs& slabs, PointSlab& points, Checksum 
       tets += layer.tets;
       regions += layer.regions;
     }
-    if (source.stuffing.labels().size() > 1) parts.add(begin, found, context);
+    if (source.label_pieces) parts.add(begin, found, context);
   }
   write(count - 1);
   written.regions = regions.regions();
@@ -220,10 +216,11 @@ Slabs cut_slabs(const Stuffing& stuffing, std::uint64_t max_bytes) {
 }
 
 WrittenMesh write_mesh(const Stuffing& stuffing, const Frame& frame, const Slabs& slabs,
-                       MeshWriter& writer, Context& context, const MaterialRuns& known) {
+                       MeshWriter& writer, Context& context, const MaterialRuns& known,
+                       bool label_pieces) {
   checked_size(frame.size);
   try {
-    Source source{stuffing, frame, known};
+    Source source{stuffing, frame, known, label_pieces && stuffing.labels().size() > 1};
     return write_all(source, slabs, writer, context);
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::too_large, "out of memory while writing the mesh");

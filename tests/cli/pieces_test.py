@@ -44,7 +44,7 @@ class PiecesTest(ProgramTest):
         self.assertEqual(checked["mesh"]["pieces"], expected)
         self.assertEqual({key: checked["mesh"]["nonmanifold"][key] for key in ("edges", "vertices")},
                          {key: report["mesh"]["nonmanifold"][key] for key in ("edges", "vertices")})
-        if "regions" in checked:
+        if "regions" in checked and all("pieces_by_vertices" in r for r in report["regions"]):
             of_labels = {r["label"]: (r["pieces"], r["pieces_by_vertices"])
                          for r in checked["regions"]}
             told = {r["label"]: (r["pieces"], r["pieces_by_vertices"]) for r in report["regions"]
@@ -80,7 +80,10 @@ class Counted(PiecesTest):
                        "--bounds=-2,-1,-1,2,1,1", "--size", "0.15")):
             self.same_pieces(self.mesh(*words, "-o", "a.vtu"))
         self.write(steps, (16, 16, 16))
-        self.assertEqual(self.same_pieces(self.mesh("a.nrrd", "-o", "a.vtu"))["by_faces"], 3)
+        report = self.mesh("a.nrrd", "--label-pieces", "-o", "a.vtu")
+        self.assertEqual(self.same_pieces(report)["by_faces"], 3)
+        self.assertEqual([(r["pieces"], r["pieces_by_vertices"]) for r in report["regions"]],
+                         3 * [(1, 1)])
         self.assertEqual(self.same_pieces(self.mesh("a.nrrd", "--iso", "1", "-o", "a.vtu"))["by_faces"], 3)
 
     def test_faults_of_the_surface_are_placed(self):

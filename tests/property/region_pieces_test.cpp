@@ -26,7 +26,7 @@ std::vector<RegionPieces> streamed(const Stuffing& stuffing, std::uint64_t slab_
   Context context;
   context.threads = threads;
   Nowhere nowhere;
-  return write_mesh(stuffing, frame, cut_slabs(stuffing, slab_bytes), nowhere, context)
+  return write_mesh(stuffing, frame, cut_slabs(stuffing, slab_bytes), nowhere, context, {}, true)
       .region_pieces;
 }
 

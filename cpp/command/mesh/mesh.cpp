@@ -191,7 +191,8 @@ void write(const MeshOptions& options, const Source& from, const Counted& counte
   if (options.origin == OutputOrigin::lattice) frame.origin = {0, 0, 0};
   const MaterialRuns none;
   report.written = write_mesh(stuffing, frame, slabs, writer, context,
-                              size.survey == nullptr ? none : size.survey->materials);
+                              size.survey == nullptr ? none : size.survey->materials,
+                              options.label_pieces);
   check_written(report);
   check_volume(options, from, counted, context, report);
   const Stopwatch finishing;

@@ -62,12 +62,12 @@ Json regions(const MeshReport& report) {
     if (const auto name = report.names.find(region.label); name != report.names.end())
       one["name"] = name->second;
     if (!report.dry_run) one["tets"] = tets;
-    if (!report.dry_run) {
-      one["pieces"] = pieces.by_faces;
-      one["pieces_by_vertices"] = pieces.by_vertices;
+    if (pieces) {
+      one["pieces"] = pieces->by_faces;
+      one["pieces_by_vertices"] = pieces->by_vertices;
     }
     if (report.counted_pieces) {
-      if (report.dry_run) one["pieces"] = region.lattice_pieces;
+      if (!pieces) one["pieces"] = region.lattice_pieces;
       one["image_pieces"] = {{"by_corners", region.pieces_by_corners},
                              {"by_faces", region.pieces_by_faces}};
     }

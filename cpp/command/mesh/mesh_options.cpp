@@ -47,8 +47,8 @@ voxel spacing, and with --smooth; not with --crop.  At the smallest spacing, wit
 and up to 12 sizes are tried, each a fifth smaller than the one before, for one that
 keeps them.
 
-The pieces of every mesh are counted, by faces and by vertices, and of several labels those
-of each; so are the edges and vertices at which its surface is no manifold, of which --method
+The pieces of every mesh are counted, by faces and by vertices, whatever its labels are, and
+with --label-pieces those of each label besides, which takes about as long as measuring; so are the edges and vertices at which its surface is no manifold, of which --method
 paper may leave some.  --keep largest drops all pieces by faces but the one of the most
 tetrahedra, --keep N all but the N largest, --keep percolating:x (y, z) all that do not go
 from one end of the solid to the other along that axis of the lattice, which is the
@@ -92,8 +92,8 @@ tets, volume}, dihedral
 theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
 cut, warp, count, pieces, emit, measure, write, total}, memory {limit, needed, least,
 peak}, warnings, and for images regions [{label, voxels, tets, name where the file or
---label-names has one, pieces (by faces, of the mesh; of a dry run, of its samples, where
-image_pieces are told), pieces_by_vertices, and where the image's were counted:
+--label-names has one, pieces (by faces), and with --label-pieces or of one label
+pieces_by_vertices; without, pieces is of the samples, and told where the image's are:
 image_pieces {by_corners, by_faces}}], with --smooth: smoothing
 {sigma, voxel_volume, mesh_volume, change}.  Lengths are in world units, angles in degrees, memory in bytes; the
 histogram has 36 bins of 5 degrees, counted before coordinates are rounded; rounding
@@ -176,6 +176,8 @@ void declare_lattice(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
                   "Drops all pieces but the largest, the N largest, or those that go through "
                   "from end to end: largest, N, percolating:x (y, z)")
       ->option_text("WHICH");
+  mesh.add_flag("--label-pieces", options.label_pieces,
+                "Counts the pieces of each label in the mesh, too");
 }
 
 void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
@@ -226,6 +228,8 @@ void check_source(const MeshOptions& options, const RawMesh& raw) {
     refuse("--labels goes with an image, not with a volume");
   if (!options.label_names.empty() && (!image || !raw.iso.empty()))
     refuse("--label-names goes with an image of labels");
+  if (options.label_pieces && (!image || !raw.iso.empty()))
+    refuse("--label-pieces goes with an image of labels");
   const bool voxels =
       image && !is_surface_file(options.input) && !is_volume_file(options.input);
   if (!voxels && (!raw.spacing.empty() || !options.image.series.empty()))

@@ -45,6 +45,7 @@ struct MeshOptions {
   Method method{};
   std::optional<KeepRule> keep;  ///< which pieces stay; nothing: all
   std::string keep_text;         ///< as the user wrote it
+  bool label_pieces = false;     ///< counts the pieces of each label
   int threads = 0;
   std::uint64_t max_memory = 0;  ///< 0: by what is available
   bool dry_run = false;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ namespace certet::command {
 struct MeshedRegion {
   ImageRegion region;
   std::uint64_t tets = 0;
-  PieceCount pieces = {};  ///< of the mesh, if it was written
+  std::optional<PieceCount> pieces = {};  ///< of the mesh, if they were counted
 };
 
 /// Watches a run from the counted lattice to the written mesh.
@@ -30,8 +31,7 @@ class RegionWatch {
   /// The regions of the mesh that was written; without this there are none.
   void see(std::span<const Region> written);
 
-  /// The pieces of the mesh, and where there are several labels those of each of a mesh
-  /// that was written; `dropped` tells that some were dropped from it.
+  /// The pieces of the mesh, and those of each label that were counted; `dropped` tells that some were dropped from it.
   void see(const Pieces& pieces, std::span<const RegionPieces> regions, bool dropped);
 
   /// Of a mesh of `all_tets`; 0 tetrahedra everywhere if it was not written.
@@ -54,7 +54,7 @@ class RegionWatch {
   double size_, finest_ = 0;
   std::vector<ImageRegion> regions_;
   std::vector<std::uint64_t> tets_;  ///< of each region
-  std::vector<PieceCount> pieces_;   ///< of each region, in the mesh
+  std::vector<std::optional<PieceCount>> pieces_;  ///< of each region, in the mesh
   PieceCount whole_;                 ///< of the mesh
   bool counted_pieces_ = false, dropped_ = false;
 };
