@@ -17,21 +17,6 @@ void for_each_word(const SignPlanes& planes, const Visit& visit) {
       for (int w = 0; w < planes.words(); ++w) visit(grid, j, w);
 }
 
-/// Turns the zero vertices of layer k that have no plus neighbour to minus, 64 at once.
-/// Picture: cpp/docs/pictures/pruning.svg.
-void drop_idle_zeros(SignPlanes& planes, int k) {
-  for_each_word(planes, [&](Grid grid, int j, int w) {
-    std::uint64_t& zero = planes.zero(grid, j, k)[w];
-    if (zero == 0) return;
-    std::uint64_t any_plus = 0;
-    for (std::size_t d = 0; d < tiling.directions.size(); ++d) {
-      const VertexRef ref = neighbor(grid, d);
-      any_plus |= shifted(planes.plus(ref.grid, j + ref.shift.y, k + ref.shift.z), w, ref.shift.x);
-    }
-    zero &= any_plus;
-  });
-}
-
 /// The cuts of one layer that are left, each at least `least` away from both ends.
 class RemainingCuts {
  public:
@@ -97,6 +82,20 @@ DisplacedLayer remaining_zeros(const Violations& violations, const SignPlanes& a
 }
 
 }  // namespace
+
+// Picture: cpp/docs/pictures/pruning.svg.
+void drop_idle_zeros(SignPlanes& planes, int k) {
+  for_each_word(planes, [&](Grid grid, int j, int w) {
+    std::uint64_t& zero = planes.zero(grid, j, k)[w];
+    if (zero == 0) return;
+    std::uint64_t any_plus = 0;
+    for (std::size_t d = 0; d < tiling.directions.size(); ++d) {
+      const VertexRef ref = neighbor(grid, d);
+      any_plus |= shifted(planes.plus(ref.grid, j + ref.shift.y, k + ref.shift.z), w, ref.shift.x);
+    }
+    zero &= any_plus;
+  });
+}
 
 SignPlanes move_all(const SignPlanes& planes, const Violations& violations, Context& context) {
   const Window window = violations.violated.window();

@@ -43,6 +43,9 @@ WarpedLattice warp_lattice(MovedSigns moved, const Violations& violations,
                            const Layers<CutLayer>& cuts, const Thresholds& least,
                            const Lattice& lattice, Window window, Context& context);
 
+/// Turns the zero vertices of layer k that have no plus neighbour to minus, 64 at once.
+void drop_idle_zeros(SignPlanes& planes, int k);
+
 /// A window in which no vertex is violated, and none lies on the surface: what
 /// cuts in the middle leave.  `cuts` are those of the window.
 WarpedLattice unwarped(SignPlanes planes, Layers<CutLayer> cuts, Window window);

@@ -18,6 +18,7 @@
 #include "certet/surface.hpp"
 #include "domains.hpp"
 #include "files.hpp"
+#include "pieces.hpp"
 #include "python_mesh.hpp"
 #include "run.hpp"
 
@@ -222,6 +223,7 @@ PYBIND11_MODULE(_certet, module) {
       .def("checksum", checksum_of)
       .def("quality", quality_of);
   declare_files(module);
+  declare_pieces(module);
   module.def("mesh_image", mesh_image);
   module.def("mesh_function", mesh_function);
   module.def("mesh_surface", mesh_surface);
