@@ -52,9 +52,16 @@ struct Placement {
   double longest_side = 0;  ///< of the box of voxels, in world units
 };
 
+/// Where even points of the lattice lie, if the size is a whole fraction of the spacing.
+enum class EvenPoints {
+  before_centres,  ///< a quarter of a voxel or of a cell, so that no point ties between voxels
+  on_centres,
+};
+
 /// Puts a lattice around the voxels of `box`.
 /// \throws Error `bad_option` (size, margin), `too_large` (coordinate range).
-Placement place(const Image& image, const VoxelBox& box, const ImageLattice& choice);
+Placement place(const Image& image, const VoxelBox& box, const ImageLattice& choice,
+                EvenPoints even = EvenPoints::before_centres);
 
 /// The stored voxel numbers, low to high, of the part of an interval of lattice
 /// coordinates that lies in the image.
