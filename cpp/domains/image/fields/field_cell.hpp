@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "fields/cell_corners.hpp"
 #include "fields/field_point.hpp"
 #include "fields/field_tile.hpp"
 
@@ -20,7 +21,7 @@ class FieldCell {
                            static_cast<int>(cell[2] % block_cells))) {}
 
   [[nodiscard]] const Node& node(std::size_t corner) const {
-    return block_.nodes[first_ + offset[corner]];
+    return block_.nodes[first_ + cell_corners[corner]];
   }
   /// By its number in the block.
   [[nodiscard]] Material material(std::size_t label) const { return block_.materials[label]; }
@@ -29,7 +30,7 @@ class FieldCell {
   [[nodiscard]] Corners values(std::size_t label) const {
     const std::int16_t* value = block_.values + label * nodes_of_block + first_;
     Corners corners;
-    for (std::size_t c = 0; c < 8; ++c) corners[c] = value[offset[c]];
+    for (std::size_t c = 0; c < 8; ++c) corners[c] = value[cell_corners[c]];
     return corners;
   }
   /// The same by material: 0 where it is not near.
@@ -40,10 +41,6 @@ class FieldCell {
   }
 
  private:
-  static constexpr std::array<std::size_t, 8> offset{
-      node_number(0, 0, 0), node_number(1, 0, 0), node_number(0, 1, 0), node_number(1, 1, 0),
-      node_number(0, 0, 1), node_number(1, 0, 1), node_number(0, 1, 1), node_number(1, 1, 1)};
-
   const BlockView& block_;
   std::size_t first_;
 };

@@ -1,47 +1,36 @@
 #pragma once
 /// \file
-/// Volumes and areas of the regions of fields, estimated from nodes and the centres of
-/// cells.
+/// Volumes and areas of the regions of fields, estimated from eight points of each cell.
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "fields/field_tile.hpp"
 #include "fields/hold.hpp"
+#include "fields/region_sums.hpp"
 
 namespace certet::fields {
 
-/// A voxel, in the unit of sums.  A part of the volume around a point is counted in thirds
-/// of 16384ths; a node has a weight of 64, which is a third of all, and a cell of 128.
-inline constexpr double volume_unit = 3.0 * field_one * (64 + 128);
-
-/// By material.
-struct RegionSums {
-  explicit RegionSums(std::size_t materials) : volume(materials, 0), area(materials, 0) {}
-  RegionSums& operator+=(const RegionSums& other);
-  std::vector<std::int64_t> volume;
-  std::vector<std::int64_t> area;  ///< by how much volumes grow with the field
-};
-
-/// How many voxels one is inside per difference of two fields, in 65536ths: 1.25 times
-/// the standard deviation of smoothing.
-std::int64_t slope_of(double deviation);
-
+/// How many voxels a surface is away per difference of two fields, in 65536ths.
 struct Slopes {
-  std::int64_t wide, narrow;  ///< narrow: near thin voxels
+  std::int32_t wide, narrow;  ///< narrow: near thin voxels
 };
 
-/// Adds what a tile has of each region.
+/// Of smoothing with such a standard deviation: 1.25 times that much, for the difference
+/// of the fields on both sides of a plane rises by 2 / sqrt(2 pi) per deviation.
+std::int32_t slope_of(double deviation);
+
+/// Adds what a tile has of each region, at points a quarter of a cell's width from its
+/// faces.
 class TileEstimate {
  public:
   /// `size` is the image's, in voxels.
   TileEstimate(const std::array<std::int64_t, 3>& size, const Slopes& slopes, RegionSums& sums)
       : size_(size), slopes_(slopes), sums_(sums) {}
 
-  /// So many cells along each axis, and the nodes that they start with, of one material.
+  /// So many cells along each axis of one material.
   void add_uniform(Material material, const std::array<std::int64_t, 3>& first_cell, int cells);
 
   /// `block` is not raised yet.
@@ -49,12 +38,15 @@ class TileEstimate {
                  const Constants& constants, bool hold);
 
  private:
-  class BlockEstimate;
+  void find_margins(const BlockView& block);
+  [[nodiscard]] bool is_settled(const BlockView& block, std::size_t node) const;
+  void add_cell(const BlockView& block, std::size_t node, unsigned points);
 
   std::array<std::int64_t, 3> size_;
   Slopes slopes_;
   RegionSums& sums_;
-  std::vector<std::int32_t> values_;
+  std::vector<std::int32_t> values_;                       ///< raised and held
+  std::array<std::int32_t, nodes_of_block> margins_{};  ///< of the own label before the others
 };
 
 }  // namespace certet::fields

@@ -11,15 +11,10 @@ namespace certet::fields {
 
 class NodeFields;
 
-/// Five passes over fields that are neither raised nor held yet.  Each estimates the
-/// volumes and areas of all regions and moves the constant of a label by nine tenths of
-/// what its region has too much, divided by its area; that of the outside stays 0.
-///
-/// The estimate takes a node, or the centre of a cell, to be x = 1.25 s d voxels inside
-/// of the region of the greatest field, where d is how far that is above the second and
-/// s the standard deviation of smoothing; it gives a part f(x) of the volume around to
-/// the first and the rest to the second.  A third of the nodes' sum and two thirds of
-/// the cells' are a volume.  Sums are of whole numbers, so that no order matters.
+/// For fields that are neither raised nor held yet.  Each of four passes estimates the
+/// volumes of all regions and the areas between every two, and solves for the constants
+/// by which every region would have the volume of its voxels, if surfaces moved along
+/// their normals; the outside's is 0, and none is beyond 0.4.
 /// \throws Error `cancelled`.
 Constants volume_constants(const NodeFields& fields, const MaterialImage& image,
                            const Rules& rules, const Context& context);
