@@ -2,6 +2,7 @@
 /// \file
 /// Images of labels whose true regions are known, or made to be hard.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -32,6 +33,19 @@ inline Image image_of(const std::array<std::int64_t, 3>& size,
       for (int i = 0; i < size[0]; ++i) voxels[at++] = static_cast<std::uint16_t>(label(i, j, k));
   image.voxels = std::move(voxels);
   return image;
+}
+
+/// Of an image that `image_of` made.
+inline Image copy(const Image& image) {
+  Image other;
+  other.name = image.name;
+  other.size = image.size;
+  other.spacing = image.spacing;
+  const auto& voxels = std::get<Buffer<std::uint16_t>>(image.voxels);
+  Buffer<std::uint16_t> copied(voxels.size());
+  std::ranges::copy(voxels, copied.begin());
+  other.voxels = std::move(copied);
+  return other;
 }
 
 inline double norm(const Point3& p) { return std::hypot(p[0], p[1], p[2]); }
