@@ -110,7 +110,7 @@ class FieldsDomain final : public InterfaceDomain {
   }
 
   [[nodiscard]] std::vector<RegionVolume> volumes(const Context& context) const override {
-    const auto counts = region_volumes(fields_, labelling_, image_.size(), context);
+    const auto counts = region_volumes(fields_, image_.size(), context);
     std::vector<RegionVolume> volumes;
     for (std::size_t l = 0; l < image_.labels().size(); ++l)
       volumes.push_back({image_.labels()[l], image_.voxels()[l],

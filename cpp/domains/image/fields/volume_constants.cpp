@@ -1,12 +1,9 @@
 #include "volume_constants.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <mutex>
-#include <span>
+#include <vector>
 
 #include "fields/for_each_tile.hpp"
 #include "fields/node_fields.hpp"
