@@ -53,7 +53,8 @@ struct Placement {
 };
 
 /// Puts a lattice around the voxels of `box`, with an even point `lead` of a voxel (or of a
-/// cell, if that is less) before the centre of voxel 0; at least 1/4 and less than 1/2.
+/// cell, if that is less) before the centre of voxel 0; less than 1/2.  From 1/4 on no
+/// lattice point ties between voxels; at 0 odd ones do.
 /// \throws Error `bad_option` (size, margin), `too_large` (coordinate range).
 Placement place(const Image& image, const VoxelBox& box, const ImageLattice& choice, double lead);
 
