@@ -1663,3 +1663,317 @@ let settledTets th sign0 cut zeros0 tid =
 let settledMesh th sign0 cut gap0 vs tids =
   let zeros0 = settle th sign0 cut gap0 vs in
   flat_map (settledTets th sign0 cut zeros0) tids
+
+type material = z
+
+(** val outside : material **)
+
+let outside =
+  Z0
+
+(** val materialFill :
+    ('a1 -> material option) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 ->
+    'a1 -> (material * 'a1 unstructuredTet) list **)
+
+let materialFill getMaterial getCut v1 v2 v3 v4 =
+  match getMaterial v1 with
+  | Some m1 ->
+    (match getMaterial v2 with
+     | Some m2 ->
+       (match getMaterial v3 with
+        | Some m3 ->
+          (match getMaterial v4 with
+           | Some m4 ->
+             if Z.eqb m1 m2
+             then if Z.eqb m3 m4
+                  then []
+                  else if Z.eqb m1 m3
+                       then []
+                       else if Z.eqb m2 m4
+                            then []
+                            else if Z.eqb m1 m4
+                                 then []
+                                 else if Z.eqb m2 m3
+                                      then []
+                                      else (m1, (UT ((getCut v1 v3),
+                                             (getCut v1 v4), (getCut v2 v3),
+                                             (getCut v3 v4)))) :: ((m1, (UT
+                                             ((getCut v1 v4), (getCut v2 v4),
+                                             (getCut v2 v3),
+                                             (getCut v3 v4)))) :: [])
+             else if Z.eqb m3 m4
+                  then if Z.eqb m1 m3
+                       then []
+                       else if Z.eqb m2 m4
+                            then []
+                            else if Z.eqb m1 m4
+                                 then []
+                                 else if Z.eqb m2 m3
+                                      then []
+                                      else (m3, (UT ((getCut v1 v3),
+                                             (getCut v1 v4), (getCut v1 v2),
+                                             (getCut v2 v3)))) :: ((m3, (UT
+                                             ((getCut v1 v4), (getCut v2 v4),
+                                             (getCut v1 v2),
+                                             (getCut v2 v3)))) :: [])
+                  else if Z.eqb m1 m3
+                       then if Z.eqb m2 m4
+                            then []
+                            else if Z.eqb m1 m4
+                                 then []
+                                 else if Z.eqb m2 m3
+                                      then []
+                                      else (m2, (UT ((getCut v1 v2),
+                                             (getCut v3 v4), (getCut v2 v4),
+                                             (getCut v2 v3)))) :: ((m4, (UT
+                                             ((getCut v1 v2), (getCut v3 v4),
+                                             (getCut v1 v4),
+                                             (getCut v2 v4)))) :: [])
+                       else if Z.eqb m2 m4
+                            then if Z.eqb m1 m4
+                                 then []
+                                 else if Z.eqb m2 m3
+                                      then []
+                                      else (m1, (UT ((getCut v1 v2),
+                                             (getCut v3 v4), (getCut v1 v3),
+                                             (getCut v1 v4)))) :: ((m3, (UT
+                                             ((getCut v1 v2), (getCut v3 v4),
+                                             (getCut v2 v3),
+                                             (getCut v1 v3)))) :: [])
+                            else if Z.eqb m1 m4
+                                 then if Z.eqb m2 m3
+                                      then []
+                                      else (m2, (UT ((getCut v1 v2),
+                                             (getCut v3 v4), (getCut v2 v4),
+                                             (getCut v2 v3)))) :: ((m3, (UT
+                                             ((getCut v1 v2), (getCut v3 v4),
+                                             (getCut v2 v3),
+                                             (getCut v1 v3)))) :: [])
+                                 else if Z.eqb m2 m3
+                                      then (m1, (UT ((getCut v1 v2),
+                                             (getCut v3 v4), (getCut v1 v3),
+                                             (getCut v1 v4)))) :: ((m4, (UT
+                                             ((getCut v1 v2), (getCut v3 v4),
+                                             (getCut v1 v4),
+                                             (getCut v2 v4)))) :: [])
+                                      else (m1, (UT ((getCut v1 v2),
+                                             (getCut v3 v4), (getCut v1 v3),
+                                             (getCut v1 v4)))) :: ((m2, (UT
+                                             ((getCut v1 v2), (getCut v3 v4),
+                                             (getCut v2 v4),
+                                             (getCut v2 v3)))) :: ((m3, (UT
+                                             ((getCut v1 v2), (getCut v3 v4),
+                                             (getCut v2 v3),
+                                             (getCut v1 v3)))) :: ((m4, (UT
+                                             ((getCut v1 v2), (getCut v3 v4),
+                                             (getCut v1 v4),
+                                             (getCut v2 v4)))) :: [])))
+           | None ->
+             if Z.eqb m1 m2
+             then []
+             else if Z.eqb m1 m3
+                  then []
+                  else if Z.eqb m2 m3
+                       then []
+                       else (m3, (UT (v4, (getCut v1 v2), (getCut v1 v3),
+                              (getCut v2 v3)))) :: [])
+        | None ->
+          (match getMaterial v4 with
+           | Some m4 ->
+             if Z.eqb m1 m2
+             then []
+             else if Z.eqb m1 m4
+                  then []
+                  else if Z.eqb m2 m4
+                       then []
+                       else (m4, (UT (v3, (getCut v1 v2), (getCut v2 v4),
+                              (getCut v1 v4)))) :: []
+           | None -> []))
+     | None ->
+       (match getMaterial v3 with
+        | Some m3 ->
+          (match getMaterial v4 with
+           | Some m4 ->
+             if Z.eqb m1 m3
+             then []
+             else if Z.eqb m1 m4
+                  then []
+                  else if Z.eqb m3 m4
+                       then []
+                       else (m1, (UT (v2, (getCut v3 v4), (getCut v1 v3),
+                              (getCut v1 v4)))) :: []
+           | None -> [])
+        | None -> []))
+  | None ->
+    (match getMaterial v2 with
+     | Some m2 ->
+       (match getMaterial v3 with
+        | Some m3 ->
+          (match getMaterial v4 with
+           | Some m4 ->
+             if Z.eqb m2 m3
+             then []
+             else if Z.eqb m2 m4
+                  then []
+                  else if Z.eqb m3 m4
+                       then []
+                       else (m2, (UT (v1, (getCut v3 v4), (getCut v2 v4),
+                              (getCut v2 v3)))) :: []
+           | None -> [])
+        | None -> [])
+     | None -> [])
+
+(** val signAmongMaterials :
+    ('a1 -> material option) -> material -> 'a1 -> sign **)
+
+let signAmongMaterials getMaterial m v =
+  match getMaterial v with
+  | Some n -> if Z.eqb n m then Plus else Minus
+  | None -> OnSurface
+
+(** val materialCut :
+    ('a1 -> material option) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 **)
+
+let materialCut getMaterial getIntersection v w =
+  match getMaterial v with
+  | Some m ->
+    (match getMaterial w with
+     | Some n ->
+       if Z.ltb m n then getIntersection w v else getIntersection v w
+     | None -> getIntersection v w)
+  | None -> getIntersection v w
+
+(** val addMaterial :
+    ('a1 -> material option) -> material list -> 'a1 -> material list **)
+
+let addMaterial getMaterial found v =
+  match getMaterial v with
+  | Some m -> if existsb (Z.eqb m) found then found else app found (m :: [])
+  | None -> found
+
+(** val materialsOf :
+    ('a1 -> material option) -> 'a1 list -> material list **)
+
+let materialsOf getMaterial vertices =
+  fold_left (addMaterial getMaterial) vertices []
+
+(** val tetsOfOne :
+    ('a1 -> material option) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 ->
+    'a1 -> material -> (material * 'a1 unstructuredTet) list **)
+
+let tetsOfOne getMaterial getIntersection v1 v2 v3 v4 m =
+  map (fun x -> (m, x))
+    (getUnstructuredTets (signAmongMaterials getMaterial m)
+      (materialCut getMaterial getIntersection) v1 v2 v3 v4)
+
+(** val getMaterialTets :
+    ('a1 -> material option) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 ->
+    'a1 -> material -> (material * 'a1 unstructuredTet) list **)
+
+let getMaterialTets getMaterial getIntersection v1 v2 v3 v4 shared =
+  match materialsOf getMaterial (v1 :: (v2 :: (v3 :: (v4 :: [])))) with
+  | [] -> (shared, (UT (v1, v2, v3, v4))) :: []
+  | m :: l ->
+    app
+      (flat_map (tetsOfOne getMaterial getIntersection v1 v2 v3 v4) (m :: l))
+      (materialFill getMaterial (materialCut getMaterial getIntersection) v1
+        v2 v3 v4)
+
+(** val ofMaterial :
+    material -> (material * 'a1 unstructuredTet) list -> 'a1 unstructuredTet
+    list **)
+
+let ofMaterial m tets =
+  map snd (filter (fun t0 -> Z.eqb (fst t0) m) tets)
+
+type materialField = coord3 -> material option
+
+(** val vertexMaterial : materialField -> meshVertex -> material option **)
+
+let vertexMaterial material0 = function
+| Corner c -> material0 c
+| Cut (_, _) -> None
+
+(** val orientMaterialTet :
+    handedness -> (material * meshVertex unstructuredTet) ->
+    material * meshVertex unstructuredTet **)
+
+let orientMaterialTet h t0 =
+  ((fst t0), (orient h (snd t0)))
+
+(** val materialNames :
+    materialField -> (structuredTetId -> material) -> structuredTetId ->
+    (material * meshVertex unstructuredTet) list **)
+
+let materialNames material0 shared tid = match tid with
+| STId (c, case) ->
+  let ST (v1, v2, v3, v4, _, _, _, _) = getStructuredTet (STId (c, case)) in
+  map (orientMaterialTet (caseHandedness case))
+    (getMaterialTets (vertexMaterial material0) meshIntersection (Corner v1)
+      (Corner v2) (Corner v3) (Corner v4) (shared tid))
+
+(** val materialCutFrom :
+    materialField -> cutField -> coord3 -> direction -> z **)
+
+let materialCutFrom material0 cut v d =
+  let u = translate v (offset d) in
+  (match material0 v with
+   | Some m ->
+     (match material0 u with
+      | Some n -> if Z.ltb m n then Z.sub steps (cut u v) else cut v u
+      | None -> cut v u)
+   | None -> cut v u)
+
+(** val signBeside : materialField -> material -> coord3 -> sign **)
+
+let signBeside material0 m v =
+  match material0 v with
+  | Some n -> if Z.eqb n m then Plus else Minus
+  | None -> OnSurface
+
+(** val warpMaterialVertex :
+    thresholds -> materialField -> cutField -> coord3 -> warping **)
+
+let warpMaterialVertex th material0 cut v =
+  match material0 v with
+  | Some m ->
+    warp th Plus (fun d -> signBeside material0 m (translate v (offset d)))
+      (materialCutFrom material0 cut v)
+  | None -> Stays
+
+(** val ruledMaterialWarping :
+    thresholds -> materialField -> cutField -> (coord3 -> bool) -> (coord3 ->
+    z) -> coord3 -> warping **)
+
+let ruledMaterialWarping th material0 cut stays limit v =
+  match warpMaterialVertex th material0 cut v with
+  | Stays -> Stays
+  | Moves (d, t0) ->
+    if stays v then Stays else Moves (d, (Z.max Z0 (Z.min t0 (limit v))))
+
+(** val placedMaterial :
+    materialField -> (coord3 -> warping) -> coord3 -> material option **)
+
+let placedMaterial before warping0 c =
+  match warping0 c with
+  | Stays -> before c
+  | Moves (_, _) -> None
+
+(** val placedMaterialTets :
+    materialField -> (coord3 -> warping) -> cutField -> (structuredTetId ->
+    material) -> structuredTetId -> (material * coord3 unstructuredTet) list **)
+
+let placedMaterialTets before warping0 cut shared tid =
+  map (fun t0 -> ((fst t0), (mapTet (placedPosition warping0 cut) (snd t0))))
+    (materialNames (placedMaterial before warping0) shared tid)
+
+(** val placedWhole :
+    (coord3 -> warping) -> cutField -> structuredTetId -> coord3
+    unstructuredTet **)
+
+let placedWhole warping0 cut = function
+| STId (c, case) ->
+  let ST (v1, v2, v3, v4, _, _, _, _) = getStructuredTet (STId (c, case)) in
+  mapTet (placedPosition warping0 cut)
+    (orient (caseHandedness case) (UT ((Corner v1), (Corner v2), (Corner v3),
+      (Corner v4))))

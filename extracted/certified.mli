@@ -434,3 +434,66 @@ val settledTets :
 val settledMesh :
   thresholds -> signField -> cutField -> gap -> coord3 list ->
   structuredTetId list -> coord3 unstructuredTet list
+
+type material = z
+
+val outside : material
+
+val materialFill :
+  ('a1 -> material option) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 -> 'a1
+  -> (material * 'a1 unstructuredTet) list
+
+val signAmongMaterials : ('a1 -> material option) -> material -> 'a1 -> sign
+
+val materialCut :
+  ('a1 -> material option) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1
+
+val addMaterial :
+  ('a1 -> material option) -> material list -> 'a1 -> material list
+
+val materialsOf : ('a1 -> material option) -> 'a1 list -> material list
+
+val tetsOfOne :
+  ('a1 -> material option) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 -> 'a1
+  -> material -> (material * 'a1 unstructuredTet) list
+
+val getMaterialTets :
+  ('a1 -> material option) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 -> 'a1
+  -> material -> (material * 'a1 unstructuredTet) list
+
+val ofMaterial :
+  material -> (material * 'a1 unstructuredTet) list -> 'a1 unstructuredTet
+  list
+
+type materialField = coord3 -> material option
+
+val vertexMaterial : materialField -> meshVertex -> material option
+
+val orientMaterialTet :
+  handedness -> (material * meshVertex unstructuredTet) ->
+  material * meshVertex unstructuredTet
+
+val materialNames :
+  materialField -> (structuredTetId -> material) -> structuredTetId ->
+  (material * meshVertex unstructuredTet) list
+
+val materialCutFrom : materialField -> cutField -> coord3 -> direction -> z
+
+val signBeside : materialField -> material -> coord3 -> sign
+
+val warpMaterialVertex :
+  thresholds -> materialField -> cutField -> coord3 -> warping
+
+val ruledMaterialWarping :
+  thresholds -> materialField -> cutField -> (coord3 -> bool) -> (coord3 ->
+  z) -> coord3 -> warping
+
+val placedMaterial :
+  materialField -> (coord3 -> warping) -> coord3 -> material option
+
+val placedMaterialTets :
+  materialField -> (coord3 -> warping) -> cutField -> (structuredTetId ->
+  material) -> structuredTetId -> (material * coord3 unstructuredTet) list
+
+val placedWhole :
+  (coord3 -> warping) -> cutField -> structuredTetId -> coord3 unstructuredTet

@@ -1,0 +1,201 @@
+(** * One material and the outside: today's stencils; and bad sets refused *)
+
+From Coq Require Import ZArith List Bool Lia.
+From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
+From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
+From Certet Require Import Warp.Warp Stuffing.Stuffing.
+From Certet Require Import Material.MaterialTet Material.MaterialMesh.
+From Certet Require Import Material.MaterialSpec Material.OtherMaterials.
+From Certet Require Import Material.MaterialProof Material.MaterialChecker.
+Import ListNotations.
+Open Scope Z_scope.
+
+(** ** What a material has without the fill *)
+
+Lemma OfMaterialApp {V} m (ts us : list (Material * UnstructuredTet V)) :
+  OfMaterial m (ts ++ us) = OfMaterial m ts ++ OfMaterial m us.
+Proof. unfold OfMaterial. rewrite filter_app, map_app. reflexivity. Qed.
+
+Lemma OfOne {V} m n (ts : list (UnstructuredTet V)) :
+  OfMaterial m (map (pair n) ts) = if n =? m then ts else [].
+Proof.
+  unfold OfMaterial.
+  induction ts as [|t ts IH]; cbn [map filter fst]; [now destruct (n =? m)|].
+  destruct (n =? m); cbn [map snd]; rewrite IH; reflexivity.
+Qed.
+
+Lemma OfMany V G I v1 v2 v3 v4 m ms : NoDup ms ->
+  OfMaterial m (flat_map (TetsOfOne V G I v1 v2 v3 v4) ms)
+  = if existsb (Z.eqb m) ms
+    then GetUnstructuredTets V (SignAmongMaterials V G m) (MaterialCut V G I) v1 v2 v3 v4
+    else [].
+Proof.
+  induction ms as [|n ms IH]; intros N; [reflexivity|].
+  apply NoDup_cons_iff in N as [A N]. cbn [flat_map existsb].
+  rewrite OfMaterialApp, (IH N). unfold TetsOfOne at 1. rewrite OfOne.
+  rewrite (Z.eqb_sym n m). destruct (Z.eqb_spec m n) as [->|D]; [|reflexivity].
+  destruct (existsb (Z.eqb n) ms) eqn:E.
+  - apply existsb_exists in E as (k & J & ->%Z.eqb_eq). contradiction.
+  - apply app_nil_r.
+Qed.
+
+Lemma NoneWithoutInside V G I v1 v2 v3 v4 m :
+  (forall v, In v [v1; v2; v3; v4] -> G v <> Some m) ->
+  GetUnstructuredTets V (SignAmongMaterials V G m) (MaterialCut V G I) v1 v2 v3 v4
+  = [].
+Proof.
+  intros N.
+  assert (S : forall v, In v [v1; v2; v3; v4] ->
+    SignAmongMaterials V G m v <> Plus).
+  { intros v J E. apply AmongMeans in E. exact (N v J E). }
+  unfold GetUnstructuredTets. cbn [In] in S.
+  pose proof (S v1 ltac:(tauto)) as S1. pose proof (S v2 ltac:(tauto)) as S2.
+  pose proof (S v3 ltac:(tauto)) as S3. pose proof (S v4 ltac:(tauto)) as S4.
+  destruct (SignAmongMaterials V G m v1); [congruence| |];
+    (destruct (SignAmongMaterials V G m v2); [congruence| |];
+      (destruct (SignAmongMaterials V G m v3); [congruence| |];
+        (destruct (SignAmongMaterials V G m v4); [congruence| |]; reflexivity))).
+Qed.
+
+(** What a material has: its stencils and its fill. *)
+Lemma MaterialIsStencilsAndFill V G I v1 v2 v3 v4 shared m :
+  (exists v n, In v [v1; v2; v3; v4] /\ G v = Some n) ->
+  OfMaterial m (GetMaterialTets V G I v1 v2 v3 v4 shared)
+  = GetUnstructuredTets V (SignAmongMaterials V G m) (MaterialCut V G I) v1 v2 v3 v4
+    ++ OfMaterial m (MaterialFill V G (MaterialCut V G I) v1 v2 v3 v4).
+Proof.
+  intros (v & n & J & E). unfold GetMaterialTets.
+  pose proof (MaterialsOfIn V G [v1; v2; v3; v4]) as M.
+  pose proof (MaterialsOfOnce V G [v1; v2; v3; v4]) as O.
+  destruct (MaterialsOf V G [v1; v2; v3; v4]) as [|k ks].
+  - exfalso. apply (M n). eauto.
+  - rewrite OfMaterialApp, (OfMany V G I v1 v2 v3 v4 m (k :: ks) O). f_equal.
+    destruct (existsb (Z.eqb m) (k :: ks)) eqn:X; [reflexivity|].
+    symmetry. apply NoneWithoutInside. intros w L F.
+    assert (T : existsb (Z.eqb m) (k :: ks) = true)
+      by (apply existsb_exists; exists m; split; [apply M; eauto|apply Z.eqb_refl]).
+    congruence.
+Qed.
+
+(** ** One material and the outside *)
+
+Lemma TwoMaterialsNoFill V G C (v1 v2 v3 v4 : V) m n :
+  (forall v, In v [v1; v2; v3; v4] -> G v = None \/ G v = Some m \/ G v = Some n) ->
+  MaterialFill V G C v1 v2 v3 v4 = [].
+Proof.
+  intros H. cbn [In] in H. unfold MaterialFill.
+  destruct (H v1 ltac:(tauto)) as [E1|[E1|E1]],
+    (H v2 ltac:(tauto)) as [E2|[E2|E2]], (H v3 ltac:(tauto)) as [E3|[E3|E3]],
+    (H v4 ltac:(tauto)) as [E4|[E4|E4]]; rewrite ?E1, ?E2, ?E3, ?E4;
+    rewrite ?Z.eqb_refl; try reflexivity; rewrite ?(Z.eqb_sym n m);
+    destruct (m =? n); reflexivity.
+Qed.
+
+Theorem MaterialReduces : forall Vertex GetMaterial GetIntersection v1 v2 v3 v4 m,
+  Outside < m ->
+  (forall v, In v [v1; v2; v3; v4] ->
+     GetMaterial v = Some m \/ GetMaterial v = None \/
+     GetMaterial v = Some Outside) ->
+  OfMaterial m
+    (GetMaterialTets Vertex GetMaterial GetIntersection v1 v2 v3 v4 Outside)
+  = GetUnstructuredTets Vertex (SignAmongMaterials Vertex GetMaterial m)
+      GetIntersection v1 v2 v3 v4.
+Proof.
+  intros V G I v1 v2 v3 v4 m Above H.
+  assert (D : (exists v n, In v [v1; v2; v3; v4] /\ G v = Some n) \/
+    forall v, In v [v1; v2; v3; v4] -> G v = None).
+  { assert (X : forall vs : list V, (exists v n, In v vs /\ G v = Some n) \/
+      forall v, In v vs -> G v = None).
+    { induction vs as [|v vs [(w & n & J & E)|N]].
+      - right. intros v [].
+      - left. exists w, n. split; [right; exact J|exact E].
+      - destruct (G v) as [n|] eqn:E.
+        + left. exists v, n. split; [left; reflexivity|exact E].
+        + right. intros w [<-|J]; [exact E|exact (N w J)]. }
+    apply X. }
+  assert (Same : GetUnstructuredTets V (SignAmongMaterials V G m) (MaterialCut V G I)
+      v1 v2 v3 v4
+    = GetUnstructuredTets V (SignAmongMaterials V G m) I v1 v2 v3 v4).
+  { rewrite (StencilsAskFromPlusToMinus V V (fun v => v) (SignAmongMaterials V G m)
+      (SignAmongMaterials V G m) I (MaterialCut V G I)).
+    - rewrite <- map_id. apply map_ext. intros []. reflexivity.
+    - reflexivity.
+    - intros v w J K P N. apply AmongMeans in P. apply AmongMeans in N as (n & E & N).
+      unfold MaterialCut. rewrite P, E.
+      destruct (H w K) as [X|[X|X]]; rewrite X in E; try congruence.
+      injection E as <-. destruct (Z.ltb_spec m Outside); [lia|reflexivity]. }
+  destruct D as [D|N].
+  - rewrite (MaterialIsStencilsAndFill V G I v1 v2 v3 v4 Outside m D), Same.
+    rewrite (TwoMaterialsNoFill V G _ v1 v2 v3 v4 m Outside); [apply app_nil_r|].
+    intros v J. destruct (H v J) as [|[|]]; auto.
+  - unfold GetMaterialTets.
+    pose proof (MaterialsOfIn V G [v1; v2; v3; v4]) as M.
+    destruct (MaterialsOf V G [v1; v2; v3; v4]) as [|k ks].
+    + unfold OfMaterial. cbn [filter fst]. destruct (Z.eqb_spec Outside m); [lia|].
+      cbn [map]. symmetry.
+      unfold GetUnstructuredTets, SignAmongMaterials. cbn [In] in N.
+      rewrite !N by tauto. reflexivity.
+    + exfalso. destruct (proj1 (M k) (or_introl eq_refl)) as (v & J & E).
+      rewrite (N v J) in E. discriminate E.
+Qed.
+
+(** *** Of the whole mesh *)
+
+Theorem MaterialMeshReduces : forall th sign cut tid m,
+  Outside < m ->
+  OfMaterial m
+    (MaterialNames
+       (fun c => OneMaterial m (MeshVertexSign th sign cut (Corner c)))
+       (fun _ => Outside) tid)
+  = StuffTet th sign cut tid.
+Proof.
+  intros th sign cut tid m Above. unfold StuffTet, MaterialNames.
+  destruct tid as [anchor case].
+  destruct (GetStructuredTet (STId anchor case)) as [v1 v2 v3 v4].
+  set (material := fun c => OneMaterial m (MeshVertexSign th sign cut (Corner c))).
+  set (corners := [Corner v1; Corner v2; Corner v3; Corner v4]).
+  assert (R : OfMaterial m (GetMaterialTets MeshVertex (VertexMaterial material)
+      MeshIntersection (Corner v1) (Corner v2) (Corner v3) (Corner v4) Outside)
+    = GetUnstructuredTets MeshVertex
+        (SignAmongMaterials MeshVertex (VertexMaterial material) m)
+        MeshIntersection (Corner v1) (Corner v2) (Corner v3) (Corner v4)).
+  { apply MaterialReduces; [exact Above|]. intros v J.
+    assert (exists c, v = Corner c) as [c ->] by (cbn in J; intuition eauto).
+    unfold VertexMaterial, material.
+    destruct (MeshVertexSign th sign cut (Corner c)); cbn [OneMaterial]; auto. }
+  assert (S : GetUnstructuredTets MeshVertex
+      (SignAmongMaterials MeshVertex (VertexMaterial material) m)
+      MeshIntersection (Corner v1) (Corner v2) (Corner v3) (Corner v4)
+    = GetUnstructuredTets MeshVertex (MeshVertexSign th sign cut) MeshIntersection
+        (Corner v1) (Corner v2) (Corner v3) (Corner v4)).
+  { rewrite (StencilsAskFromPlusToMinus _ _ (fun v => v) (MeshVertexSign th sign cut)
+      (SignAmongMaterials MeshVertex (VertexMaterial material) m)
+      MeshIntersection MeshIntersection).
+    - rewrite <- map_id. apply map_ext. intros []. reflexivity.
+    - intros v J. assert (exists c, v = Corner c) as [c ->]
+        by (cbn in J; intuition eauto).
+      unfold SignAmongMaterials, VertexMaterial, material.
+      destruct (MeshVertexSign th sign cut (Corner c)); cbn [OneMaterial].
+      + rewrite Z.eqb_refl. reflexivity.
+      + reflexivity.
+      + destruct (Z.eqb_spec Outside m); [lia|reflexivity].
+    - reflexivity. }
+  rewrite <- S, <- R. unfold OfMaterial.
+  generalize (GetMaterialTets MeshVertex (VertexMaterial material) MeshIntersection
+    (Corner v1) (Corner v2) (Corner v3) (Corner v4) Outside).
+  induction l as [|[n t] l IH]; [reflexivity|].
+  cbn [map filter OrientMaterialTet fst snd].
+  destruct (n =? m); cbn [map snd]; rewrite IH; reflexivity.
+Qed.
+
+(** ** Bad sets are refused *)
+
+Theorem MislabelledMaterialsRejected :
+  CheckMaterialFaces MislabelledMaterials = false.
+Proof. vm_compute. reflexivity. Qed.
+
+Theorem UnfilledMaterialsRejected : CheckMaterialInside UnfilledMaterials = false.
+Proof. vm_compute. reflexivity. Qed.
+
+Theorem TwistedMaterialsRejected : CheckMaterialInside TwistedMaterials = false.
+Proof. vm_compute. reflexivity. Qed.
