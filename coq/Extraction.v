@@ -15,6 +15,7 @@ From Certet Require Import Angles.AnglesSpec Embedding.EmbeddingSpec.
 From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
 From Certet Require Import Embedding.DiskTables Embedding.Settle.
 From Certet Require Import Material.MaterialTet Material.MaterialMesh.
+From Certet Require Import Material.Demotion.
 
 Extraction Language OCaml.
 
@@ -41,4 +42,5 @@ Extraction "certified.ml"
   PlacedNames PlacedPosition
   (* several materials *)
   Outside GetMaterialTets OfMaterial MaterialNames WarpMaterialVertex
-  RuledMaterialWarping PlacedMaterial PlacedMaterialTets PlacedWhole.
+  RuledMaterialWarping PlacedMaterial PlacedMaterialTets PlacedWhole
+  WidestAngles IsWellShaped TetsAround Demoted DemotedWarping DemotedTets.

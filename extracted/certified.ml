@@ -1246,6 +1246,54 @@ let dot u v =
   let C3 (vx, vy, vz) = v in
   Z.add (Z.add (Z.mul ux vx) (Z.mul uy vy)) (Z.mul uz vz)
 
+(** val cross : coord3 -> coord3 -> coord3 **)
+
+let cross u v =
+  let C3 (ux, uy, uz) = u in
+  let C3 (vx, vy, vz) = v in
+  C3 ((Z.sub (Z.mul uy vz) (Z.mul uz vy)),
+  (Z.sub (Z.mul uz vx) (Z.mul ux vz)), (Z.sub (Z.mul ux vy) (Z.mul uy vx)))
+
+(** val normal : coord3 -> coord3 -> coord3 -> coord3 **)
+
+let normal a b c =
+  cross (difference a b) (difference a c)
+
+(** val sixVolume : coord3 -> coord3 -> coord3 -> coord3 -> z **)
+
+let sixVolume a b c d =
+  dot (normal a b c) (difference a d)
+
+(** val edgeSquared : coord3 -> coord3 -> z **)
+
+let edgeSquared a b =
+  dot (difference a b) (difference a b)
+
+(** val normalsProduct : coord3 -> coord3 -> coord3 -> coord3 -> z **)
+
+let normalsProduct a b c d =
+  dot (normal a b c) (normal a b d)
+
+type cotSquared =
+| CotSq of z * z
+
+(** val dihedralEdges :
+    'a1 unstructuredTet -> ((('a1 * 'a1) * 'a1) * 'a1) list **)
+
+let dihedralEdges = function
+| UT (a, b, c, d) ->
+  (((a, b), c), d) :: ((((a, c), d), b) :: ((((a, d), b), c) :: ((((b, c),
+    a), d) :: ((((b, d), c), a) :: ((((c, d), a), b) :: [])))))
+
+type angleBounds =
+| AB of cotSquared * cotSquared
+
+(** val corners : structuredTetId -> coord3 list **)
+
+let corners tid =
+  let ST (v1, v2, v3, v4, _, _, _, _) = getStructuredTet tid in
+  v1 :: (v2 :: (v3 :: (v4 :: [])))
+
 (** val placedSign :
     signField -> (coord3 -> warping) -> meshVertex -> sign **)
 
@@ -1271,6 +1319,13 @@ let placedTets before warping0 cut = function
     (map (orient (caseHandedness case))
       (getUnstructuredTets (placedSign before warping0) meshIntersection
         (Corner v1) (Corner v2) (Corner v3) (Corner v4)))
+
+(** val widestAngles : angleBounds **)
+
+let widestAngles =
+  AB ((CotSq ((Zpos (XI (XO (XI (XI (XI (XO (XI XH)))))))), (Zpos (XO (XO (XO
+    XH)))))), (CotSq ((Zpos (XI (XI (XI (XO (XI (XO (XI (XI (XO (XI
+    XH))))))))))), (Zpos (XO (XI (XO (XO (XO (XO (XO XH)))))))))))
 
 (** val placedNames :
     signField -> (coord3 -> warping) -> structuredTetId -> meshVertex
@@ -1977,3 +2032,132 @@ let placedWhole warping0 cut = function
   mapTet (placedPosition warping0 cut)
     (orient (caseHandedness case) (UT ((Corner v1), (Corner v2), (Corner v3),
       (Corner v4))))
+
+(** val isAngleWithin :
+    angleBounds -> coord3 -> coord3 -> coord3 -> coord3 -> bool **)
+
+let isAngleWithin bounds a b c d =
+  let AB (c0, c1) = bounds in
+  let CotSq (num, den) = c0 in
+  let CotSq (num', den') = c1 in
+  let n = normalsProduct a b c d in
+  let scale0 =
+    Z.mul (Z.pow (sixVolume a b c d) (Zpos (XO XH))) (edgeSquared a b)
+  in
+  (&&)
+    ((||) (Z.leb n Z0)
+      (Z.leb (Z.mul den (Z.pow n (Zpos (XO XH)))) (Z.mul num scale0)))
+    ((||) (Z.leb Z0 n)
+      (Z.leb (Z.mul den' (Z.pow n (Zpos (XO XH)))) (Z.mul num' scale0)))
+
+(** val isWellShaped : angleBounds -> coord3 unstructuredTet -> bool **)
+
+let isWellShaped bounds t0 = match t0 with
+| UT (a, b, c, d) ->
+  (&&) (Z.ltb Z0 (sixVolume a b c d))
+    (forallb (fun e ->
+      let (y, s) = e in
+      let (y0, r) = y in let (p, q) = y0 in isAngleWithin bounds p q r s)
+      (dihedralEdges t0))
+
+(** val reach : z list **)
+
+let reach =
+  Z0 :: ((Zpos XH) :: ((Zpos (XO XH)) :: ((Zpos (XI XH)) :: [])))
+
+(** val anchors : coord3 -> coord3 list **)
+
+let anchors v =
+  filter (fun anchor ->
+    let C3 (x, y, z0) = anchor in
+    (&&) ((&&) (Z.even x) (Z.even y)) (Z.even z0))
+    (flat_map (fun x ->
+      flat_map (fun y -> map (fun z0 -> difference (C3 (x, y, z0)) v) reach)
+        reach) reach)
+
+(** val tetsAround : coord3 -> structuredTetId list **)
+
+let tetsAround v =
+  filter (fun tid -> existsb (coord3Equal v) (corners tid))
+    (flat_map (fun anchor -> map (fun x -> STId (anchor, x)) allCases)
+      (anchors v))
+
+(** val fullWarping :
+    thresholds -> materialField -> cutField -> coord3 -> warping **)
+
+let fullWarping =
+  warpMaterialVertex
+
+(** val onInterfaces :
+    thresholds -> materialField -> cutField -> structuredTetId -> bool **)
+
+let onInterfaces th material0 cut tid =
+  forallb (fun v ->
+    match placedMaterial material0 (fullWarping th material0 cut) v with
+    | Some _ -> false
+    | None -> true) (corners tid)
+
+(** val spoiled :
+    angleBounds -> thresholds -> materialField -> cutField -> structuredTetId
+    -> bool **)
+
+let spoiled bounds th material0 cut tid =
+  if onInterfaces th material0 cut tid
+  then negb
+         (isWellShaped bounds
+           (placedWhole (fullWarping th material0 cut) cut tid))
+  else false
+
+(** val fartherOf :
+    thresholds -> materialField -> cutField -> coord3 option -> coord3 ->
+    coord3 option **)
+
+let fartherOf th material0 cut best v =
+  match fullWarping th material0 cut v with
+  | Stays -> best
+  | Moves (d, t0) ->
+    (match best with
+     | Some u ->
+       (match fullWarping th material0 cut u with
+        | Stays -> Some v
+        | Moves (e, s) ->
+          if Z.ltb (Z.mul s (thresholdSteps th (directionKind d)))
+               (Z.mul t0 (thresholdSteps th (directionKind e)))
+          then Some v
+          else best)
+     | None -> Some v)
+
+(** val farthest :
+    thresholds -> materialField -> cutField -> structuredTetId -> coord3
+    option **)
+
+let farthest th material0 cut tid =
+  fold_left (fartherOf th material0 cut) (corners tid) None
+
+(** val demoted :
+    angleBounds -> thresholds -> materialField -> cutField -> coord3 -> bool **)
+
+let demoted bounds th material0 cut v =
+  existsb (fun tid ->
+    if spoiled bounds th material0 cut tid
+    then (match farthest th material0 cut tid with
+          | Some u -> coord3Equal u v
+          | None -> false)
+    else false) (tetsAround v)
+
+(** val demotedWarping :
+    angleBounds -> thresholds -> materialField -> cutField -> coord3 ->
+    warping **)
+
+let demotedWarping bounds th material0 cut =
+  ruledMaterialWarping th material0 cut (demoted bounds th material0 cut)
+    (fun _ -> steps)
+
+(** val demotedTets :
+    angleBounds -> thresholds -> materialField -> cutField ->
+    (structuredTetId -> material) -> structuredTetId -> (material * coord3
+    unstructuredTet) list **)
+
+let demotedTets bounds th material0 cut shared tid =
+  placedMaterialTets material0 (demotedWarping bounds th material0 cut)
+    (clampedCut th cut) shared tid

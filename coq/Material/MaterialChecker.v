@@ -111,18 +111,18 @@ End Check.
 Section CheckInside.
   Variable T : MaterialSet.
 
-  Definition CountWith (ts : list (Material * SymbolicTet)) (abc : Triangle)
-    : nat :=
-    length (filter (fun t => Has (snd t) abc) ts).
-
   (** A triangle on a face belongs to one tetrahedron, any other to two. *)
   Definition CheckTwice (ts : list (Material * SymbolicTet)) : bool :=
     forallb (fun t =>
       forallb (fun abc =>
-        Nat.eqb (CountWith ts abc)
-          (if existsb (fun face => TriangleOn face abc) Faces then 1 else 2))
-        (Triangles (snd t))) ts.
+        match filter (fun u => Has (snd u) abc) ts,
+              existsb (fun face => TriangleOn face abc) Faces with
+        | [_], true => true
+        | [u; w], false => negb (SameTet (snd u) (snd w))
+        | _, _ => false
+        end) (Triangles (snd t))) ts.
 
+  (** A cut is named in the order of [FiveLabels]. *)
   Definition Ordered (s : Symbol) : bool :=
     match s with Base _ => true | CutOf a b => Code a <? Code b end.
 
@@ -130,7 +130,5 @@ Section CheckInside.
     ForAllPatterns (fun leader =>
       let ts := SymbolicMaterials T leader F1 F2 F3 P in
       CheckTwice ts
-      && forallb (fun face => CheckReachesOff face (map snd ts)) Faces
-      && CheckStaysIn [F1; F2; F3; P] (map snd ts)
       && forallb (fun t => forallb Ordered (TetCorners (snd t))) ts).
 End CheckInside.

@@ -96,9 +96,9 @@ Section Face.
         HasTriangle u x y z /\ (labelled = true -> n = m).
   Proof.
     intros V V' K m t x y z I H Lx Ly Lz.
-    destruct (MaterialNamesNamed f1 f2 f3 p q material shared tid a b c d V) as [h E].
-    destruct (MaterialNamesNamed f1 f2 f3 p q material shared nei a' b' c' d' V')
-      as [h' E'].
+    pose proof (MaterialNamesNamed f1 f2 f3 p q material shared tid a b c d V) as E.
+    pose proof (MaterialNamesNamed f1 f2 f3 p q material shared nei a' b' c' d' V')
+      as E'.
     rewrite E in I. rewrite E'. clear E E'.
     apply in_map_iff in I as ([k s] & Es & I). unfold NameTet in Es. cbn [fst snd] in Es.
     injection Es as <- <-. rewrite OrientHasTriangle in H.
@@ -115,7 +115,7 @@ Section Face.
       by (unfold TriangleOn; rewrite Lx, Ly, Lz; reflexivity).
     destruct (CheckMaterialsIncludedSound _ _ _ _ K k s rx ry rz I Hs On)
       as (Below & j & u & J & Hu & Same).
-    exists (Meant (MaterialAt f1 f2 f3 p q material) (shared nei) j), (Orient h' (MapTet name u)).
+    exists (Meant (MaterialAt f1 f2 f3 p q material) (shared nei) j), (Orient (Hand nei) (MapTet name u)).
     split; [|split].
     - apply in_map_iff. exists (j, u). split; [reflexivity|exact J].
     - apply OrientHasTriangle. destruct Hu as [(Ux & Uy & Uz) _].

@@ -129,8 +129,66 @@ Section Pattern.
   Qed.
 End Pattern.
 
+Definition Hand (tid : StructuredTetId) : Handedness :=
+  match tid with STId _ case => CaseHandedness case end.
+
 Lemma CodeInjective a b : Code a = Code b -> a = b.
 Proof. destruct a, b; reflexivity || discriminate. Qed.
+
+(** ** Tetrahedra in names *)
+
+Section AnyVertex.
+  Variables (V : Type) (G : V -> option Material) (I : V -> V -> V).
+  Variable place : Label -> V.
+
+  Definition SymbolVertex (s : Symbol) : V :=
+    match s with
+    | Base l => place l
+    | CutOf a b => MaterialCut V G I (place a) (place b)
+    end.
+
+  Local Notation leader := (Leader (fun l => G (place l))).
+
+  Lemma TetsNamed (shared : Material) (a b c d : Label) :
+    GetMaterialTets V G I (place a) (place b) (place c) (place d) shared
+    = map (fun t => (Meant (fun l => G (place l)) shared (fst t),
+                     MapTet SymbolVertex (snd t)))
+        (SymbolicMaterials GetMaterialTets leader a b c d).
+  Proof.
+    pose proof (MaterialTetsRenamed Symbol V SymbolVertex
+      (Meant (fun l => G (place l)) shared) (SymbolMaterial leader) G EdgeSymbol I
+      (Base a) (Base b) (Base c) (Base d)) as R.
+    cbn [SymbolVertex] in R.
+    rewrite <- (MeantShared (fun l => G (place l)) shared) at 1. apply R; clear R.
+    - intros v J. assert (exists l, v = Base l) as [l ->]
+        by (cbn in J; intuition eauto).
+      apply (MeantLeader (fun l => G (place l))).
+    - intros v w m n J K. assert (exists l, v = Base l) as [l ->]
+        by (cbn in J; intuition eauto).
+      assert (exists k, w = Base k) as [k ->] by (cbn in K; intuition eauto).
+      apply (MeantApart (fun l => G (place l))).
+    - intros v w m n J K. assert (exists l, v = Base l) as [l ->]
+        by (cbn in J; intuition eauto).
+      assert (exists k, w = Base k) as [k ->] by (cbn in K; intuition eauto).
+      cbn [SymbolMaterial SymbolVertex]. intros E F N.
+      assert (X : MaterialCut Symbol (SymbolMaterial leader) EdgeSymbol (Base l) (Base k)
+        = EdgeSymbol (Base l) (Base k)).
+      { unfold MaterialCut. cbn [SymbolMaterial]. rewrite E, F.
+        destruct (m <? n); [|reflexivity]. cbn [EdgeSymbol].
+        assert (C : Code l <> Code k).
+        { intros C. apply CodeInjective in C as ->. congruence. }
+        destruct (Z.ltb_spec (Code l) (Code k)), (Z.ltb_spec (Code k) (Code l));
+          try lia; reflexivity. }
+      rewrite X. cbn [EdgeSymbol].
+      destruct (Code k <? Code l); [|reflexivity]. cbn [SymbolVertex].
+      pose proof (MeantLeader (fun l => G (place l)) 0 l) as Ml.
+      pose proof (MeantLeader (fun l => G (place l)) 0 k) as Mk.
+      rewrite E in Ml. rewrite F in Mk.
+      apply (MaterialCutEitherWay _ _ _ _ _ (Meant (fun l => G (place l)) 0 m)
+        (Meant (fun l => G (place l)) 0 n)); [exact Ml | exact Mk |].
+      intros S. apply N. exact (MeantApart (fun l => G (place l)) 0 l k m n E F S).
+  Qed.
+End AnyVertex.
 
 (** ** Names *)
 
@@ -193,50 +251,22 @@ Section Names.
   Definition NamedMaterials : Label -> Label -> Label -> Label ->
     list (Material * SymbolicTet) := SymbolicMaterials GetMaterialTets leader.
 
-  Definition NameTet (tid : StructuredTetId) (h : Handedness)
-    (t : Material * SymbolicTet) : Material * UnstructuredTet MeshVertex :=
-    (Meant MaterialAt (shared tid) (fst t), Orient h (MapTet MaterialName (snd t))).
+  Definition NameTet (tid : StructuredTetId) (t : Material * SymbolicTet)
+    : Material * UnstructuredTet MeshVertex :=
+    (Meant MaterialAt (shared tid) (fst t),
+     Orient (Hand tid) (MapTet MaterialName (snd t))).
 
   Lemma MaterialNamesNamed (tid : StructuredTetId) (a b c d : Label) :
     VerticesAre f1 f2 f3 p q tid a b c d ->
-    exists h, MaterialNames material shared tid
-              = map (NameTet tid h) (NamedMaterials a b c d).
+    MaterialNames material shared tid = map (NameTet tid) (NamedMaterials a b c d).
   Proof.
     unfold VerticesAre. destruct tid as [anchor case]. cbn [MaterialNames].
     destruct (GetStructuredTet (STId anchor case)) as [v1 v2 v3 v4].
-    intros (-> & -> & -> & ->). exists (CaseHandedness case).
-    pose proof (MaterialTetsRenamed Symbol MeshVertex MaterialName
-      (Meant MaterialAt (shared (STId anchor case)))
-      (SymbolMaterial leader) (VertexMaterial material) EdgeSymbol MeshIntersection
-      (Base a) (Base b) (Base c) (Base d)) as R.
-    cbn [MaterialName] in R. rewrite <- (MeantShared MaterialAt (shared (STId anchor case))) at 1.
-    rewrite R; clear R.
-    - rewrite map_map. reflexivity.
-    - intros v I. assert (exists l, v = Base l) as [l ->]
-        by (cbn in I; intuition eauto).
-      apply (MeantLeader MaterialAt).
-    - intros v w m n I J. assert (exists l, v = Base l) as [l ->]
-        by (cbn in I; intuition eauto).
-      assert (exists k, w = Base k) as [k ->] by (cbn in J; intuition eauto).
-      apply (MeantApart MaterialAt).
-    - intros v w m n I J. assert (exists l, v = Base l) as [l ->]
-        by (cbn in I; intuition eauto).
-      assert (exists k, w = Base k) as [k ->] by (cbn in J; intuition eauto).
-      cbn [SymbolMaterial MaterialName]. intros E F N.
-      assert (X : MaterialCut Symbol (SymbolMaterial leader) EdgeSymbol (Base l) (Base k)
-        = EdgeSymbol (Base l) (Base k)).
-      { unfold MaterialCut. cbn [SymbolMaterial]. rewrite E, F.
-        destruct (m <? n); [|reflexivity]. cbn [EdgeSymbol].
-        assert (C : Code l <> Code k).
-        { intros C. apply CodeInjective in C as ->. congruence. }
-        destruct (Z.ltb_spec (Code l) (Code k)), (Z.ltb_spec (Code k) (Code l));
-          try lia; reflexivity. }
-      rewrite X. cbn [EdgeSymbol].
-      destruct (Code k <? Code l); [|reflexivity]. cbn [MaterialName].
-      pose proof (MeantLeader MaterialAt 0 l) as Ml.
-      pose proof (MeantLeader MaterialAt 0 k) as Mk. rewrite E in Ml. rewrite F in Mk.
-      apply (MaterialCutEitherWay _ _ _ _ _ (Meant MaterialAt 0 m) (Meant MaterialAt 0 n));
-        [exact Ml | exact Mk |].
-      intros S. apply N. exact (MeantApart MaterialAt 0 l k m n E F S).
+    intros (-> & -> & -> & ->).
+    pose proof (TetsNamed MeshVertex (VertexMaterial material) MeshIntersection
+      (fun l => Corner (locate l)) (shared (STId anchor case)) a b c d) as N.
+    cbv beta in N. rewrite N, map_map. apply map_ext. intros [k [x y z w]].
+    unfold NameTet, OrientMaterialTet. cbn [fst snd Hand].
+    destruct x, y, z, w; reflexivity.
   Qed.
 End Names.

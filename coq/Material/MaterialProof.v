@@ -197,28 +197,32 @@ Section Rename.
       exact (SameCut v w m n I J P E (not_eq_sym N)).
   Qed.
 
-  Lemma FillRenamed :
-    MaterialFill B GB (MaterialCut B GB IB) (f v1) (f v2) (f v3) (f v4)
-    = map RenameTet (MaterialFill A GA (MaterialCut A GA IA) v1 v2 v3 v4).
+  (** The fill, with any cuts that agree. *)
+  Lemma FillRenamed (CA : A -> A -> A) (CB : B -> B -> B) :
+    (forall v w m n, In v corners -> In w corners ->
+       GA v = Some m -> GA w = Some n -> m <> n -> CB (f v) (f w) = f (CA v w)) ->
+    MaterialFill B GB CB (f v1) (f v2) (f v3) (f v4)
+    = map RenameTet (MaterialFill A GA CA v1 v2 v3 v4).
   Proof.
+    intros Same.
     assert (I1 : In v1 corners) by (cbn; tauto).
     assert (I2 : In v2 corners) by (cbn; tauto).
     assert (I3 : In v3 corners) by (cbn; tauto).
     assert (I4 : In v4 corners) by (cbn; tauto).
     unfold MaterialFill. rewrite !SameMaterial by assumption.
     pose proof (fun m n => RenamedEqual v1 v2 m n I1 I2) as R12.
-    pose proof (fun m n => SameCut v1 v2 m n I1 I2) as C12.
+    pose proof (fun m n => Same v1 v2 m n I1 I2) as C12.
     pose proof (fun m n => RenamedEqual v1 v3 m n I1 I3) as R13.
-    pose proof (fun m n => SameCut v1 v3 m n I1 I3) as C13.
+    pose proof (fun m n => Same v1 v3 m n I1 I3) as C13.
     pose proof (fun m n => RenamedEqual v1 v4 m n I1 I4) as R14.
-    pose proof (fun m n => SameCut v1 v4 m n I1 I4) as C14.
+    pose proof (fun m n => Same v1 v4 m n I1 I4) as C14.
     pose proof (fun m n => RenamedEqual v2 v3 m n I2 I3) as R23.
-    pose proof (fun m n => SameCut v2 v3 m n I2 I3) as C23.
+    pose proof (fun m n => Same v2 v3 m n I2 I3) as C23.
     pose proof (fun m n => RenamedEqual v2 v4 m n I2 I4) as R24.
-    pose proof (fun m n => SameCut v2 v4 m n I2 I4) as C24.
+    pose proof (fun m n => Same v2 v4 m n I2 I4) as C24.
     pose proof (fun m n => RenamedEqual v3 v4 m n I3 I4) as R34.
-    pose proof (fun m n => SameCut v3 v4 m n I3 I4) as C34.
-    clear SameMaterial Apart SameCut I1 I2 I3 I4.
+    pose proof (fun m n => Same v3 v4 m n I3 I4) as C34.
+    clear SameMaterial Apart SameCut Same I1 I2 I3 I4.
     destruct (GA v1) as [m1|], (GA v2) as [m2|], (GA v3) as [m3|],
       (GA v4) as [m4|]; cbn [option_map]; try reflexivity;
       repeat match goal with
@@ -232,7 +236,7 @@ Section Rename.
       unfold RenameTet; cbn [map fst snd MapTet];
       repeat match goal with H : ?m <> ?n -> _, N : ?m <> ?n |- _ =>
         specialize (H N) end;
-      repeat match goal with H : MaterialCut B GB IB _ _ = _ |- _ =>
+      repeat match goal with H : CB _ _ = _ |- _ =>
         rewrite ?H; clear H end;
       reflexivity.
   Qed.
@@ -245,7 +249,7 @@ Section Rename.
     unfold corners in M at 1. cbn [map] in M. rewrite M.
     pose proof (MaterialsOfIn A GA corners) as K. fold corners.
     destruct (MaterialsOf A GA corners) as [|m ms]; cbn [map]; [reflexivity|].
-    rewrite map_app, FillRenamed. f_equal.
+    rewrite map_app, (FillRenamed (MaterialCut A GA IA) _ SameCut). f_equal.
     change (rename m :: map rename ms) with (map rename (m :: ms)).
     assert (H : forall l, (forall k, In k l -> In k (m :: ms)) ->
       flat_map (TetsOfOne B GB IB (f v1) (f v2) (f v3) (f v4)) (map rename l)

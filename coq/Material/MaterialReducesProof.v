@@ -3,12 +3,46 @@
 From Coq Require Import ZArith List Bool Lia.
 From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
 From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Warp.Warp Stuffing.Stuffing.
+From Certet Require Import Lattice.Direction Warp.Cut Warp.Warp.
+From Certet Require Import Stuffing.Stuffing Angles.AnglesSpec.
 From Certet Require Import Material.MaterialTet Material.MaterialMesh.
 From Certet Require Import Material.MaterialSpec Material.OtherMaterials.
 From Certet Require Import Material.MaterialProof Material.MaterialChecker.
 Import ListNotations.
 Open Scope Z_scope.
+
+(** ** What a warp depends on *)
+
+Lemma WarpDepends th s s' n n' c c' :
+  (forall d, Violates th s n c d = Violates th s' n' c' d) ->
+  (forall d, Violates th s n c d = true -> c d = c' d) ->
+  Warp th s n c = Warp th s' n' c'.
+Proof.
+  intros V C. unfold Warp.
+  assert (H : forall ds best,
+    match best with Stays => True | Moves e _ => c e = c' e end ->
+    fold_left (NearerOf th s n c) ds best = fold_left (NearerOf th s' n' c') ds best).
+  { induction ds as [|d ds IH]; intros best B; cbn [fold_left]; [reflexivity|].
+    assert (E : NearerOf th s n c best d = NearerOf th s' n' c' best d).
+    { unfold NearerOf. rewrite <- (V d). destruct (Violates th s n c d) eqn:W; [|reflexivity].
+      unfold CutDistanceSquared. rewrite <- (C d W).
+      destruct best as [|e t]; [reflexivity|]. rewrite <- B. reflexivity. }
+    rewrite <- E. apply IH. unfold NearerOf.
+    destruct (Violates th s n c d) eqn:W; [|exact B].
+    destruct best as [|e t]; [exact (C d W)|]. destruct (_ <? _); [exact (C d W)|exact B]. }
+  apply H. trivial.
+Qed.
+
+Lemma OnSurfaceStays th n c : Warp th OnSurface n c = Stays.
+Proof.
+  unfold Warp.
+  assert (N : forall ds best, fold_left (NearerOf th OnSurface n c) ds best = best).
+  { induction ds as [|d ds IH]; intros best; [reflexivity|exact (IH best)]. }
+  apply N.
+Qed.
+
+(** From here on its name is needed, never its steps. *)
+Local Strategy 1000 [Warp].
 
 (** ** What a material has without the fill *)
 
@@ -186,6 +220,79 @@ Proof.
   induction l as [|[n t] l IH]; [reflexivity|].
   cbn [map filter OrientMaterialTet fst snd].
   destruct (n =? m); cbn [map snd]; rewrite IH; reflexivity.
+Qed.
+
+(** *** Of warping *)
+
+Theorem MaterialWarpReduces : forall th sign cut m v, Outside < m ->
+  WarpMaterialVertex th (fun c => OneMaterial m (sign c)) cut v
+  = WarpVertex th sign cut v.
+Proof.
+  intros th sign cut m v Above. unfold WarpMaterialVertex, WarpVertex.
+  assert (Out : (Outside =? m) = false) by (apply Z.eqb_neq; lia).
+  assert (Out' : (m =? Outside) = false) by (apply Z.eqb_neq; lia).
+  assert (L : (m <? Outside) = false) by (apply Z.ltb_ge; lia).
+  assert (L' : (Outside <? m) = true) by (apply Z.ltb_lt; lia).
+  destruct (sign v) eqn:S; cbn [OneMaterial].
+  - apply WarpDepends; intros d; unfold Violates, SignBeside, MaterialCutFrom, CutFrom;
+      cbv zeta; rewrite S; destruct (sign (Translate v (Offset d)));
+      cbn [OneMaterial Opposite andb]; rewrite ?Z.eqb_refl, ?Out, ?L; try reflexivity;
+      discriminate.
+  - symmetry. apply OnSurfaceStays.
+  - apply WarpDepends; intros d; unfold Violates, SignBeside, MaterialCutFrom, CutFrom;
+      cbv zeta; rewrite S; destruct (sign (Translate v (Offset d)));
+      cbn [OneMaterial Opposite andb]; rewrite ?Z.eqb_refl, ?Out', ?L'; try reflexivity;
+      discriminate.
+Qed.
+
+(** *** Of everything *)
+
+Lemma MaterialNamesDepend material material' shared tid :
+  (forall c, material c = material' c) ->
+  MaterialNames material shared tid = MaterialNames material' shared tid.
+Proof.
+  intros E. unfold MaterialNames. destruct tid as [anchor case].
+  destruct (GetStructuredTet (STId anchor case)) as [v1 v2 v3 v4]. f_equal.
+  assert (F : forall v, VertexMaterial material v = option_map (fun n => n)
+    (VertexMaterial material' v)).
+  { intros [c|a b]; cbn [VertexMaterial option_map]; [|reflexivity].
+    rewrite E. destruct (material' c); reflexivity. }
+  pose proof (MaterialTetsRenamed MeshVertex MeshVertex (fun v => v) (fun n => n)
+    (VertexMaterial material') (VertexMaterial material) MeshIntersection MeshIntersection
+    (Corner v1) (Corner v2) (Corner v3) (Corner v4)) as R.
+  rewrite R.
+  - unfold RenameTet. rewrite <- map_id. apply map_ext. intros [k []]. reflexivity.
+  - intros v _. apply F.
+  - intros v w k l _ _ _ _ X. exact X.
+  - intros v w k l _ _ X Y _. unfold MaterialCut. rewrite !F, X, Y. reflexivity.
+Qed.
+
+Lemma OfMaterialMapped {A B} (g : UnstructuredTet A -> UnstructuredTet B) m ts :
+  OfMaterial m (map (fun t => (fst t, g (snd t))) ts) = map g (OfMaterial m ts).
+Proof.
+  unfold OfMaterial. induction ts as [|[n t] ts IH]; cbn [map filter fst snd]; [reflexivity|].
+  destruct (n =? m); cbn [map snd]; rewrite IH; reflexivity.
+Qed.
+
+Theorem MaterialStuffingReduces : forall th sign cut tid m, Outside < m ->
+  let material c := OneMaterial m (sign c) in
+  OfMaterial m
+    (PlacedMaterialTets material (WarpMaterialVertex th material cut) cut
+       (fun _ => Outside) tid)
+  = StuffedTets th sign cut tid.
+Proof.
+  intros th sign cut tid m Above material.
+  assert (W : forall v, WarpMaterialVertex th material cut v = WarpVertex th sign cut v)
+    by (intros v; apply MaterialWarpReduces, Above).
+  unfold PlacedMaterialTets, StuffedTets. rewrite OfMaterialMapped.
+  rewrite (MaterialNamesDepend _ (fun c => OneMaterial m (MeshVertexSign th sign cut (Corner c)))).
+  - rewrite MaterialMeshReduces by exact Above. apply map_ext.
+    assert (P : forall v, PlacedPosition (WarpMaterialVertex th material cut) cut v
+      = MeshPosition th sign cut v).
+    { intros [c|a b]; cbn [PlacedPosition MeshPosition]; [rewrite W|]; reflexivity. }
+    intros []. cbn [MapTet]. rewrite !P. reflexivity.
+  - intros c. unfold PlacedMaterial. cbn [MeshVertexSign]. rewrite W.
+    destruct (WarpVertex th sign cut c); reflexivity.
 Qed.
 
 (** ** Bad sets are refused *)
