@@ -42,14 +42,14 @@ Open Scope Z_scope.
 
     [DemotedTets] is the whole of it: vertices that are violated move, those
     that would spoil a tetrahedron between interfaces stay, cuts are kept alpha
-    away from both ends of their edges. *)
+    away from both ends of their edges; read [Material/Demotion.v]. *)
 
 (** Every tetrahedron of every material, however many there are, has positive
     volume and dihedral angles between 10.77 and 164.76 degrees, as integers tell
     it: cot^2 10.77 > 221/8 and cot^2 164.76 > 1751/130; *)
 Theorem DemotedBounds :
   forall material cut shared tid m t,
-    MaterialCutsOnEdges material cut -> InLattice tid ->
+    MaterialCutsOnEdges material cut -> InLattice tid -> m <> Outside ->
     In (m, t)
       (DemotedTets (AB (CotSq 221 8) (CotSq 1751 130)) AngleThresholds
          material cut shared tid) ->
@@ -59,7 +59,7 @@ Proof. exact MaterialWarpProof.DemotedBounds. Qed.
 (** and in degrees. *)
 Theorem DemotedBoundsInDegrees :
   forall material cut shared tid m t,
-    MaterialCutsOnEdges material cut -> InLattice tid ->
+    MaterialCutsOnEdges material cut -> InLattice tid -> m <> Outside ->
     In (m, t)
       (DemotedTets (AB (CotSq 221 8) (CotSq 1751 130)) AngleThresholds
          material cut shared tid) ->
@@ -181,6 +181,16 @@ Theorem MaterialStuffingReduces :
          (fun _ => Outside) tid)
     = StuffedTets th sign cut tid.
 Proof. exact MaterialReducesProof.MaterialStuffingReduces. Qed.
+
+(** With the rule of who stays as well: there is nobody who would have to. *)
+Theorem DemotedReduces :
+  forall bounds th sign cut tid m,
+    Outside < m -> AtMostHalf th -> CutsOnEdges sign cut -> InLattice tid ->
+    OfMaterial m
+      (DemotedTets bounds th (fun c => OneMaterial m (sign c)) cut
+         (fun _ => Outside) tid)
+    = StuffedTets th sign cut tid.
+Proof. exact MaterialWarpProof.DemotedReduces. Qed.
 
 (** ** Three materials or four
 

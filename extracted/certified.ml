@@ -2098,15 +2098,17 @@ let onInterfaces th material0 cut tid =
     | None -> true) (corners tid)
 
 (** val spoiled :
-    angleBounds -> thresholds -> materialField -> cutField -> structuredTetId
-    -> bool **)
+    angleBounds -> thresholds -> materialField -> cutField ->
+    (structuredTetId -> material) -> structuredTetId -> bool **)
 
-let spoiled bounds th material0 cut tid =
-  if onInterfaces th material0 cut tid
-  then negb
-         (isWellShaped bounds
-           (placedWhole (fullWarping th material0 cut) cut tid))
-  else false
+let spoiled bounds th material0 cut shared tid =
+  if Z.eqb (shared tid) outside
+  then false
+  else if onInterfaces th material0 cut tid
+       then negb
+              (isWellShaped bounds
+                (placedWhole (fullWarping th material0 cut) cut tid))
+       else false
 
 (** val fartherOf :
     thresholds -> materialField -> cutField -> coord3 option -> coord3 ->
@@ -2135,23 +2137,24 @@ let farthest th material0 cut tid =
   fold_left (fartherOf th material0 cut) (corners tid) None
 
 (** val demoted :
-    angleBounds -> thresholds -> materialField -> cutField -> coord3 -> bool **)
+    angleBounds -> thresholds -> materialField -> cutField ->
+    (structuredTetId -> material) -> coord3 -> bool **)
 
-let demoted bounds th material0 cut v =
+let demoted bounds th material0 cut shared v =
   existsb (fun tid ->
-    if spoiled bounds th material0 cut tid
+    if spoiled bounds th material0 cut shared tid
     then (match farthest th material0 cut tid with
           | Some u -> coord3Equal u v
           | None -> false)
     else false) (tetsAround v)
 
 (** val demotedWarping :
-    angleBounds -> thresholds -> materialField -> cutField -> coord3 ->
-    warping **)
+    angleBounds -> thresholds -> materialField -> cutField ->
+    (structuredTetId -> material) -> coord3 -> warping **)
 
-let demotedWarping bounds th material0 cut =
-  ruledMaterialWarping th material0 cut (demoted bounds th material0 cut)
-    (fun _ -> steps)
+let demotedWarping bounds th material0 cut shared =
+  ruledMaterialWarping th material0 cut
+    (demoted bounds th material0 cut shared) (fun _ -> steps)
 
 (** val demotedTets :
     angleBounds -> thresholds -> materialField -> cutField ->
@@ -2159,5 +2162,6 @@ let demotedWarping bounds th material0 cut =
     unstructuredTet) list **)
 
 let demotedTets bounds th material0 cut shared tid =
-  placedMaterialTets material0 (demotedWarping bounds th material0 cut)
-    (clampedCut th cut) shared tid
+  placedMaterialTets material0
+    (demotedWarping bounds th material0 cut shared) (clampedCut th cut)
+    shared tid

@@ -537,8 +537,8 @@ val onInterfaces :
   thresholds -> materialField -> cutField -> structuredTetId -> bool
 
 val spoiled :
-  angleBounds -> thresholds -> materialField -> cutField -> structuredTetId
-  -> bool
+  angleBounds -> thresholds -> materialField -> cutField -> (structuredTetId
+  -> material) -> structuredTetId -> bool
 
 val fartherOf :
   thresholds -> materialField -> cutField -> coord3 option -> coord3 ->
@@ -548,10 +548,12 @@ val farthest :
   thresholds -> materialField -> cutField -> structuredTetId -> coord3 option
 
 val demoted :
-  angleBounds -> thresholds -> materialField -> cutField -> coord3 -> bool
+  angleBounds -> thresholds -> materialField -> cutField -> (structuredTetId
+  -> material) -> coord3 -> bool
 
 val demotedWarping :
-  angleBounds -> thresholds -> materialField -> cutField -> coord3 -> warping
+  angleBounds -> thresholds -> materialField -> cutField -> (structuredTetId
+  -> material) -> coord3 -> warping
 
 val demotedTets :
   angleBounds -> thresholds -> materialField -> cutField -> (structuredTetId

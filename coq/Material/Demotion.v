@@ -2,10 +2,11 @@
 
     Of one material and the outside such a tetrahedron is left out; of several
     it has to be kept, and moves alone do not make it well shaped.  So it is
-    tested, and if it fails, the corner that moves farthest for its edge stays
-    where it is; all at once, for nobody who stays spoils another: one that is
-    kept whole has four corners that did move, or had no material, and was
-    tested as it is.  Cuts are kept alpha away from both ends of their edges. *)
+    tested, unless it counts as outside, and if it fails, the corner that moves
+    farthest for its edge stays where it is; all at once, for nobody who stays
+    spoils another: one that is kept whole has four corners that did move, or had
+    no material, and was tested as it is.  Cuts are kept alpha away from both
+    ends of their edges. *)
 
 From Coq Require Import ZArith List Bool.
 From Certet Require Import Lattice.Coord3 Lattice.Direction.
@@ -58,6 +59,8 @@ Definition TetsAround (v : Coord3) : list StructuredTetId :=
 Section Demotion.
   Variables (bounds : AngleBounds) (th : Thresholds).
   Variables (material : MaterialField) (cut : CutField).
+  (** The material of a tetrahedron with all corners on interfaces. *)
+  Variable shared : StructuredTetId -> Material.
 
   (** Everyone who is violated moves. *)
   Definition FullWarping (v : Coord3) : Warping :=
@@ -71,7 +74,8 @@ Section Demotion.
       end) (Corners tid).
 
   Definition Spoiled (tid : StructuredTetId) : bool :=
-    if OnInterfaces tid
+    if shared tid =? Outside then false
+    else if OnInterfaces tid
     then negb (IsWellShaped bounds (PlacedWhole FullWarping cut tid)) else false.
 
   (** Who moves by more alphas of the edge; the first, of two that move equally
@@ -109,7 +113,7 @@ Section Demotion.
     RuledMaterialWarping th material cut Demoted (fun _ => Steps).
 
   (** The tetrahedra of all materials in one structured tetrahedron, in steps. *)
-  Definition DemotedTets (shared : StructuredTetId -> Material)
-    (tid : StructuredTetId) : list (Material * UnstructuredTet Coord3) :=
+  Definition DemotedTets (tid : StructuredTetId)
+    : list (Material * UnstructuredTet Coord3) :=
     PlacedMaterialTets material DemotedWarping (ClampedCut th cut) shared tid.
 End Demotion.

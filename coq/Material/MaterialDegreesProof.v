@@ -26,14 +26,14 @@ Proof.
 Qed.
 
 Theorem DemotedBoundsInDegrees : forall material cut shared tid m t,
-  MaterialCutsOnEdges material cut -> InLattice tid ->
+  MaterialCutsOnEdges material cut -> InLattice tid -> m <> Outside ->
   In (m, t) (DemotedTets WidestAngles AngleThresholds material cut shared tid) ->
   WithinDegrees (1077 / 100) (16476 / 100) t.
 Proof.
-  intros material cut shared tid m t C E I.
+  intros material cut shared tid m t C E N I.
   replace (16476 / 100)%R with (180 - 1524 / 100)%R by lra.
   exact (DegreesBounds _ _ _ _ _ Cotangent10_77 Cotangent15_24
-           (DemotedBounds material cut shared tid m t C E I)).
+           (DemotedBounds material cut shared tid m t C E N I)).
 Qed.
 
 Theorem MaterialMidpointBoundsInDegrees :

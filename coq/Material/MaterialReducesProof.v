@@ -175,19 +175,21 @@ Qed.
 
 (** *** Of the whole mesh *)
 
-Theorem MaterialMeshReduces : forall th sign cut tid m,
-  Outside < m ->
+(** With any signs at the corners. *)
+Lemma NamesReduce (sign : MeshVertex -> Sign) tid m : Outside < m ->
   OfMaterial m
-    (MaterialNames
-       (fun c => OneMaterial m (MeshVertexSign th sign cut (Corner c)))
-       (fun _ => Outside) tid)
-  = StuffTet th sign cut tid.
+    (MaterialNames (fun c => OneMaterial m (sign (Corner c))) (fun _ => Outside) tid)
+  = match tid, GetStructuredTet tid with
+    | STId _ case, ST v1 v2 v3 v4 _ _ _ _ =>
+        map (Orient (CaseHandedness case))
+          (GetUnstructuredTets MeshVertex sign MeshIntersection
+             (Corner v1) (Corner v2) (Corner v3) (Corner v4))
+    end.
 Proof.
-  intros th sign cut tid m Above. unfold StuffTet, MaterialNames.
+  intros Above. unfold MaterialNames.
   destruct tid as [anchor case].
   destruct (GetStructuredTet (STId anchor case)) as [v1 v2 v3 v4].
-  set (material := fun c => OneMaterial m (MeshVertexSign th sign cut (Corner c))).
-  set (corners := [Corner v1; Corner v2; Corner v3; Corner v4]).
+  set (material := fun c => OneMaterial m (sign (Corner c))).
   assert (R : OfMaterial m (GetMaterialTets MeshVertex (VertexMaterial material)
       MeshIntersection (Corner v1) (Corner v2) (Corner v3) (Corner v4) Outside)
     = GetUnstructuredTets MeshVertex
@@ -196,20 +198,20 @@ Proof.
   { apply MaterialReduces; [exact Above|]. intros v J.
     assert (exists c, v = Corner c) as [c ->] by (cbn in J; intuition eauto).
     unfold VertexMaterial, material.
-    destruct (MeshVertexSign th sign cut (Corner c)); cbn [OneMaterial]; auto. }
+    destruct (sign (Corner c)); cbn [OneMaterial]; auto. }
   assert (S : GetUnstructuredTets MeshVertex
       (SignAmongMaterials MeshVertex (VertexMaterial material) m)
       MeshIntersection (Corner v1) (Corner v2) (Corner v3) (Corner v4)
-    = GetUnstructuredTets MeshVertex (MeshVertexSign th sign cut) MeshIntersection
+    = GetUnstructuredTets MeshVertex sign MeshIntersection
         (Corner v1) (Corner v2) (Corner v3) (Corner v4)).
-  { rewrite (StencilsAskFromPlusToMinus _ _ (fun v => v) (MeshVertexSign th sign cut)
+  { rewrite (StencilsAskFromPlusToMinus _ _ (fun v => v) sign
       (SignAmongMaterials MeshVertex (VertexMaterial material) m)
       MeshIntersection MeshIntersection).
     - rewrite <- map_id. apply map_ext. intros []. reflexivity.
     - intros v J. assert (exists c, v = Corner c) as [c ->]
         by (cbn in J; intuition eauto).
       unfold SignAmongMaterials, VertexMaterial, material.
-      destruct (MeshVertexSign th sign cut (Corner c)); cbn [OneMaterial].
+      destruct (sign (Corner c)); cbn [OneMaterial].
       + rewrite Z.eqb_refl. reflexivity.
       + reflexivity.
       + destruct (Z.eqb_spec Outside m); [lia|reflexivity].
@@ -221,6 +223,15 @@ Proof.
   cbn [map filter OrientMaterialTet fst snd].
   destruct (n =? m); cbn [map snd]; rewrite IH; reflexivity.
 Qed.
+
+Theorem MaterialMeshReduces : forall th sign cut tid m,
+  Outside < m ->
+  OfMaterial m
+    (MaterialNames
+       (fun c => OneMaterial m (MeshVertexSign th sign cut (Corner c)))
+       (fun _ => Outside) tid)
+  = StuffTet th sign cut tid.
+Proof. intros th sign cut tid m. exact (NamesReduce (MeshVertexSign th sign cut) tid m). Qed.
 
 (** *** Of warping *)
 
@@ -272,6 +283,21 @@ Lemma OfMaterialMapped {A B} (g : UnstructuredTet A -> UnstructuredTet B) m ts :
 Proof.
   unfold OfMaterial. induction ts as [|[n t] ts IH]; cbn [map filter fst snd]; [reflexivity|].
   destruct (n =? m); cbn [map snd]; rewrite IH; reflexivity.
+Qed.
+
+Lemma PlacedReduces sign warping cut tid m : Outside < m ->
+  OfMaterial m
+    (PlacedMaterialTets (fun c => OneMaterial m (sign c)) warping cut
+       (fun _ => Outside) tid)
+  = PlacedTets sign warping cut tid.
+Proof.
+  intros Above. unfold PlacedMaterialTets. rewrite OfMaterialMapped.
+  rewrite (MaterialNamesDepend _
+    (fun c => OneMaterial m (PlacedSign sign warping (Corner c)))).
+  - rewrite NamesReduce by exact Above. unfold PlacedTets.
+    destruct tid as [anchor case]. destruct (GetStructuredTet _). reflexivity.
+  - intros c. unfold PlacedMaterial. cbn [PlacedSign].
+    destruct (warping c); reflexivity.
 Qed.
 
 Theorem MaterialStuffingReduces : forall th sign cut tid m, Outside < m ->

@@ -10,8 +10,10 @@ From Certet Require Import Angles.Geometry Angles.AnglesSpec.
 From Certet Require Import Angles.Cases.AdmissibleProof Angles.AngleTheorems.
 From Certet Require Import Embedding.WarpOrClamp Embedding.WarpOrClampProof.
 From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.MaterialSpec Material.Demotion.
+From Certet Require Import Material.MaterialSpec.
+From Certet Require Import Material.MaterialProof.
 From Certet Require Import Material.MaterialBoundsProof.
+From Certet Require Import Material.MaterialReducesProof Material.Demotion.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -137,12 +139,13 @@ Qed.
 
 Section Demotion.
   Variables (material : MaterialField) (cut : CutField).
+  Variable shared : StructuredTetId -> Material.
   Local Notation th := AngleThresholds.
   Local Notation bounds := WidestAngles.
   Hypothesis OnEdges : MaterialCutsOnEdges material cut.
 
   Local Notation full := (FullWarping th material cut).
-  Local Notation demoted := (DemotedWarping bounds th material cut).
+  Local Notation demoted := (DemotedWarping bounds th material cut shared).
 
   Lemma FarthestMoves tid :
     match Farthest th material cut tid with
@@ -202,10 +205,11 @@ Section Demotion.
       destruct (GetStructuredTet (STId anchor case)). left. reflexivity.
   Qed.
 
-  Theorem DemotedWhole tid : InLattice tid -> InterfacesAlone material demoted tid ->
+  Lemma DemotedWhole tid : InLattice tid -> shared tid <> Outside ->
+    InterfacesAlone material demoted tid ->
     WellShaped bounds (PlacedWhole demoted (ClampedCut th cut) tid).
   Proof.
-    intros Even Alone.
+    intros Even Kept Alone.
     assert (Same : forall v, In v (Corners tid) ->
       demoted v = full v /\ PlacedMaterial material full v = None).
     { intros v I. specialize (Alone v I). unfold PlacedMaterial in *.
@@ -224,15 +228,15 @@ Section Demotion.
       by (intros v I; apply Same, I).
     destruct (IsWellShaped bounds (PlacedWhole full cut tid)) eqn:Shape;
       [apply IsWellShapedSound, Shape|].
-    assert (Bad : Spoiled bounds th material cut tid = true).
-    { unfold Spoiled.
+    assert (Bad : Spoiled bounds th material cut shared tid = true).
+    { unfold Spoiled. rewrite (proj2 (Z.eqb_neq _ _) Kept).
       assert (On : OnInterfaces th material cut tid = true).
       { apply forallb_forall. intros v I. rewrite (proj2 (Same v I)). reflexivity. }
       rewrite On, Shape. reflexivity. }
     pose proof (FarthestMoves tid) as F.
     destruct (Farthest th material cut tid) as [u|] eqn:Far.
     - exfalso. destruct F as [I N].
-      assert (Stay : Demoted bounds th material cut u = true).
+      assert (Stay : Demoted bounds th material cut shared u = true).
       { unfold Demoted. apply existsb_exists. exists tid.
         split; [apply InTetsAround; assumption|]. rewrite Bad, Far.
         destruct u. cbn. rewrite !Z.eqb_refl. reflexivity. }
@@ -243,17 +247,71 @@ Section Demotion.
       apply UnmovedWhole.
   Qed.
 
-  Theorem DemotedBounds_ shared tid m t : InLattice tid ->
+  Lemma AloneAreShared tid m t : InterfacesAlone material demoted tid ->
+    In (m, t) (DemotedTets bounds th material cut shared tid) -> m = shared tid.
+  Proof.
+    intros Alone I. unfold DemotedTets, PlacedMaterialTets, MaterialNames in I.
+    unfold InterfacesAlone, Corners in Alone. destruct tid as [anchor case].
+    destruct (GetStructuredTet (STId anchor case)) as [v1 v2 v3 v4].
+    apply in_map_iff in I as ([k u] & E & I). cbn [fst snd] in E. injection E as -> _.
+    apply in_map_iff in I as ([k s] & E & I). unfold OrientMaterialTet in E.
+    cbn [fst snd] in E. injection E as -> _.
+    set (G := VertexMaterial (PlacedMaterial material demoted)) in I.
+    assert (N : forall v, In v [Corner v1; Corner v2; Corner v3; Corner v4] -> G v = None).
+    { intros v [<-|[<-|[<-|[<-|[]]]]]; apply Alone; cbn; tauto. }
+    apply MaterialTetFrom in I as [(_ & _ & _ & _ & E & _)|[I|I]]; [exact E| |]; exfalso.
+    - rewrite NoneWithoutInside in I; [exact I|]. intros v J. rewrite (N v J). discriminate.
+    - unfold MaterialFill in I. cbn [In] in N. rewrite !N in I by tauto. exact I.
+  Qed.
+
+  Theorem DemotedWithin tid m t : InLattice tid -> m <> Outside ->
     In (m, t) (DemotedTets bounds th material cut shared tid) -> WellShaped bounds t.
   Proof.
-    intros Even I. refine (MaterialDihedralBounds material demoted (ClampedCut th cut)
-      shared tid _ (DemotedWhole tid Even) m t I).
-    apply AnyMaterialSubsetStays; [exact AngleThresholdsAtMostHalf|exact OnEdges].
+    intros Even Inner I. refine (MaterialDihedralBounds material demoted (ClampedCut th cut)
+      shared tid _ _ m t I).
+    - apply AnyMaterialSubsetStays; [exact AngleThresholdsAtMostHalf|exact OnEdges].
+    - intros Alone. apply DemotedWhole; [exact Even| |exact Alone].
+      rewrite <- (AloneAreShared tid m t Alone I). exact Inner.
   Qed.
 End Demotion.
 
 Theorem DemotedBounds : forall material cut shared tid m t,
-  MaterialCutsOnEdges material cut -> InLattice tid ->
+  MaterialCutsOnEdges material cut -> InLattice tid -> m <> Outside ->
   In (m, t) (DemotedTets WidestAngles AngleThresholds material cut shared tid) ->
   WellShaped WidestAngles t.
-Proof. intros material cut shared tid m t C. apply DemotedBounds_, C. Qed.
+Proof. intros material cut shared tid m t C. apply DemotedWithin, C. Qed.
+
+(** ** One material and the outside *)
+
+Lemma PlacedTetsDepend before warping warping' cut tid :
+  (forall c, warping c = warping' c) ->
+  PlacedTets before warping cut tid = PlacedTets before warping' cut tid.
+Proof.
+  intros E. rewrite !PlacedByName, (PlacedNamesExt _ _ _ _ E). apply map_ext.
+  assert (P : forall v, PlacedPosition warping cut v = PlacedPosition warping' cut v)
+    by (intros [c|a b]; cbn [PlacedPosition]; rewrite ?E; reflexivity).
+  intros []. cbn [MapTet]. rewrite !P. reflexivity.
+Qed.
+
+Theorem DemotedReduces : forall bounds th sign cut tid m,
+  Outside < m -> AtMostHalf th -> CutsOnEdges sign cut -> InLattice tid ->
+  OfMaterial m
+    (DemotedTets bounds th (fun c => OneMaterial m (sign c)) cut
+       (fun _ => Outside) tid)
+  = StuffedTets th sign cut tid.
+Proof.
+  intros bounds th sign cut tid m Above Half C Even.
+  rewrite <- (NobodyStays th sign cut tid Half C Even). unfold WarpOrClamp.
+  set (material := fun c => OneMaterial m (sign c)).
+  set (warping := RuledWarping th sign cut (fun _ => false) (fun _ => Steps)).
+  set (demoted := DemotedWarping bounds th material cut (fun _ => Outside)).
+  assert (Nobody : forall v, Demoted bounds th material cut (fun _ => Outside) v = false).
+  { intros v. unfold Demoted. induction (TetsAround v) as [|u us IH]; [reflexivity|].
+    cbn [existsb]. rewrite IH. reflexivity. }
+  assert (W : forall v, demoted v = warping v).
+  { intros v. unfold demoted, warping, DemotedWarping, RuledMaterialWarping, RuledWarping.
+    unfold material. rewrite (MaterialWarpReduces th sign cut m v Above).
+    fold material. rewrite Nobody. reflexivity. }
+  rewrite <- (PlacedTetsDepend sign demoted warping _ tid W).
+  unfold DemotedTets. apply PlacedReduces. exact Above.
+Qed.
