@@ -11,7 +11,8 @@
     none of them rests on an axiom; but for those in degrees, [CertifiedMesh]
     among them, which rest on the axioms of Coq's real numbers.
 
-    The paper's own list of statements is in [PaperCertificate.v]. *)
+    The paper's own list of statements is in [PaperCertificate.v], and what is
+    proved of meshes of several materials in [MaterialCertificate.v]. *)
 
 (** Read [Mesh/Method.v], the product's methods and the mesh that each makes of a
     domain, and [Mesh/CertifiedSpec.v], a definition for each line below. *)
@@ -38,8 +39,8 @@ Proof. exact CertifiedMeshProof.CertifiedMesh. Qed.
 
 From Coq Require Import ZArith Reals List Permutation.
 
-(** The paper's own statements. *)
-From Certet Require Export PaperCertificate.
+(** The paper's own statements, and those on several materials. *)
+From Certet Require Export PaperCertificate MaterialCertificate.
 
 (** What runs, besides [Stuffing]. *)
 From Certet Require Export Lattice.Direction.

@@ -15,6 +15,8 @@ From Certet Require Import Angles.AnglesSpec Embedding.EmbeddingSpec.
 From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
 From Certet Require Import Embedding.DiskTables Embedding.Settle.
 From Certet Require Import Topology.VoxelSpec.
+From Certet Require Import Material.MaterialTet Material.MaterialMesh.
+From Certet Require Import Material.Demotion.
 
 Extraction Language OCaml.
 
@@ -40,4 +42,8 @@ Extraction "certified.ml"
   Embedding.Settle.Settle PlaceIn ClampedCut SettledTets SettledMesh
   PlacedNames PlacedPosition
   (* the samples of a label image *)
-  CubeParted VoxelSigns.
+  CubeParted VoxelSigns
+  (* several materials *)
+  Outside GetMaterialTets OfMaterial MaterialNames WarpMaterialVertex
+  RuledMaterialWarping PlacedMaterial PlacedMaterialTets PlacedWhole
+  WidestAngles IsWellShaped TetsAround Demoted DemotedWarping DemotedTets.
