@@ -24,14 +24,15 @@
 #   make tsan             the engine's tests under the thread sanitizer
 #   make valgrind         the bridge to OCaml under valgrind
 #   make mutation         single defects seeded into the core, and how many the tests catch
-#   make soak             10,000 random domains, meshed and verified
+#   make soak             10,000 random domains, thin images and fields of signs each, meshed and verified
 #   make fuzz             libFuzzer against every reader and the core, FUZZ_SECONDS (60) each
+#   make fuzz-memory      what it learnt, again under valgrind: memory that nobody wrote
 
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
 .PHONY: demo test proofs audit audit-selftest check-extracted conformance build bench certified-tables \
   deps build-deps demo-deps proof-deps test-deps bench-deps configured everything clean \
-  install package repeatability checksums tidy sanitize leaks tsan valgrind mutation soak fuzz
+  install package repeatability checksums tidy sanitize leaks tsan valgrind mutation soak fuzz fuzz-memory
 .NOTPARALLEL:
 
 JOBS ?= $(shell nproc)
@@ -179,11 +180,13 @@ valgrind: deps
 mutation: everything
 	$(PYTHON) -B tests/mutation/mutate.py $(BUILD)
 
-# Some minutes; results in build/soak; the seed may be given.
+# Some minutes; results in build/soak; the count and the seed may be given.
+SOAK_COUNT ?= 10000
 SOAK_SEED ?=
 soak: everything
 	mkdir -p $(BUILD)/soak
-	$(BUILD)/bin/certet_soak --count 10000 $(if $(SOAK_SEED),--seed $(SOAK_SEED)) --report $(BUILD)/soak/soak
+	$(BUILD)/bin/certet_soak --count $(SOAK_COUNT) $(if $(SOAK_SEED),--seed $(SOAK_SEED)) --report $(BUILD)/soak/soak
+	$(BUILD)/bin/certet_thin_soak --images $(SOAK_COUNT) --fields $(SOAK_COUNT) $(if $(SOAK_SEED),--seed $(SOAK_SEED)) --report $(BUILD)/soak/thin.md
 
 # A minute for each target; findings in build-fuzz/findings, the seed may be given.
 FUZZ_SECONDS ?= 60
@@ -191,7 +194,13 @@ FUZZ_SEED ?=
 fuzz: deps
 	cmake --preset fuzz
 	cmake --build --preset fuzz -j $(JOBS)
-	tests/fuzz/run build-fuzz $(FUZZ_SECONDS) $(FUZZ_SEED)
+	PYTHON=$(PYTHON) tests/fuzz/run build-fuzz $(FUZZ_SECONDS) $(FUZZ_SEED)
+
+# By the readers of make test, for valgrind and the sanitizers do not go together.
+fuzz-memory: test-deps
+	$(CONFIGURE) -DCERTET_TESTS=ON
+	cmake --build $(BUILD) -j $(JOBS) --target certet_fuzz_regression
+	tests/fuzz/replay $(BUILD) build-fuzz
 
 clean:
 	$(MAKE) -C coq clean

@@ -176,6 +176,15 @@ std::vector<PlacedTet> stuff(Thresholds t, const certet::Lattice& lattice,
   return tets;
 }
 
+Sign voxel_sign(const VoxelGrid& grid, const std::function<bool(Coord3)>& holds, Coord3 point) {
+  const closures::Voxels closures{holds};
+  Frame frame(&closures);
+  const auto& [half, s, o] = grid;
+  return static_cast<Sign>(call_int(
+      "certified.voxel_sign",
+      {frame.handle(), half, s.x, s.y, s.z, o.x, o.y, o.z, point.x, point.y, point.z}, &frame));
+}
+
 std::vector<PlacedTet> settle(Thresholds t, Gap gap, const certet::Lattice& lattice,
                               const Domain& domain) {
   std::vector<PlacedTet> tets;

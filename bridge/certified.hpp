@@ -112,6 +112,17 @@ std::int64_t bisect(const std::function<Sign(std::int64_t)>& sign);
 /// `PointOnEdge`, in steps.
 Coord3 point_on_edge(Coord3 a, Coord3 b, std::int64_t t);
 
+/// `VoxelGrid`: half a long edge, the spacings of the voxels, and where the lattice's
+/// origin lies in the image, in one unit.
+struct VoxelGrid {
+  std::int64_t half;
+  Coord3 spacing, origin;
+};
+
+/// `VoxelSigns`: the sample of a label image at a lattice point; `holds` tells the voxels
+/// of the image.
+Sign voxel_sign(const VoxelGrid& grid, const std::function<bool(Coord3)>& holds, Coord3 point);
+
 /// A domain: the sign of each lattice point, and the cut of each edge in steps
 /// from its + end, given first.
 struct Domain {

@@ -16,6 +16,7 @@ external neighbor_cut : int -> int -> int = "certified_neighbor_cut"
 external sign_at_step : int -> int -> int = "certified_sign_at_step"
 external domain_sign : int -> int array -> int = "certified_domain_sign"
 external domain_cut : int -> int array -> int = "certified_domain_cut"
+external holds : int -> int array -> int = "certified_holds"
 external emit : int -> int array -> unit = "certified_emit"
 
 (* Raised by the stubs after they have put a C++ exception aside. *)
@@ -147,6 +148,13 @@ let bisection frame =
 let edge_point ax ay az bx by bz t =
   Array.of_list (ints_of_coord3 (pointOnEdge (coord3 ax ay az) (coord3 bx by bz) (z t)))
 
+(* {1 Voxels} *)
+
+let voxel_sign frame half sx sy sz ox oy oz vx vy vz =
+  let grid = Grid (z half, coord3 sx sy sz, coord3 ox oy oz) in
+  let image voxel = holds frame (Array.of_list (ints_of_coord3 voxel)) <> 0 in
+  int_of_sign (voxelSigns grid image (coord3 vx vy vz))
+
 (* {1 Meshes} *)
 
 let domain frame =
@@ -204,6 +212,7 @@ let () =
   Callback.register "certified.in_one_piece" in_one_piece;
   Callback.register "certified.bisect" bisection;
   Callback.register "certified.point_on_edge" edge_point;
+  Callback.register "certified.voxel_sign" voxel_sign;
   Callback.register "certified.stuff_tet" stuff_one;
   Callback.register "certified.stuff" stuff_all;
   Callback.register "certified.settle" settle_all

@@ -20,6 +20,10 @@ struct Bisect {
   const std::function<Sign(std::int64_t)>& sign;
 };
 
+struct Voxels {
+  const std::function<bool(Coord3)>& holds;
+};
+
 struct Stuffing {
   const Domain& domain;
   std::vector<PlacedTet>& out;

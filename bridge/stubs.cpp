@@ -113,6 +113,15 @@ value certified_domain_cut(value frame, value edge) {
   CAMLreturn(to_ocaml(done, result));
 }
 
+value certified_holds(value frame, value voxel) {
+  CAMLparam2(frame, voxel);
+  std::int64_t result = 0;
+  const bool done = run<closures::Voxels>(frame, result, [&](const closures::Voxels& c) {
+    return std::int64_t{c.holds(coord3(voxel, 0)) ? 1 : 0};
+  });
+  CAMLreturn(to_ocaml(done, result));
+}
+
 value certified_emit(value frame, value positions) {
   CAMLparam2(frame, positions);
   std::int64_t result = 0;

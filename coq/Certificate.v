@@ -11,7 +11,8 @@
     none of them rests on an axiom; but for those in degrees, [CertifiedMesh]
     among them, which rest on the axioms of Coq's real numbers.
 
-    The paper's own list of statements is in [PaperCertificate.v]. *)
+    The paper's own list of statements is in [PaperCertificate.v], and what is
+    proved of meshes of several materials in [MaterialCertificate.v]. *)
 
 (** Read [Mesh/Method.v], the product's methods and the mesh that each makes of a
     domain, and [Mesh/CertifiedSpec.v], a definition for each line below. *)
@@ -38,8 +39,8 @@ Proof. exact CertifiedMeshProof.CertifiedMesh. Qed.
 
 From Coq Require Import ZArith Reals List Permutation.
 
-(** The paper's own statements. *)
-From Certet Require Export PaperCertificate.
+(** The paper's own statements, and those on several materials. *)
+From Certet Require Export PaperCertificate MaterialCertificate.
 
 (** What runs, besides [Stuffing]. *)
 From Certet Require Export Lattice.Direction.
@@ -1150,8 +1151,9 @@ Proof. exact TwoSidesFillProof.OtherSidePlaced. Qed.
 (** ** Beyond the paper: the pieces of a label image
 
     Read [Topology/VoxelSpec.v]: which voxel a lattice point lies in, and how it is
-    sampled.  The library takes every point in the image as inside, odd ones too:
-    of such samples this is not proved. *)
+    sampled.  [VoxelSigns] is extracted, and by default the library takes the same
+    samples.  Where all points in the image are inside, odd ones too, as with the
+    other methods, this is not proved. *)
 
 (** If no voxel is narrower than the lattice's long edge, wherever the lattice lies,
     the pieces of the samples by edges are the pieces of the image by faces, *)

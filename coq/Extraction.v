@@ -14,6 +14,9 @@ From Certet Require Import Stuffing.Stuffing Stuffing.Domain.
 From Certet Require Import Angles.AnglesSpec Embedding.EmbeddingSpec.
 From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
 From Certet Require Import Embedding.DiskTables Embedding.Settle.
+From Certet Require Import Topology.VoxelSpec.
+From Certet Require Import Material.MaterialTet Material.MaterialMesh.
+From Certet Require Import Material.Demotion.
 
 Extraction Language OCaml.
 
@@ -37,4 +40,10 @@ Extraction "certified.ml"
   Gather At InOnePiece TwoPieces Pinched Walls DiskOf IsDisk
   OpenSigns OpenCuts Turn Turns InTurn LevelGap StrictGap
   Embedding.Settle.Settle PlaceIn ClampedCut SettledTets SettledMesh
-  PlacedNames PlacedPosition.
+  PlacedNames PlacedPosition
+  (* the samples of a label image *)
+  CubeParted VoxelSigns
+  (* several materials *)
+  Outside GetMaterialTets OfMaterial MaterialNames WarpMaterialVertex
+  RuledMaterialWarping PlacedMaterial PlacedMaterialTets PlacedWhole
+  WidestAngles IsWellShaped TetsAround Demoted DemotedWarping DemotedTets.

@@ -1246,6 +1246,54 @@ let dot u v =
   let C3 (vx, vy, vz) = v in
   Z.add (Z.add (Z.mul ux vx) (Z.mul uy vy)) (Z.mul uz vz)
 
+(** val cross : coord3 -> coord3 -> coord3 **)
+
+let cross u v =
+  let C3 (ux, uy, uz) = u in
+  let C3 (vx, vy, vz) = v in
+  C3 ((Z.sub (Z.mul uy vz) (Z.mul uz vy)),
+  (Z.sub (Z.mul uz vx) (Z.mul ux vz)), (Z.sub (Z.mul ux vy) (Z.mul uy vx)))
+
+(** val normal : coord3 -> coord3 -> coord3 -> coord3 **)
+
+let normal a b c =
+  cross (difference a b) (difference a c)
+
+(** val sixVolume : coord3 -> coord3 -> coord3 -> coord3 -> z **)
+
+let sixVolume a b c d =
+  dot (normal a b c) (difference a d)
+
+(** val edgeSquared : coord3 -> coord3 -> z **)
+
+let edgeSquared a b =
+  dot (difference a b) (difference a b)
+
+(** val normalsProduct : coord3 -> coord3 -> coord3 -> coord3 -> z **)
+
+let normalsProduct a b c d =
+  dot (normal a b c) (normal a b d)
+
+type cotSquared =
+| CotSq of z * z
+
+(** val dihedralEdges :
+    'a1 unstructuredTet -> ((('a1 * 'a1) * 'a1) * 'a1) list **)
+
+let dihedralEdges = function
+| UT (a, b, c, d) ->
+  (((a, b), c), d) :: ((((a, c), d), b) :: ((((a, d), b), c) :: ((((b, c),
+    a), d) :: ((((b, d), c), a) :: ((((c, d), a), b) :: [])))))
+
+type angleBounds =
+| AB of cotSquared * cotSquared
+
+(** val corners : structuredTetId -> coord3 list **)
+
+let corners tid =
+  let ST (v1, v2, v3, v4, _, _, _, _) = getStructuredTet tid in
+  v1 :: (v2 :: (v3 :: (v4 :: [])))
+
 (** val placedSign :
     signField -> (coord3 -> warping) -> meshVertex -> sign **)
 
@@ -1271,6 +1319,13 @@ let placedTets before warping0 cut = function
     (map (orient (caseHandedness case))
       (getUnstructuredTets (placedSign before warping0) meshIntersection
         (Corner v1) (Corner v2) (Corner v3) (Corner v4)))
+
+(** val widestAngles : angleBounds **)
+
+let widestAngles =
+  AB ((CotSq ((Zpos (XI (XO (XI (XI (XI (XO (XI XH)))))))), (Zpos (XO (XO (XO
+    XH)))))), (CotSq ((Zpos (XI (XI (XI (XO (XI (XO (XI (XI (XO (XI
+    XH))))))))))), (Zpos (XO (XI (XO (XO (XO (XO (XO XH)))))))))))
 
 (** val placedNames :
     signField -> (coord3 -> warping) -> structuredTetId -> meshVertex
@@ -1304,6 +1359,32 @@ let sameDirection d e =
 let nextInLink d e =
   existsb (fun f ->
     coord3Equal (offset f) (difference (offset d) (offset e))) allDirections
+
+(** val flood :
+    nat -> (direction -> bool) -> direction list -> direction list **)
+
+let rec flood steps0 part reached =
+  match steps0 with
+  | O -> reached
+  | S fewer ->
+    flood fewer part
+      (filter (fun d ->
+        (&&) (part d)
+          (existsb (fun e -> (||) (sameDirection e d) (nextInLink e d))
+            reached)) allDirections)
+
+(** val onePiece : (direction -> bool) -> bool **)
+
+let onePiece part =
+  match filter part allDirections with
+  | [] -> false
+  | first :: _ ->
+    let reached =
+      flood (S (S (S (S (S (S (S (S (S (S (S (S (S O))))))))))))) part
+        (first :: [])
+    in
+    forallb (fun d ->
+      (||) (negb (part d)) (existsb (sameDirection d) reached)) allDirections
 
 (** val isInner : (direction -> sign) -> direction -> bool **)
 
@@ -1663,3 +1744,491 @@ let settledTets th sign0 cut zeros0 tid =
 let settledMesh th sign0 cut gap0 vs tids =
   let zeros0 = settle th sign0 cut gap0 vs in
   flat_map (settledTets th sign0 cut zeros0) tids
+
+type voxelGrid =
+| Grid of z * coord3 * coord3
+
+(** val owner : voxelGrid -> coord3 -> coord3 **)
+
+let owner grid v =
+  let Grid (half, c, c0) = grid in
+  let C3 (sx, sy, sz) = c in
+  let C3 (ox, oy, oz) = c0 in
+  let C3 (x, y, z0) = v in
+  C3 ((Z.div (Z.add ox (Z.mul half x)) sx),
+  (Z.div (Z.add oy (Z.mul half y)) sy), (Z.div (Z.add oz (Z.mul half z0)) sz))
+
+(** val inImage : voxelGrid -> (coord3 -> bool) -> coord3 -> bool **)
+
+let inImage grid image v =
+  image (owner grid v)
+
+(** val cubeInner :
+    voxelGrid -> (coord3 -> bool) -> coord3 -> direction -> bool **)
+
+let cubeInner grid image v d =
+  match directionKind d with
+  | Long -> false
+  | Short -> inImage grid image (translate v (offset d))
+
+(** val cubeParted : voxelGrid -> (coord3 -> bool) -> coord3 -> bool **)
+
+let cubeParted grid image v =
+  (&&) (existsb (cubeInner grid image v) allDirections)
+    (negb (onePiece (cubeInner grid image v)))
+
+(** val voxelSigns : voxelGrid -> (coord3 -> bool) -> signField **)
+
+let voxelSigns grid image v = match v with
+| C3 (x, _, _) ->
+  if (&&) (inImage grid image v)
+       ((||) (Z.even x) (negb (cubeParted grid image v)))
+  then Plus
+  else Minus
+
+type material = z
+
+(** val outside : material **)
+
+let outside =
+  Z0
+
+(** val materialFill :
+    ('a1 -> material option) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 ->
+    'a1 -> (material * 'a1 unstructuredTet) list **)
+
+let materialFill getMaterial getCut v1 v2 v3 v4 =
+  match getMaterial v1 with
+  | Some m1 ->
+    (match getMaterial v2 with
+     | Some m2 ->
+       (match getMaterial v3 with
+        | Some m3 ->
+          (match getMaterial v4 with
+           | Some m4 ->
+             if Z.eqb m1 m2
+             then if Z.eqb m3 m4
+                  then []
+                  else if Z.eqb m1 m3
+                       then []
+                       else if Z.eqb m2 m4
+                            then []
+                            else if Z.eqb m1 m4
+                                 then []
+                                 else if Z.eqb m2 m3
+                                      then []
+                                      else (m1, (UT ((getCut v1 v3),
+                                             (getCut v1 v4), (getCut v2 v3),
+                                             (getCut v3 v4)))) :: ((m1, (UT
+                                             ((getCut v1 v4), (getCut v2 v4),
+                                             (getCut v2 v3),
+                                             (getCut v3 v4)))) :: [])
+             else if Z.eqb m3 m4
+                  then if Z.eqb m1 m3
+                       then []
+                       else if Z.eqb m2 m4
+                            then []
+                            else if Z.eqb m1 m4
+                                 then []
+                                 else if Z.eqb m2 m3
+                                      then []
+                                      else (m3, (UT ((getCut v1 v3),
+                                             (getCut v1 v4), (getCut v1 v2),
+                                             (getCut v2 v3)))) :: ((m3, (UT
+                                             ((getCut v1 v4), (getCut v2 v4),
+                                             (getCut v1 v2),
+                                             (getCut v2 v3)))) :: [])
+                  else if Z.eqb m1 m3
+                       then if Z.eqb m2 m4
+                            then []
+                            else if Z.eqb m1 m4
+                                 then []
+                                 else if Z.eqb m2 m3
+                                      then []
+                                      else (m2, (UT ((getCut v1 v2),
+                                             (getCut v3 v4), (getCut v2 v4),
+                                             (getCut v2 v3)))) :: ((m4, (UT
+                                             ((getCut v1 v2), (getCut v3 v4),
+                                             (getCut v1 v4),
+                                             (getCut v2 v4)))) :: [])
+                       else if Z.eqb m2 m4
+                            then if Z.eqb m1 m4
+                                 then []
+                                 else if Z.eqb m2 m3
+                                      then []
+                                      else (m1, (UT ((getCut v1 v2),
+                                             (getCut v3 v4), (getCut v1 v3),
+                                             (getCut v1 v4)))) :: ((m3, (UT
+                                             ((getCut v1 v2), (getCut v3 v4),
+                                             (getCut v2 v3),
+                                             (getCut v1 v3)))) :: [])
+                            else if Z.eqb m1 m4
+                                 then if Z.eqb m2 m3
+                                      then []
+                                      else (m2, (UT ((getCut v1 v2),
+                                             (getCut v3 v4), (getCut v2 v4),
+                                             (getCut v2 v3)))) :: ((m3, (UT
+                                             ((getCut v1 v2), (getCut v3 v4),
+                                             (getCut v2 v3),
+                                             (getCut v1 v3)))) :: [])
+                                 else if Z.eqb m2 m3
+                                      then (m1, (UT ((getCut v1 v2),
+                                             (getCut v3 v4), (getCut v1 v3),
+                                             (getCut v1 v4)))) :: ((m4, (UT
+                                             ((getCut v1 v2), (getCut v3 v4),
+                                             (getCut v1 v4),
+                                             (getCut v2 v4)))) :: [])
+                                      else (m1, (UT ((getCut v1 v2),
+                                             (getCut v3 v4), (getCut v1 v3),
+                                             (getCut v1 v4)))) :: ((m2, (UT
+                                             ((getCut v1 v2), (getCut v3 v4),
+                                             (getCut v2 v4),
+                                             (getCut v2 v3)))) :: ((m3, (UT
+                                             ((getCut v1 v2), (getCut v3 v4),
+                                             (getCut v2 v3),
+                                             (getCut v1 v3)))) :: ((m4, (UT
+                                             ((getCut v1 v2), (getCut v3 v4),
+                                             (getCut v1 v4),
+                                             (getCut v2 v4)))) :: [])))
+           | None ->
+             if Z.eqb m1 m2
+             then []
+             else if Z.eqb m1 m3
+                  then []
+                  else if Z.eqb m2 m3
+                       then []
+                       else (m3, (UT (v4, (getCut v1 v2), (getCut v1 v3),
+                              (getCut v2 v3)))) :: [])
+        | None ->
+          (match getMaterial v4 with
+           | Some m4 ->
+             if Z.eqb m1 m2
+             then []
+             else if Z.eqb m1 m4
+                  then []
+                  else if Z.eqb m2 m4
+                       then []
+                       else (m4, (UT (v3, (getCut v1 v2), (getCut v2 v4),
+                              (getCut v1 v4)))) :: []
+           | None -> []))
+     | None ->
+       (match getMaterial v3 with
+        | Some m3 ->
+          (match getMaterial v4 with
+           | Some m4 ->
+             if Z.eqb m1 m3
+             then []
+             else if Z.eqb m1 m4
+                  then []
+                  else if Z.eqb m3 m4
+                       then []
+                       else (m1, (UT (v2, (getCut v3 v4), (getCut v1 v3),
+                              (getCut v1 v4)))) :: []
+           | None -> [])
+        | None -> []))
+  | None ->
+    (match getMaterial v2 with
+     | Some m2 ->
+       (match getMaterial v3 with
+        | Some m3 ->
+          (match getMaterial v4 with
+           | Some m4 ->
+             if Z.eqb m2 m3
+             then []
+             else if Z.eqb m2 m4
+                  then []
+                  else if Z.eqb m3 m4
+                       then []
+                       else (m2, (UT (v1, (getCut v3 v4), (getCut v2 v4),
+                              (getCut v2 v3)))) :: []
+           | None -> [])
+        | None -> [])
+     | None -> [])
+
+(** val signAmongMaterials :
+    ('a1 -> material option) -> material -> 'a1 -> sign **)
+
+let signAmongMaterials getMaterial m v =
+  match getMaterial v with
+  | Some n -> if Z.eqb n m then Plus else Minus
+  | None -> OnSurface
+
+(** val materialCut :
+    ('a1 -> material option) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 **)
+
+let materialCut getMaterial getIntersection v w =
+  match getMaterial v with
+  | Some m ->
+    (match getMaterial w with
+     | Some n ->
+       if Z.ltb m n then getIntersection w v else getIntersection v w
+     | None -> getIntersection v w)
+  | None -> getIntersection v w
+
+(** val addMaterial :
+    ('a1 -> material option) -> material list -> 'a1 -> material list **)
+
+let addMaterial getMaterial found v =
+  match getMaterial v with
+  | Some m -> if existsb (Z.eqb m) found then found else app found (m :: [])
+  | None -> found
+
+(** val materialsOf :
+    ('a1 -> material option) -> 'a1 list -> material list **)
+
+let materialsOf getMaterial vertices =
+  fold_left (addMaterial getMaterial) vertices []
+
+(** val tetsOfOne :
+    ('a1 -> material option) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 ->
+    'a1 -> material -> (material * 'a1 unstructuredTet) list **)
+
+let tetsOfOne getMaterial getIntersection v1 v2 v3 v4 m =
+  map (fun x -> (m, x))
+    (getUnstructuredTets (signAmongMaterials getMaterial m)
+      (materialCut getMaterial getIntersection) v1 v2 v3 v4)
+
+(** val getMaterialTets :
+    ('a1 -> material option) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 ->
+    'a1 -> material -> (material * 'a1 unstructuredTet) list **)
+
+let getMaterialTets getMaterial getIntersection v1 v2 v3 v4 shared =
+  match materialsOf getMaterial (v1 :: (v2 :: (v3 :: (v4 :: [])))) with
+  | [] -> (shared, (UT (v1, v2, v3, v4))) :: []
+  | m :: l ->
+    app
+      (flat_map (tetsOfOne getMaterial getIntersection v1 v2 v3 v4) (m :: l))
+      (materialFill getMaterial (materialCut getMaterial getIntersection) v1
+        v2 v3 v4)
+
+(** val ofMaterial :
+    material -> (material * 'a1 unstructuredTet) list -> 'a1 unstructuredTet
+    list **)
+
+let ofMaterial m tets =
+  map snd (filter (fun t0 -> Z.eqb (fst t0) m) tets)
+
+type materialField = coord3 -> material option
+
+(** val vertexMaterial : materialField -> meshVertex -> material option **)
+
+let vertexMaterial material0 = function
+| Corner c -> material0 c
+| Cut (_, _) -> None
+
+(** val orientMaterialTet :
+    handedness -> (material * meshVertex unstructuredTet) ->
+    material * meshVertex unstructuredTet **)
+
+let orientMaterialTet h t0 =
+  ((fst t0), (orient h (snd t0)))
+
+(** val materialNames :
+    materialField -> (structuredTetId -> material) -> structuredTetId ->
+    (material * meshVertex unstructuredTet) list **)
+
+let materialNames material0 shared tid = match tid with
+| STId (c, case) ->
+  let ST (v1, v2, v3, v4, _, _, _, _) = getStructuredTet (STId (c, case)) in
+  map (orientMaterialTet (caseHandedness case))
+    (getMaterialTets (vertexMaterial material0) meshIntersection (Corner v1)
+      (Corner v2) (Corner v3) (Corner v4) (shared tid))
+
+(** val materialCutFrom :
+    materialField -> cutField -> coord3 -> direction -> z **)
+
+let materialCutFrom material0 cut v d =
+  let u = translate v (offset d) in
+  (match material0 v with
+   | Some m ->
+     (match material0 u with
+      | Some n -> if Z.ltb m n then Z.sub steps (cut u v) else cut v u
+      | None -> cut v u)
+   | None -> cut v u)
+
+(** val signBeside : materialField -> material -> coord3 -> sign **)
+
+let signBeside material0 m v =
+  match material0 v with
+  | Some n -> if Z.eqb n m then Plus else Minus
+  | None -> OnSurface
+
+(** val warpMaterialVertex :
+    thresholds -> materialField -> cutField -> coord3 -> warping **)
+
+let warpMaterialVertex th material0 cut v =
+  match material0 v with
+  | Some m ->
+    warp th Plus (fun d -> signBeside material0 m (translate v (offset d)))
+      (materialCutFrom material0 cut v)
+  | None -> Stays
+
+(** val ruledMaterialWarping :
+    thresholds -> materialField -> cutField -> (coord3 -> bool) -> (coord3 ->
+    z) -> coord3 -> warping **)
+
+let ruledMaterialWarping th material0 cut stays limit v =
+  match warpMaterialVertex th material0 cut v with
+  | Stays -> Stays
+  | Moves (d, t0) ->
+    if stays v then Stays else Moves (d, (Z.max Z0 (Z.min t0 (limit v))))
+
+(** val placedMaterial :
+    materialField -> (coord3 -> warping) -> coord3 -> material option **)
+
+let placedMaterial before warping0 c =
+  match warping0 c with
+  | Stays -> before c
+  | Moves (_, _) -> None
+
+(** val placedMaterialTets :
+    materialField -> (coord3 -> warping) -> cutField -> (structuredTetId ->
+    material) -> structuredTetId -> (material * coord3 unstructuredTet) list **)
+
+let placedMaterialTets before warping0 cut shared tid =
+  map (fun t0 -> ((fst t0), (mapTet (placedPosition warping0 cut) (snd t0))))
+    (materialNames (placedMaterial before warping0) shared tid)
+
+(** val placedWhole :
+    (coord3 -> warping) -> cutField -> structuredTetId -> coord3
+    unstructuredTet **)
+
+let placedWhole warping0 cut = function
+| STId (c, case) ->
+  let ST (v1, v2, v3, v4, _, _, _, _) = getStructuredTet (STId (c, case)) in
+  mapTet (placedPosition warping0 cut)
+    (orient (caseHandedness case) (UT ((Corner v1), (Corner v2), (Corner v3),
+      (Corner v4))))
+
+(** val isAngleWithin :
+    angleBounds -> coord3 -> coord3 -> coord3 -> coord3 -> bool **)
+
+let isAngleWithin bounds a b c d =
+  let AB (c0, c1) = bounds in
+  let CotSq (num, den) = c0 in
+  let CotSq (num', den') = c1 in
+  let n = normalsProduct a b c d in
+  let scale0 =
+    Z.mul (Z.pow (sixVolume a b c d) (Zpos (XO XH))) (edgeSquared a b)
+  in
+  (&&)
+    ((||) (Z.leb n Z0)
+      (Z.leb (Z.mul den (Z.pow n (Zpos (XO XH)))) (Z.mul num scale0)))
+    ((||) (Z.leb Z0 n)
+      (Z.leb (Z.mul den' (Z.pow n (Zpos (XO XH)))) (Z.mul num' scale0)))
+
+(** val isWellShaped : angleBounds -> coord3 unstructuredTet -> bool **)
+
+let isWellShaped bounds t0 = match t0 with
+| UT (a, b, c, d) ->
+  (&&) (Z.ltb Z0 (sixVolume a b c d))
+    (forallb (fun e ->
+      let (y, s) = e in
+      let (y0, r) = y in let (p, q) = y0 in isAngleWithin bounds p q r s)
+      (dihedralEdges t0))
+
+(** val reach : z list **)
+
+let reach =
+  Z0 :: ((Zpos XH) :: ((Zpos (XO XH)) :: ((Zpos (XI XH)) :: [])))
+
+(** val anchors : coord3 -> coord3 list **)
+
+let anchors v =
+  filter (fun anchor ->
+    let C3 (x, y, z0) = anchor in
+    (&&) ((&&) (Z.even x) (Z.even y)) (Z.even z0))
+    (flat_map (fun x ->
+      flat_map (fun y -> map (fun z0 -> difference (C3 (x, y, z0)) v) reach)
+        reach) reach)
+
+(** val tetsAround : coord3 -> structuredTetId list **)
+
+let tetsAround v =
+  filter (fun tid -> existsb (coord3Equal v) (corners tid))
+    (flat_map (fun anchor -> map (fun x -> STId (anchor, x)) allCases)
+      (anchors v))
+
+(** val fullWarping :
+    thresholds -> materialField -> cutField -> coord3 -> warping **)
+
+let fullWarping =
+  warpMaterialVertex
+
+(** val onInterfaces :
+    thresholds -> materialField -> cutField -> structuredTetId -> bool **)
+
+let onInterfaces th material0 cut tid =
+  forallb (fun v ->
+    match placedMaterial material0 (fullWarping th material0 cut) v with
+    | Some _ -> false
+    | None -> true) (corners tid)
+
+(** val spoiled :
+    angleBounds -> thresholds -> materialField -> cutField ->
+    (structuredTetId -> material) -> structuredTetId -> bool **)
+
+let spoiled bounds th material0 cut shared tid =
+  if Z.eqb (shared tid) outside
+  then false
+  else if onInterfaces th material0 cut tid
+       then negb
+              (isWellShaped bounds
+                (placedWhole (fullWarping th material0 cut) cut tid))
+       else false
+
+(** val fartherOf :
+    thresholds -> materialField -> cutField -> coord3 option -> coord3 ->
+    coord3 option **)
+
+let fartherOf th material0 cut best v =
+  match fullWarping th material0 cut v with
+  | Stays -> best
+  | Moves (d, t0) ->
+    (match best with
+     | Some u ->
+       (match fullWarping th material0 cut u with
+        | Stays -> Some v
+        | Moves (e, s) ->
+          if Z.ltb (Z.mul s (thresholdSteps th (directionKind d)))
+               (Z.mul t0 (thresholdSteps th (directionKind e)))
+          then Some v
+          else best)
+     | None -> Some v)
+
+(** val farthest :
+    thresholds -> materialField -> cutField -> structuredTetId -> coord3
+    option **)
+
+let farthest th material0 cut tid =
+  fold_left (fartherOf th material0 cut) (corners tid) None
+
+(** val demoted :
+    angleBounds -> thresholds -> materialField -> cutField ->
+    (structuredTetId -> material) -> coord3 -> bool **)
+
+let demoted bounds th material0 cut shared v =
+  existsb (fun tid ->
+    if spoiled bounds th material0 cut shared tid
+    then (match farthest th material0 cut tid with
+          | Some u -> coord3Equal u v
+          | None -> false)
+    else false) (tetsAround v)
+
+(** val demotedWarping :
+    angleBounds -> thresholds -> materialField -> cutField ->
+    (structuredTetId -> material) -> coord3 -> warping **)
+
+let demotedWarping bounds th material0 cut shared =
+  ruledMaterialWarping th material0 cut
+    (demoted bounds th material0 cut shared) (fun _ -> steps)
+
+(** val demotedTets :
+    angleBounds -> thresholds -> materialField -> cutField ->
+    (structuredTetId -> material) -> structuredTetId -> (material * coord3
+    unstructuredTet) list **)
+
+let demotedTets bounds th material0 cut shared tid =
+  placedMaterialTets material0
+    (demotedWarping bounds th material0 cut shared) (clampedCut th cut)
+    shared tid

@@ -310,6 +310,26 @@ val mapTet : ('a1 -> 'a2) -> 'a1 unstructuredTet -> 'a2 unstructuredTet
 
 val dot : coord3 -> coord3 -> z
 
+val cross : coord3 -> coord3 -> coord3
+
+val normal : coord3 -> coord3 -> coord3 -> coord3
+
+val sixVolume : coord3 -> coord3 -> coord3 -> coord3 -> z
+
+val edgeSquared : coord3 -> coord3 -> z
+
+val normalsProduct : coord3 -> coord3 -> coord3 -> coord3 -> z
+
+type cotSquared =
+| CotSq of z * z
+
+val dihedralEdges : 'a1 unstructuredTet -> ((('a1 * 'a1) * 'a1) * 'a1) list
+
+type angleBounds =
+| AB of cotSquared * cotSquared
+
+val corners : structuredTetId -> coord3 list
+
 val placedSign : signField -> (coord3 -> warping) -> meshVertex -> sign
 
 val placedPosition : (coord3 -> warping) -> cutField -> meshVertex -> coord3
@@ -317,6 +337,8 @@ val placedPosition : (coord3 -> warping) -> cutField -> meshVertex -> coord3
 val placedTets :
   signField -> (coord3 -> warping) -> cutField -> structuredTetId -> coord3
   unstructuredTet list
+
+val widestAngles : angleBounds
 
 val placedNames :
   signField -> (coord3 -> warping) -> structuredTetId -> meshVertex
@@ -329,6 +351,10 @@ val clampedCut : thresholds -> cutField -> coord3 -> coord3 -> z
 val sameDirection : direction -> direction -> bool
 
 val nextInLink : direction -> direction -> bool
+
+val flood : nat -> (direction -> bool) -> direction list -> direction list
+
+val onePiece : (direction -> bool) -> bool
 
 val isInner : (direction -> sign) -> direction -> bool
 
@@ -434,3 +460,118 @@ val settledTets :
 val settledMesh :
   thresholds -> signField -> cutField -> gap -> coord3 list ->
   structuredTetId list -> coord3 unstructuredTet list
+
+type voxelGrid =
+| Grid of z * coord3 * coord3
+
+val owner : voxelGrid -> coord3 -> coord3
+
+val inImage : voxelGrid -> (coord3 -> bool) -> coord3 -> bool
+
+val cubeInner : voxelGrid -> (coord3 -> bool) -> coord3 -> direction -> bool
+
+val cubeParted : voxelGrid -> (coord3 -> bool) -> coord3 -> bool
+
+val voxelSigns : voxelGrid -> (coord3 -> bool) -> signField
+
+type material = z
+
+val outside : material
+
+val materialFill :
+  ('a1 -> material option) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 -> 'a1
+  -> (material * 'a1 unstructuredTet) list
+
+val signAmongMaterials : ('a1 -> material option) -> material -> 'a1 -> sign
+
+val materialCut :
+  ('a1 -> material option) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1
+
+val addMaterial :
+  ('a1 -> material option) -> material list -> 'a1 -> material list
+
+val materialsOf : ('a1 -> material option) -> 'a1 list -> material list
+
+val tetsOfOne :
+  ('a1 -> material option) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 -> 'a1
+  -> material -> (material * 'a1 unstructuredTet) list
+
+val getMaterialTets :
+  ('a1 -> material option) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 -> 'a1
+  -> material -> (material * 'a1 unstructuredTet) list
+
+val ofMaterial :
+  material -> (material * 'a1 unstructuredTet) list -> 'a1 unstructuredTet
+  list
+
+type materialField = coord3 -> material option
+
+val vertexMaterial : materialField -> meshVertex -> material option
+
+val orientMaterialTet :
+  handedness -> (material * meshVertex unstructuredTet) ->
+  material * meshVertex unstructuredTet
+
+val materialNames :
+  materialField -> (structuredTetId -> material) -> structuredTetId ->
+  (material * meshVertex unstructuredTet) list
+
+val materialCutFrom : materialField -> cutField -> coord3 -> direction -> z
+
+val signBeside : materialField -> material -> coord3 -> sign
+
+val warpMaterialVertex :
+  thresholds -> materialField -> cutField -> coord3 -> warping
+
+val ruledMaterialWarping :
+  thresholds -> materialField -> cutField -> (coord3 -> bool) -> (coord3 ->
+  z) -> coord3 -> warping
+
+val placedMaterial :
+  materialField -> (coord3 -> warping) -> coord3 -> material option
+
+val placedMaterialTets :
+  materialField -> (coord3 -> warping) -> cutField -> (structuredTetId ->
+  material) -> structuredTetId -> (material * coord3 unstructuredTet) list
+
+val placedWhole :
+  (coord3 -> warping) -> cutField -> structuredTetId -> coord3 unstructuredTet
+
+val isAngleWithin :
+  angleBounds -> coord3 -> coord3 -> coord3 -> coord3 -> bool
+
+val isWellShaped : angleBounds -> coord3 unstructuredTet -> bool
+
+val reach : z list
+
+val anchors : coord3 -> coord3 list
+
+val tetsAround : coord3 -> structuredTetId list
+
+val fullWarping : thresholds -> materialField -> cutField -> coord3 -> warping
+
+val onInterfaces :
+  thresholds -> materialField -> cutField -> structuredTetId -> bool
+
+val spoiled :
+  angleBounds -> thresholds -> materialField -> cutField -> (structuredTetId
+  -> material) -> structuredTetId -> bool
+
+val fartherOf :
+  thresholds -> materialField -> cutField -> coord3 option -> coord3 ->
+  coord3 option
+
+val farthest :
+  thresholds -> materialField -> cutField -> structuredTetId -> coord3 option
+
+val demoted :
+  angleBounds -> thresholds -> materialField -> cutField -> (structuredTetId
+  -> material) -> coord3 -> bool
+
+val demotedWarping :
+  angleBounds -> thresholds -> materialField -> cutField -> (structuredTetId
+  -> material) -> coord3 -> warping
+
+val demotedTets :
+  angleBounds -> thresholds -> materialField -> cutField -> (structuredTetId
+  -> material) -> structuredTetId -> (material * coord3 unstructuredTet) list

@@ -1,15 +1,14 @@
 """What a source file may say.  Whatever is not named here is refused.
 
-Four kinds of files: the pages, PaperCertificate.v and Certificate.v, state; the files that they
-export define (and those named *Spec.v are some of them); Extraction.v lists what runs; all others
-prove.
+Four kinds of files: the pages, those in PAGES, state; the files that they export define (and those
+named *Spec.v are some of them); Extraction.v lists what runs; all others prove.
 """
 
 import re
 
 from vernacular import Unreadable, sentences
 
-PAGES = ("PaperCertificate.v", "Certificate.v")
+PAGES = ("PaperCertificate.v", "MaterialCertificate.v", "Certificate.v")
 DEFINING = {"From", "Import", "Open", "Section", "End", "Variable", "Variables",
             "Definition", "Fixpoint", "Inductive", "Record", "Arguments"}
 PROVING = DEFINING | {"Theorem", "Lemma", "Corollary", "Let", "Hypothesis", "Hypotheses", "Ltac", "Local"}

@@ -67,6 +67,22 @@ std::uint64_t parse_whole(const std::string& option, const std::string& text) {
   return value;
 }
 
+KeepRule parse_keep(const std::string& text) {
+  constexpr std::string_view axes = "xyz";
+  constexpr std::string_view through = "percolating:";
+  if (text == "largest") return KeepLargest{1};
+  if (text.size() == through.size() + 1 && text.starts_with(through) &&
+      axes.find(text.back()) != std::string_view::npos)
+    return KeepPercolating{axes.find(text.back())};
+  std::uint64_t count = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, failure] = std::from_chars(text.data(), end, count);
+  if (failure != std::errc{} || stop != end || count == 0)
+    refuse("--keep takes largest, a number of pieces, or percolating:x, y or z, not '" + text +
+           "'");
+  return KeepLargest{count};
+}
+
 std::vector<double> parse_numbers(const std::string& option, const std::string& text) {
   std::vector<double> numbers;
   for (std::size_t begin = 0; begin <= text.size();) {

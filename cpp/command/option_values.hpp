@@ -8,6 +8,7 @@
 
 #include "certet/formula.hpp"
 #include "certet/image.hpp"
+#include "certet/pieces.hpp"
 
 namespace certet::command {
 
@@ -20,6 +21,9 @@ Bounds parse_bounds(const std::string& text, const std::string& option = "--boun
 
 /// "a,b,c", all positive.  \throws Error `bad_option`.
 Point3 parse_spacing(const std::string& text);
+
+/// "largest", a number of pieces, or "percolating:x" (or y, z).  \throws Error `bad_option`.
+KeepRule parse_keep(const std::string& text);
 
 /// A whole number of at least 1.  \throws Error `bad_option` naming the option.
 std::uint64_t parse_count(const std::string& option, const std::string& text);

@@ -5,10 +5,9 @@ usage: theorems.py               write it
        theorems.py --check BUILD whether every name is there, and the page as it would be written
        theorems.py --self-test   whether stale rows are found
 
-A theorem must stand on coq/Certificate.v or coq/PaperCertificate.v, with its proof in the file that it
-names; a function in extracted/certified.mli; a C++ name, defined, in its file; a test in a source that
-its folder's CMakeLists.txt compiles, and among those that ctest runs in the folder BUILD, if all is
-built there.
+A theorem must stand on one of the pages in coq/, with its proof in the file that it names; a function
+in extracted/certified.mli; a C++ name, defined, in its file; a test in a source that its folder's
+CMakeLists.txt compiles, and among those that ctest runs in the folder BUILD, if all is built there.
 """
 
 import json
@@ -19,7 +18,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-PAGES = ("coq/Certificate.v", "coq/PaperCertificate.v")
+PAGES = ("coq/Certificate.v", "coq/PaperCertificate.v", "coq/MaterialCertificate.v")
 INTRODUCTION = """# From theorem to code
 
 What is proved, the extracted function that it is proved of, the C++ that does the same, and the tests

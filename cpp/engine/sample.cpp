@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "layer_loop.hpp"
+#include "part_cubes.hpp"
 
 namespace certet::core {
 namespace {
@@ -190,15 +191,14 @@ void sample_blocks(const Source& source, const Lattice& lattice, const PlaneLayo
   });
 }
 
-}  // namespace
-
-SignPlanes sample(const Domain& domain, const Lattice& lattice, Window window, Cuts cuts,
-                  Context& context) {
+SignPlanes sample_signs(const Domain& domain, const Lattice& lattice, Window window, Cuts cuts,
+                        Context& context) {
   SignPlanes planes(lattice.cells, window);
   sample_blocks(SignSource(domain, cuts, planes), lattice, planes.layout(), context);
   return planes;
 }
 
+/// Whatever is not outside is plus.
 SignPlanes sample_materials(const Domain& domain, const Lattice& lattice, Window window,
                             Context& context) {
   SignPlanes planes(lattice.cells, window);
@@ -209,6 +209,21 @@ SignPlanes sample_materials(const Domain& domain, const Lattice& lattice, Window
                  [&](std::int32_t k) { materials->find_parted_words(k); });
   planes.set_materials(materials);
   return planes;
+}
+
+}  // namespace
+
+SignPlanes sample(const Domain& domain, const Lattice& lattice, Window window,
+                  const MethodFacts& method, Context& context) {
+  if (method.interfaces && domain.labels().size() > 1)
+    return sample_materials(domain, lattice, window, context);
+  if (!method.settles || !domain.even_points_tell_pieces())
+    return sample_signs(domain, lattice, window, method.cuts, context);
+  const Window wider = widened(window, 0, 1, lattice);
+  SignPlanes planes = sample_signs(domain, lattice, wider, method.cuts, context);
+  part_cubes(planes, window, context);
+  if (wider.end == window.end) return planes;
+  return {planes, window};
 }
 
 }  // namespace certet::core

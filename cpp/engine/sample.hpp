@@ -13,13 +13,10 @@ namespace certet::core {
 
 /// Signs of the vertices of a window; those on the lattice's rim are minus.  With midpoint
 /// cuts a vertex on the surface counts as inside: the angles proven for them
-/// are those of a domain that is either in or out.
-SignPlanes sample(const Domain& domain, const Lattice& lattice, Window window, Cuts cuts,
-                  Context& context);
-
-/// The same with the materials of the vertices, of a domain of several.  Whatever is not
-/// outside is plus.
-SignPlanes sample_materials(const Domain& domain, const Lattice& lattice, Window window,
-                            Context& context);
+/// are those of a domain that is either in or out.  Where violated vertices settle,
+/// cubes are parted if the domain asks for it.  Where the method cuts several materials
+/// apart, the planes have those of the vertices, and whatever is not outside is plus.
+SignPlanes sample(const Domain& domain, const Lattice& lattice, Window window,
+                  const MethodFacts& method, Context& context);
 
 }  // namespace certet::core

@@ -10,7 +10,10 @@
 #include "count.hpp"
 #include "cuts.hpp"
 #include "emit.hpp"
+#include "keep.hpp"
+#include "piece_count.hpp"
 #include "sample.hpp"
+#include "shared_faces.hpp"
 #include "settle.hpp"
 #include "warped_lattice.hpp"
 
@@ -109,9 +112,7 @@ Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, Method method,
     std::uint64_t inverted = 0;
     const Cuts where = facts(method).cuts;
     const Window all = whole(lattice);
-    const bool parts = facts(method).interfaces && domain.labels().size() > 1;
-    SignPlanes planes = parts ? sample_materials(domain, lattice, all, context)
-                              : sample(domain, lattice, all, where, context);
+    SignPlanes planes = sample(domain, lattice, all, facts(method), context);
     Layers<CutLayer> cuts = find_cuts(planes, domain, lattice, all, where, context);
     WarpedLattice warped =
         where == Cuts::midpoint  ? unwarped(std::move(planes), std::move(cuts), all)
@@ -122,6 +123,8 @@ Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, Method method,
         State{domain, lattice, std::move(warped), std::move(numbers), method, inverted});
   });
 }
+
+Stuffing::Stuffing(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 Stuffing::~Stuffing() = default;
 Stuffing::Stuffing(Stuffing&&) noexcept = default;
@@ -193,6 +196,41 @@ void Stuffing::materials_of(std::span<const TetCorners> tets, std::span<Material
     std::ranges::fill(out, 1);
   else
     state_->domain.materials_of(tets, out);
+}
+
+Pieces Stuffing::pieces(const Frame& frame, Context& context) const {
+  return within_memory([&] {
+    return count_pieces(state_->warped, state_->lattice, tet_count(), frame, context);
+  });
+}
+
+void Stuffing::visit_faces_within(std::int32_t layer, const VisitTetPairs& visit) const {
+  LayerTets(state_->warped.planes, layer).visit_within(visit);
+}
+
+void Stuffing::visit_faces_between(std::int32_t layer, const VisitTetPairs& visit) const {
+  const SignPlanes& planes = state_->warped.planes;
+  if (layer + 1 < layers())
+    LayerTets(planes, layer).visit_between(LayerTets(planes, layer + 1), visit);
+}
+
+Stuffing Stuffing::keep(const KeepRule& rule, Context& context) {
+  return within_memory([&] {
+    const State& old = *state_;
+    const PlusRuns runs(old.warped.planes, context);
+    std::vector<bool> stays = runs_that_stay(runs, old.warped, old.lattice, rule, context);
+    const auto part = [&] {
+      WarpedLattice warped = with_runs(old.warped, runs, stays, old.lattice, context);
+      RowNumbers numbers(warped.planes, old.lattice, whole(old.lattice), context);
+      return std::make_unique<State>(State{old.domain, old.lattice, std::move(warped),
+                                           std::move(numbers), old.method, old.inverted_tets});
+    };
+    auto kept = part();
+    stays.flip();
+    Stuffing dropped(part());
+    state_ = std::move(kept);
+    return dropped;
+  });
 }
 
 bool Stuffing::has_border() const { return !state_->domain.border().empty(); }

@@ -21,7 +21,7 @@ void for_each_word(const SignPlanes& planes, const Visit& visit) {
 
 /// Turns the zero vertices of layer k that have no plus neighbour to minus, 64 at once.
 /// Picture: cpp/docs/pictures/pruning.svg.
-void drop_idle_zeros(SignPlanes& planes, int k) {
+void drop_idle_zeros_of(SignPlanes& planes, int k) {
   for_each_word(planes, [&](Grid grid, int j, int w) {
     std::uint64_t& zero = planes.zero(grid, j, k)[w];
     if (zero == 0) return;
@@ -80,20 +80,6 @@ std::vector<ZeroVertex> corners_of_zeros(const SignPlanes& after, int k) {
     });
   });
   return corners;
-}
-
-/// Turns the zero vertices that no tetrahedron of the output uses to minus, in the layers
-/// of a window.
-void drop_idle_zeros(SignPlanes& planes, Window window, Context& context) {
-  Layers<std::vector<ZeroVertex>> kept(window);
-  if (planes.materials() != nullptr)
-    for_each_layer(context, Stage::warp, window,
-                   [&](std::int32_t k) { kept[k] = corners_of_zeros(planes, k); });
-  for_each_layer(context, Stage::warp, window, [&](std::int32_t k) {
-    drop_idle_zeros(planes, k);
-    for (const auto& [grid, j, w, b] : kept[k])
-      planes.zero(grid, j, k)[w] |= std::uint64_t{1} << b;
-  });
 }
 
 /// The cuts of one layer that are left, each at least `least` away from both ends.
@@ -174,6 +160,18 @@ SignPlanes move_all(const SignPlanes& planes, const Violations& violations, Cont
     });
   });
   return after;
+}
+
+void drop_idle_zeros(SignPlanes& planes, Window window, Context& context) {
+  Layers<std::vector<ZeroVertex>> kept(window);
+  if (planes.materials() != nullptr)
+    for_each_layer(context, Stage::warp, window,
+                   [&](std::int32_t k) { kept[k] = corners_of_zeros(planes, k); });
+  for_each_layer(context, Stage::warp, window, [&](std::int32_t k) {
+    drop_idle_zeros_of(planes, k);
+    for (const auto& [grid, j, w, b] : kept[k])
+      planes.zero(grid, j, k)[w] |= std::uint64_t{1} << b;
+  });
 }
 
 WarpedLattice warp_lattice(MovedSigns moved, const Violations& violations,

@@ -43,6 +43,10 @@ WarpedLattice warp_lattice(MovedSigns moved, const Violations& violations,
                            const Layers<CutLayer>& cuts, const Thresholds& least,
                            const Lattice& lattice, Window window, Context& context);
 
+/// Turns the zero vertices that no tetrahedron of the output uses to minus, in the layers
+/// of a window.
+void drop_idle_zeros(SignPlanes& planes, Window window, Context& context);
+
 /// A window in which no vertex is violated, and none lies on the surface: what
 /// cuts in the middle leave.  `cuts` are those of the window.
 WarpedLattice unwarped(SignPlanes planes, Layers<CutLayer> cuts, Window window);

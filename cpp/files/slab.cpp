@@ -114,6 +114,10 @@ Findings TetSlab<Index>::make_layer(Source& source, const PointSlab& points, std
   found.tets.tets(first_tet, made);
   found.points.points(first_point, points.steps(stuffing, layer, layer + 1));
   found.regions = label_layer(source, points.steps(stuffing, layer, behind), layer);
+  if (source.label_pieces)
+    found.parts = core::find_layer_parts(
+        stuffing, layer, made,
+        std::span<const std::int32_t>(labels_.begin() + (first_tet - first_), made.size()));
   return found;
 }
 

@@ -10,6 +10,7 @@
 #include "certet/checksum.hpp"
 #include "certet/write_mesh.hpp"
 #include "mesh/boundary.hpp"
+#include "mesh/region_parts.hpp"
 #include "seconds.hpp"
 
 namespace certet::pipeline {
@@ -20,6 +21,7 @@ struct Source {
   const Stuffing& stuffing;
   const Frame& frame;
   const MaterialRuns& known;  ///< of a survey, or empty
+  bool label_pieces = false;  ///< whether the pieces of each label are counted
   Nanoseconds emitting{0}, measuring{0}, writing{0};
 
   /// The tetrahedra of layers up to `end` use points up to those of layer
@@ -62,6 +64,7 @@ struct Findings {
   std::uint64_t coincident_points = 0;  ///< of those of the layer and the one behind it
   Checksum points, tets;
   core::RegionCounts regions;
+  core::LayerParts parts;  ///< where the pieces of labels are counted
 };
 
 /// Tetrahedra of some layers, and their labels.

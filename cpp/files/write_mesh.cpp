@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include "certet/checksum.hpp"
@@ -81,6 +82,36 @@ Checksum write_points(Source& source, const Slabs& slabs, std::array<PointSlab, 
   return checksum;
 }
 
+/// Glues the layers of one slab after the other.
+class SlabParts {
+ public:
+  explicit SlabParts(const Stuffing& stuffing) : stuffing_(stuffing) {}
+
+  void add(std::int32_t begin, std::vector<Findings>& found, Context& context) {
+    const auto layer_before = [&](std::size_t n) -> const core::LayerParts& {
+      return n == 0 ? last_ : found[n - 1].parts;
+    };
+    std::vector<core::JoinedParts> joined(found.size());
+    core::parallel_for(context, Stage::emit, static_cast<std::int64_t>(found.size()),
+                       [&](std::int64_t task) {
+                         const auto n = static_cast<std::size_t>(task);
+                         const std::int32_t layer = begin + static_cast<std::int32_t>(task);
+                         if (layer > 0)
+                           joined[n] = core::find_joined_parts(stuffing_, layer - 1,
+                                                               layer_before(n), found[n].parts);
+                       });
+    for (std::size_t n = 0; n < found.size(); ++n) parts_.add(found[n].parts, joined[n]);
+    last_ = std::move(found.back().parts);
+  }
+
+  [[nodiscard]] std::vector<RegionPieces> pieces() { return parts_.pieces(); }
+
+ private:
+  const Stuffing& stuffing_;
+  core::RegionParts parts_;
+  core::LayerParts last_;  ///< of the layer that was added last
+};
+
 template <class Index>
 void write_tets(Source& source, const Slabs& slabs, PointSlab& points, Checksum placed,
                 MeshWriter& writer, Context& context, WrittenMesh& written) {
@@ -89,6 +120,7 @@ void write_tets(Source& source, const Slabs& slabs, PointSlab& points, Checksum 
                                       TetSlab<Index>(slabs.tets, labels)};
   Checksum checksum, tets;
   core::RegionCounts regions;
+  SlabParts parts(source.stuffing);
   const auto write = [&](std::size_t s) {
     const auto [begin, end] = layers_of(slabs, s);
     store[s % 2].write(source, begin, end, writer);
@@ -118,9 +150,11 @@ void write_tets(Source& source, const Slabs& slabs, PointSlab& points, Checksum 
       tets += layer.tets;
       regions += layer.regions;
     }
+    if (source.label_pieces) parts.add(begin, found, context);
   }
   write(count - 1);
   written.regions = regions.regions();
+  written.region_pieces = parts.pieces();
   written.checksum = (checksum += tets).value();
   written.file_checksum = (placed += tets).value();
 }
@@ -182,10 +216,11 @@ Slabs cut_slabs(const Stuffing& stuffing, std::uint64_t max_bytes) {
 }
 
 WrittenMesh write_mesh(const Stuffing& stuffing, const Frame& frame, const Slabs& slabs,
-                       MeshWriter& writer, Context& context, const MaterialRuns& known) {
+                       MeshWriter& writer, Context& context, const MaterialRuns& known,
+                       bool label_pieces) {
   checked_size(frame.size);
   try {
-    Source source{stuffing, frame, known};
+    Source source{stuffing, frame, known, label_pieces && stuffing.labels().size() > 1};
     return write_all(source, slabs, writer, context);
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::too_large, "out of memory while writing the mesh");

@@ -18,6 +18,7 @@
 #include "certet/surface.hpp"
 #include "domains.hpp"
 #include "files.hpp"
+#include "pieces.hpp"
 #include "python_mesh.hpp"
 #include "run.hpp"
 
@@ -67,7 +68,7 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
   for (const auto& [first, last] : labels) ranges.push_back({first, last});
   return mesh_of(
       [&] {
-        const ImageLattice lattice{size, margin};
+        const ImageLattice lattice{size, margin, !facts(options.method).settles};
         return Shape{iso ? level_domain(std::move(image), *iso, lattice)
                          : label_domain(std::move(image), ranges, lattice)};
       },
@@ -110,9 +111,13 @@ std::shared_ptr<PythonMesh> mesh_surface(
   return mesh_of(
       [&] {
         const SurfaceRepairs repairs = repair_surface(surface, {repair});
-        if (!is_closed(surface))
+        const bool open = repairs.closed_holes.count != 0;
+        if (open) refuse_unclear(surface);
+        else if (!is_closed(surface))
           refuse_open(surface, inspect(surface), repair ? "" : "repair=True closes what is open");
-        return Shape{surface_domain(surface, {size, margin}), sentences_on(repairs)};
+        const SurfaceLattice lattice{size, margin};
+        return Shape{open ? open_surface_domain(surface, lattice) : surface_domain(surface, lattice),
+                     sentences_on(repairs)};
       },
       options);
 }
@@ -218,6 +223,7 @@ PYBIND11_MODULE(_certet, module) {
       .def("checksum", checksum_of)
       .def("quality", quality_of);
   declare_files(module);
+  declare_pieces(module);
   module.def("mesh_image", mesh_image);
   module.def("mesh_function", mesh_function);
   module.def("mesh_surface", mesh_surface);

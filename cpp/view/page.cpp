@@ -23,8 +23,9 @@ struct Look {
 
 Look look_at(const FileMesh& mesh) {
   Look look{Regions(mesh), survey_shapes(mesh.points, mesh.tets), std::nullopt};
-  // No tetrahedron with corners, nothing to be seen.
-  if (can_view_pages() && look.shapes.tets > 0 && look.shapes.longest_edge > 0)
+  // No tetrahedron with corners, nothing to be seen; nor is what is far smaller than any
+  // lattice, whose place in its box is lost to rounding.
+  if (can_view_pages() && look.shapes.tets > 0 && look.shapes.longest_edge > least_seen)
     look.scene = make_scene(mesh, look.regions, {});
   return look;
 }

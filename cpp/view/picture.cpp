@@ -60,7 +60,7 @@ class Drawing {
  private:
   void find_faces() {
     box_ = box_of(mesh_);
-    if (!(box_.width() > 0))
+    if (!(box_.width() > least_seen))
       throw Error(ErrorCode::empty_domain, "the mesh has no tetrahedra to draw");
     if (options_.view != PictureView::surface)
       planes_ = Planes::single(options_.axis, box_.low[axis_] + options_.fraction *

@@ -55,7 +55,8 @@ inline Planes::Sides Planes::sides(const Point3& centroid) const {
     const double behind = centroid[axis] - first_[axis];
     if (count_[axis] == 0 || behind < 0) continue;
     const double planes = std::floor(behind * per_length_[axis]) + 1;
-    sides[axis] = static_cast<std::uint8_t>(std::min<double>(planes, count_[axis]));
+    // Not a number where the planes are at one place.
+    sides[axis] = static_cast<std::uint8_t>(planes < count_[axis] ? planes : count_[axis]);
   }
   return sides;
 }

@@ -27,6 +27,9 @@ inline Vec unit(Vec a) {
   return length > 0 ? 1 / length * a : a;
 }
 
+/// What is smaller is not shown; lattices have edges of 1e-30 at least.
+inline constexpr double least_seen = 1e-50;
+
 /// Two opposite corners of a box along the axes.
 struct Box {
   Point3 low, high;

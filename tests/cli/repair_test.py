@@ -1,13 +1,15 @@
 """What `certet mesh` makes of surfaces as exporters write them: the solid, and a sentence about
 what was done; or a refusal that names what is wrong."""
 
+import math
+import random
 import unittest
 
 import surface_defects as defects
 import surfaces
 from program import ProgramTest
 
-BAD_INPUT, USAGE = 3, 2
+BAD_INPUT, USAGE, EMPTY = 3, 2, 4
 TORUS = defects.turned(surfaces.torus(around=48, across=24))
 CUBE = defects.turned(surfaces.cube())
 WALL = (1, 3, 7, 5)  # of a cube, where x is high
@@ -188,18 +190,91 @@ class Holes(RepairTest):
         points, faces = defects.in_triangles(surfaces.cube())
         self.assert_solid((points, faces[1:]), 1, ["1 hole"], "--repair", within=1e-9)
         points, faces = CUBE
-        self.assert_solid((points, faces[1:]), 1, ["by 2 triangles"], "--repair")
+        self.assert_solid((points, faces[1:]), 1, ["1 hole of"], "--repair")
         self.assert_solid(defects.with_holes(TORUS, 20), surfaces.volume(TORUS),
                           ["20 holes"], "--repair")
 
     def test_tube_without_ends(self):
-        """Caps that are flat, of 24 and of 96 corners."""
+        """An end far from the other is closed flat."""
         for across in (24, 96):
             points, faces = surfaces.torus(around=48, across=across)
-            faces = [face for n, face in enumerate(faces) if n // across % 12 != 0]
-            volume = surfaces.volume(surfaces.torus(around=48, across=across)) * 44 / 48
-            self.assert_solid((points, faces), volume, ["8 holes"], "--repair",
+            faces = [face for n, face in enumerate(faces) if n // across % 48 >= 12]
+            volume = surfaces.volume(surfaces.torus(around=48, across=across)) * 36 / 48
+            self.assert_solid((points, faces), volume, ["2 holes"], "--repair",
                               writers={"a.stl": surfaces.stl})
+
+    def test_gaps_are_bridged(self):
+        """Rings are missing from a torus: its pieces go on from one to the next."""
+        torus = surfaces.torus(around=48, across=24)
+        faces = [face for n, face in enumerate(torus[1]) if n // 24 % 12 != 0]
+        self.assert_solid((torus[0], faces), surfaces.volume(torus), ["8 holes"], "--repair",
+                          writers={"a.stl": surfaces.stl}, within=0.02)
+
+    def test_windows(self):
+        faces = [face for n, face in enumerate(TORUS[1]) if n // 24 % 12 > 2 or n % 12 > 2]
+        self.assert_solid((TORUS[0], faces), surfaces.volume(TORUS), ["8 holes"], "--repair",
+                          writers={"a.stl": surfaces.stl, "a.ply": surfaces.ply})
+
+    def test_ball_without_a_cap(self):
+        points, faces = surfaces.sphere(rounds=4)
+        low = [face for face in faces if max(points[p][2] for p in face) < 0.7]
+        rim = max(points[p][2] for face in low for p in face)
+        volume = surfaces.volume((points, faces)) - math.pi / 3 * (1 - rim) ** 2 * (2 + rim)
+        self.assert_solid(defects.turned((points, low)), volume, ["1 hole"], "--repair",
+                          writers={"a.stl": surfaces.stl}, within=0.02)
+
+    def test_triangles_all_apart(self):
+        """Each a little smaller, or much."""
+        for surface, share, holes, within in (CUBE, 0.99, 12, 0.012), (TORUS, 0.99, 2304, 0.012), \
+                (TORUS, 0.9, 2304, 0.02):
+            apart = defects.apart(surface, share)
+            self.assert_solid(apart, surfaces.volume(surface), [f"{holes} holes"], "--repair",
+                              writers={"a.stl": surfaces.stl}, within=within)
+
+    def test_as_scanned(self):
+        """Open below, with holes, noise, and a patch that was scanned twice."""
+        ball = surfaces.sphere(rounds=4)
+        points = [tuple(c * (1 + 0.1 * math.sin(5 * x) * math.cos(4 * y)) for c in (x, y, z))
+                  for x, y, z in ball[0]]
+        faces = [face for face in ball[1] if max(points[p][2] for p in face) > -0.8]
+        kept = set(faces)
+        low = [face for face in ball[1] if face not in kept]
+        volume = surfaces.volume((points, ball[1])) - surfaces.volume(defects.lidded(points, low))
+        scan = defects.with_holes((points, faces), 60)
+        again = [(x + 1e-4, y, z) for x, y, z in points]
+        scan = surfaces.join(scan, (again, [f for f in faces if min(points[p][0] for p in f) > 0.5]))
+        self.assert_solid(scan, volume, ["holes"], "--repair", writers={"a.stl": surfaces.stl},
+                          within=0.03)
+
+    def test_what_winds_around_nothing(self):
+        """A sheet; triangles that face any way; a strip with one side is a unit test's."""
+        flat = ([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2, 3)])
+        (self.folder / "a.stl").write_bytes(surfaces.stl(defects.turned(flat)))
+        self.assert_fails(EMPTY, ["a.stl", "encloses nothing", "0.500 on average"], "mesh",
+                          "a.stl", "--repair", "-o", "a.vtu")
+        chance = random.Random(7)
+        points = [tuple(chance.random() for _ in range(3)) for _ in range(300)]
+        anyhow = points, [(3 * n, 3 * n + 1, 3 * n + 2) for n in range(100)]
+        (self.folder / "a.stl").write_bytes(surfaces.stl(anyhow))
+        self.assert_fails(BAD_INPUT, ["a.stl", "do not agree which side is out"], "mesh",
+                          "a.stl", "--repair", "-o", "a.vtu")
+
+    def test_apart_and_turned(self):
+        """A fifth of the triangles face the other way, and no edge says so."""
+        apart = defects.partly_turned(defects.apart(TORUS, 0.98), 460)
+        self.assert_solid(apart, surfaces.volume(TORUS), ["460 triangles", "2304 holes"],
+                          "--repair", writers={"a.stl": surfaces.stl}, within=0.015)
+
+    def test_same_bytes_for_threads_and_streams(self):
+        surface = defects.with_holes(defects.apart(TORUS, 0.97), 200)
+        (self.folder / "a.stl").write_bytes(surfaces.stl(surface))
+        size = ["--repair", "--rel-size", "0.03125"]
+        first = self.mesh("a.stl", *size, "--threads", 1, "-o", "1.vtu")
+        self.mesh("a.stl", *size, "--threads", 2, "-o", "2.vtu")
+        self.mesh("a.stl", *size, "--threads", 3, "--max-memory", first["memory"]["least"], "-o",
+                  "3.vtu")
+        for name in ("2.vtu", "3.vtu"):
+            self.assertEqual((self.folder / "1.vtu").read_bytes(), (self.folder / name).read_bytes())
 
     def test_with_other_defects(self):
         surface = defects.with_holes(defects.partly_turned(TORUS, 200), 20)

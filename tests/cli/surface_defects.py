@@ -74,3 +74,21 @@ def with_holes(surface, count, seed=6):
     for n in sorted(random.Random(seed).sample(range(len(faces)), count), reverse=True):
         del faces[n]
     return points, faces
+
+
+def apart(surface, share):
+    """Triangles that share no point, each shrunk to its middle."""
+    points, faces = soup(surface)
+    moved = []
+    for face in faces:
+        middle = [sum(points[p][a] for p in face) / 3 for a in range(3)]
+        moved += [tuple(m + share * (c - m) for c, m in zip(points[p], middle)) for p in face]
+    return moved, faces
+
+
+def lidded(points, faces):
+    """With a fan over the one hole, around its middle."""
+    edges = {(f[i], f[i - 1]) for f in faces for i in range(len(f))}
+    rim = [(b, a) for a, b in edges if (b, a) not in edges]
+    middle = tuple(sum(points[a][i] for a, _ in rim) / len(rim) for i in range(3))
+    return points + [middle], list(faces) + [(b, a, len(points)) for a, b in rim]

@@ -222,6 +222,23 @@ class Volumes(ProgramTest):
             with self.subTest(length):
                 self.assert_fails(BAD_INPUT, ["cut.vdb"], "mesh", "cut.vdb", "-o", "a.vtu")
 
+    def test_numbers_that_lie(self):
+        """What OpenVDB would believe: versions, lengths of texts, counts, and places."""
+        whole = (self.folder / "ball.vdb").read_bytes()
+        background = whole.index(b"UniformScaleMap") + 15 + 15 * 8 + 4
+        name = whole.index(b"ball") - 4
+        for words, place, number in (
+                (["221"], 8, 221), (["230", "newer"], 8, 230),
+                (["metadata"], 57, 2**31), (["grids"], 61, 2**30), (["negative"], 61, 2**32 - 1),
+                (["letters"], name, 2**32 - 16), (["buffers"], background - 4, 7),
+                (["tiles"], background + 4, 2**32 - 1), (["nodes"], background + 8, 2**30),
+                (["node"], background + 12, 5)):
+            data = bytearray(whole)
+            data[place:place + 4] = number.to_bytes(4, "little")
+            (self.folder / "lie.vdb").write_bytes(data)
+            with self.subTest(words):
+                self.assert_fails(BAD_INPUT, ["lie.vdb", *words], "mesh", "lie.vdb", "-o", "a.vtu")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -55,8 +55,7 @@ class Thin(ProgramTest):
 
     def test_lone_voxels(self):
         self.write((14, 14, 14), lambda *at: int(all(a in (3, 7, 11) for a in at)))
-        report = self.assert_pieces(27)
-        self.assertGreater(report["method"]["stayed"], 0)
+        self.assert_pieces(27)
         paper = self.run_certet("mesh", "a.nrrd", "--method", "paper", "-o", "b.vtu")
         self.assertEqual(paper.returncode, 4, paper.stderr)
 
@@ -81,7 +80,7 @@ class Thin(ProgramTest):
         self.write((16, 16, 16), lambda *at: int(all(3 <= a < 13 for a in at)))
         report = self.assert_pieces(1)
         self.assertEqual(report["method"]["stayed"], 0)
-        self.assertAlmostEqual(report["mesh"]["volume"], 1000, delta=25)
+        self.assertAlmostEqual(report["mesh"]["volume"], 1000, delta=2)
         walls = collections.Counter(max(abs(c - 7.5) for c in p)
                                     for p in vtu.points(self.folder / "a.vtu"))
         beyond = [far for far in walls if far > 5 + 1e-9]

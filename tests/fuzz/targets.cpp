@@ -7,9 +7,13 @@ namespace fuzz {
 const std::vector<Target>& targets() {
   static const std::vector<Target> all{
       {"mesh_file", mesh_file},
+      {"convert", convert},
+      {"picture", picture},
       {"label_names", label_names},
       {"image", image},
+      {"image_parts", image_parts},
       {"dicom", dicom},
+      {"volume", volume},
       {"surface", surface},
       {"formula", formula},
       {"core", core},

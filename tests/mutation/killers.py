@@ -23,6 +23,7 @@ PROGRAMS = {
     "warp": ("tests/differential/warp_test.cpp", "bridge"),
     "mesh": ("tests/differential/mesh_test.cpp", "bridge core"),
     "bisect": ("tests/differential/bisect_test.cpp", "bridge core"),
+    "cubes": ("tests/differential/cube_test.cpp", "bridge core"),
     "engine": ("tests/unit/engine_test.cpp", "core"),
     "faces": ("tests/property/face_test.cpp", ""),
     "soundness": ("tests/property/mesh_test.cpp", "core"),
@@ -32,6 +33,7 @@ PROGRAMS = {
     "bounds": ("tests/unit/bounds_test.cpp", "core"),
     "limits": ("tests/unit/lattice_limits_test.cpp", "core"),
     "conformance": ("tests/conformance/engine_test.cpp", "core"),
+    "pieces": ("tests/property/pieces_test.cpp", "core plain"),
 }
 
 # The quickest killers of a file come first; afterwards all others.
@@ -42,10 +44,12 @@ FIRST = {
     "cuts.cpp": ["mesh", "bisect"], "domain.cpp": ["bisect", "mesh"], "parallel.hpp": ["engine"], "stuffing.cpp": ["engine", "mesh"],
     "stuffing.hpp": ["engine"], "lattice_around.cpp": ["bounds"],
     "lattice_limits.cpp": ["limits"], "inverted_tets.cpp": ["mesh", "conformance"],
-    "link.hpp": ["link"], "settle.cpp": ["settling"],
+    "link.hpp": ["link"], "settle.cpp": ["settling"], "part_cubes.cpp": ["cubes"],
+    "disjoint_sets.hpp": ["pieces"], "plus_runs.hpp": ["pieces"], "plus_runs.cpp": ["pieces"],
+    "zero_link.cpp": ["pieces"], "piece_count.cpp": ["pieces"], "keep.cpp": ["pieces"],
 }
 OTHERWISE = ["mesh", "engine", "bisect", "soundness", "numbers", "constants", "lattice", "stencil", "warp", "faces",
-             "bounds", "limits", "settling", "link", "conformance"]
+             "bounds", "limits", "settling", "link", "cubes", "conformance", "pieces"]
 
 
 def programs_for(file):
@@ -80,6 +84,8 @@ class Workshop:
                               for p in (self.tree / room).glob("*.cpp"))
         if "settling" in needs:
             sources += [f"tests/property/{n}.cpp" for n in ("settling_model", "topology")]
+        if "plain" in needs:
+            sources += ["tests/property/plain_pieces.cpp"]
         if "bridge" in needs:
             sources += ["tests/differential/main.cpp"]
             sources += [f"bridge/{n}.cpp" for n in ("certified", "runtime", "stubs")]

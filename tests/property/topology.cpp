@@ -101,7 +101,11 @@ std::vector<Triangle> surface_of(const Tets& mesh) {
 }  // namespace
 
 Shape of_samples(const settling::Model& model) {
-  const std::vector<certet::Coord3>& vertices = model.vertices();
+  return of_samples(model.vertices(), [&](certet::Coord3 v) { return model.sampled_plus(v); });
+}
+
+Shape of_samples(const std::vector<certet::Coord3>& vertices,
+                 const std::function<bool(certet::Coord3)>& sampled_plus) {
   std::map<certet::Coord3, std::uint32_t> numbers;
   for (const certet::Coord3 v : vertices)
     numbers.emplace(v, static_cast<std::uint32_t>(numbers.size()));
@@ -111,13 +115,13 @@ Shape of_samples(const settling::Model& model) {
   std::vector<bool> is_plus(vertices.size());
   for (const certet::Coord3 v : vertices) {
     const std::uint32_t n = numbers.at(v);
-    is_plus[n] = model.sampled_plus(v);
+    is_plus[n] = sampled_plus(v);
     (is_plus[n] ? plus : rest).push_back(n);
     for (const certet::Coord3 offset : certet::direction_offset) {
       const auto other = numbers.find(v + offset);
       if (other == numbers.end())
         sets.join(n, outside);
-      else if (model.sampled_plus(other->first) == is_plus[n])
+      else if (sampled_plus(other->first) == is_plus[n])
         sets.join(n, other->second);
     }
   }

@@ -3,8 +3,10 @@
 /// Pieces, tunnels and cavities, counted twice: of samples, and of a mesh.
 
 #include <cstdint>
+#include <functional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "settling_model.hpp"
 
@@ -19,8 +21,10 @@ struct Shape {
   }
 };
 
-/// Of the + samples, joined along the edges of the lattice, with its triangles and
-/// tetrahedra between them.
+/// Of those lattice points that are +, joined along the edges of the lattice, with its
+/// triangles and tetrahedra between them.
+Shape of_samples(const std::vector<certet::Coord3>& vertices,
+                 const std::function<bool(certet::Coord3)>& is_plus);
 Shape of_samples(const settling::Model& model);
 
 /// Of a mesh whose surface is a manifold.

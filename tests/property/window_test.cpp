@@ -46,9 +46,7 @@ core::WarpedLattice warped_of(const Domain& domain, const Lattice& lattice, core
                               Made& made) {
   Context context;
   context.threads = 1;
-  core::SignPlanes planes = method.interfaces && domain.labels().size() > 1
-                                ? core::sample_materials(domain, lattice, signs, context)
-                                : core::sample(domain, lattice, signs, method.cuts, context);
+  core::SignPlanes planes = core::sample(domain, lattice, signs, method, context);
   const auto cuts_of = [&](core::Window cut) {
     return core::find_cuts(planes, domain, lattice, cut, method.cuts, context);
   };
@@ -152,6 +150,28 @@ TEST(Window, OneLayerAtATime) {
     EXPECT_GT(whole.tets.size(), 500u);
     EXPECT_EQ(in_windows(domain, lattice, bounds, method), whole);
   }
+}
+
+/// Whose even points alone tell what hangs together.
+class Parted final : public domains::Positional {
+ public:
+  using Positional::Positional;
+  [[nodiscard]] bool even_points_tell_pieces() const override { return true; }
+};
+
+/// A window's last odd points look at even ones a layer behind it.
+TEST(Window, CubesArePartedAcrossWindows) {
+  const Lattice lattice{{0, 0, 0}, {9, 9, 12}};
+  const auto noise = domains::noise(5, 0);
+  const Parted parted([&](Coord3 p) { return noise.sign_at(p); });
+  std::vector<int> bounds(13);
+  for (int k = 0; k < 13; ++k) bounds[static_cast<std::size_t>(k)] = k;
+  const MethodFacts& method = facts(Method::embedded);
+  const Made whole = in_windows(parted, lattice, {0, 12}, method);
+  EXPECT_EQ(in_windows(parted, lattice, bounds, method), whole);
+  EXPECT_NE(in_windows(noise, lattice, {0, 12}, method), whole);
+  const MethodFacts& paper = facts(Method::embedding);
+  EXPECT_EQ(in_windows(parted, lattice, bounds, paper), in_windows(noise, lattice, bounds, paper));
 }
 
 /// What `Stuffing` makes is what the stages make of the whole.
@@ -333,7 +353,7 @@ TEST(Window, WidthOfIndicesIsChecked) {
   const auto domain = domains::of_level(domains::sphere(8, 8, 8, 5));
   Context context;
   const core::Window all = core::whole(lattice);
-  const auto planes = core::sample(domain, lattice, all, Cuts::midpoint, context);
+  const auto planes = core::sample(domain, lattice, all, facts(Method::midpoint), context);
   const auto warped = core::unwarped(
       planes, core::find_cuts(planes, domain, lattice, all, Cuts::midpoint, context), all);
   core::RowNumbers numbers(warped.planes, lattice, all, context);

@@ -122,6 +122,16 @@ class Images(unittest.TestCase):
         self.assertGreater(centres[mesh.labels == 7][:, 0].mean(), 14)
         self.assertLess(centres[mesh.labels == 1][:, 0].mean(), 9)
 
+    def test_pieces(self):
+        voxels = np.zeros((20, 12, 12), np.int16)
+        voxels[2:6, 2:10, 2:10], voxels[6:9, 2:10, 2:10], voxels[13:17, 5:8, 5:8] = 3, 4, 4
+        pieces = certet.mesh_image(voxels).pieces()
+        self.assertEqual((pieces.by_faces, pieces.by_vertices), (2, 2))
+        self.assertEqual(pieces.regions, {3: (1, 1), 4: (2, 2)})
+        self.assertEqual((pieces.nonmanifold_edges, pieces.nonmanifold_vertices), (0, 0))
+        self.assertEqual(pieces.vertex_places.shape, (0, 3))
+        self.assertGreater(pieces.largest_tets, 1000)
+
     def test_chosen_labels(self):
         voxels = ball().astype(np.int64)
         voxels[12:] *= 7

@@ -76,12 +76,13 @@ Shape of_image(std::string name, std::unique_ptr<certet::PlacedDomain> domain) {
 }
 
 /// Labels that touch all six borders of the image, and corners of one another.
-Shape labels() {
+Shape labels(std::string name, bool walls_halfway) {
   const auto value = [](std::int64_t i, std::int64_t j, std::int64_t k) {
     return (i * 7 + j * 5 + k * 3 + i * j) % 11 < 6 ? 1 + (i / 4 + j / 3 + k / 5) % 3 : 0;
   };
-  return of_image("labels", certet::label_domain(
-                                image<std::int16_t>({14, 12, 10}, {1, 1.5, 2}, value), {}, {}));
+  return of_image(std::move(name),
+                  certet::label_domain(image<std::int16_t>({14, 12, 10}, {1, 1.5, 2}, value), {},
+                                       {.walls_halfway = walls_halfway}));
 }
 
 /// A level surface that runs out of the image.
@@ -110,7 +111,8 @@ std::vector<Shape> shapes() {
   all.push_back(positional("cuts-at-the-thresholds",
                            domains::random_cuts(4, 16, {18687, 18688, 26111, 26112, 39424}), 9));
   all.push_back(ellipsoid_in_the_world());
-  all.push_back(labels());
+  all.push_back(labels("labels", true));
+  all.push_back(labels("labels-near-walls", false));
   all.push_back(grayscale());
   return all;
 }

@@ -21,7 +21,7 @@ using surfaces::inside_out;
 
 /// Lattice points whose signs differ; both solids have the same box.
 int differences(const TriangleSurface& one, const TriangleSurface& other, double size) {
-  const auto a = surface_domain(one, {size, 2}), b = surface_domain(other, {size, 2});
+  const auto a = open_surface_domain(one, {size, 2}), b = open_surface_domain(other, {size, 2});
   const Lattice& lattice = a->lattice();
   int found = 0;
   std::vector<Sign> of_a(static_cast<std::size_t>(lattice.cells[0])), of_b(of_a);
@@ -95,15 +95,14 @@ TEST(Repair, ClosesAFlatHoleWhereItWas) {
   EXPECT_THROW(refuse_open(surface, inspect(surface), "there is a remedy"), Error);
   const SurfaceRepairs repairs = repair_surface(surface, {true});
   EXPECT_EQ(repairs.closed_holes.count, 1U);
-  EXPECT_EQ(repairs.closing_triangles, 1U);
+  EXPECT_DOUBLE_EQ(repairs.closed_holes.largest, std::sqrt(8.0));
   const auto whole = box({-1, -1, -1}, {1, 1, 1});
   EXPECT_EQ(differences(surface, whole, 0.25), 0);
   const auto hollow = both(whole, inside_out(box({-0.6, -0.6, -0.6}, {-0.4, -0.4, -0.4})));
   EXPECT_GT(differences(surface, hollow, 0.25), 0) << "planted bug";
 }
 
-/// A ball without its northern part, closed there by a flat lid, of few corners (triangles
-/// of least area), of more (ears) and of many (a fan).
+/// A ball without its northern part is closed there by a flat lid.
 TEST(Repair, ClosesLargeHoles) {
   for (const std::uint32_t around : {20U, 100U, 500U}) {
     auto surface = ball({0, 0, 0}, 1, around, 20);
@@ -111,12 +110,18 @@ TEST(Repair, ClosesLargeHoles) {
       return std::all_of(t.begin(), t.end(),
                          [&](std::uint32_t p) { return surface.points[p][2] > 0.45; });
     });
-    const SurfaceRepairs repairs = repair_surface(surface, {true});
-    ASSERT_TRUE(is_closed(surface));
-    EXPECT_EQ(repairs.closed_holes.largest_edges, around);
+    auto lid = surface;
     const double height = std::cos(std::acos(-1.0) * 7 / 20);  // of the last ring
-    const double cap = std::acos(-1.0) / 3 * (1 - height) * (1 - height) * (2 + height);
-    EXPECT_NEAR(measure(surface).volume, 4.0 / 3 * std::acos(-1.0) - cap, 0.1);
+    const auto top = static_cast<std::uint32_t>(lid.points.size());
+    lid.points.push_back({0, 0, height});
+    const std::uint32_t ring = 6 * around;
+    for (std::uint32_t i = 0; i < around; ++i)
+      lid.triangles.push_back({top, ring + i, ring + (i + 1) % around});
+    ASSERT_TRUE(is_closed(lid));
+    const SurfaceRepairs repairs = repair_surface(surface, {true});
+    EXPECT_EQ(repairs.closed_holes.count, 1U);
+    EXPECT_EQ(repairs.closed_holes.largest_edges, around);
+    EXPECT_EQ(differences(surface, lid, 0.09), 0);
   }
 }
 

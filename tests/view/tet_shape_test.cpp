@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <vector>
 
 #include "ball.hpp"
 #include "certet/quality.hpp"
@@ -60,6 +62,29 @@ TEST(Survey, CountsEveryTetrahedronAndEdge) {
   EXPECT_EQ(std::accumulate(survey.edges.begin(), survey.edges.end(), std::uint64_t{0}), 6 * tets);
   EXPECT_GT(survey.edges.front(), 0u);
   EXPECT_GT(survey.edges.back(), 0u);
+}
+
+/// Squares of such numbers are infinite, and so would be what is made of them.
+TEST(Survey, WithoutCornersThatAreNowhere) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double far : {1e200, -1e51, 1e308, nan}) {
+    const std::vector<Point3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {far, 0, 0}};
+    const std::vector<Tet<std::uint64_t>> tets{{0, 1, 2, 3}, {1, 2, 3, 4}, {0, 4, 2, 3}};
+    const ShapeSurvey survey = survey_shapes(points, tets);
+    EXPECT_EQ(survey.tets, 1U) << far;
+    EXPECT_EQ(survey.longest_edge, std::sqrt(2.0)) << far;
+  }
+}
+
+TEST(Survey, OfCornersFarAwayOrClose) {
+  for (const double far : {1e50, 1e-200, 5e-324}) {
+    const std::vector<Point3> points{{0, 0, 0}, {far, 0, 0}, {0, far, 0}, {0, 0, far}};
+    const std::vector<Tet<std::uint64_t>> tets{{0, 1, 2, 3}};
+    const ShapeSurvey survey = survey_shapes(points, tets);
+    EXPECT_EQ(survey.tets, 1U);
+    EXPECT_TRUE(std::isfinite(survey.longest_edge));
+    EXPECT_EQ(std::accumulate(survey.edges.begin(), survey.edges.end(), std::uint64_t{0}), 6U);
+  }
 }
 
 TEST(Survey, OfNothing) {

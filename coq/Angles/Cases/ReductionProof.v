@@ -20,12 +20,32 @@ Local Notation CheckSigns := (Configurations.CheckSigns GetUnstructuredTets).
 Local Notation CheckRepresentatives :=
   (Configurations.CheckRepresentatives GetUnstructuredTets).
 
+(** All that becomes of one configuration stays within bounds. *)
+Definition CheckMoves (bounds : AngleBounds) (r : Ranges) (signs : Quad Sign)
+  (moves : Quad (option Direction)) : bool :=
+  forallb (fun t => CheckTet bounds (MapTet (SymbolSegment r moves) t))
+    (SymbolTets signs).
+
+Lemma MovesChecked bounds r signs moves :
+  CheckSigns bounds r signs = true -> In moves (MovesFor signs) ->
+  CheckMoves bounds r signs moves = true.
+Proof.
+  unfold Configurations.CheckSigns, CheckMoves. intros C I.
+  destruct (SymbolTets signs) as [|t ts]; [reflexivity|].
+  rewrite forallb_forall in C. exact (C moves I).
+Qed.
+
 (** ** Placements within ranges *)
 
 Section Placement.
   Variable before : SignField.
   Variable warping : Coord3 -> Warping.
   Variable cut : CutField.
+
+  (** No corner moves too far. *)
+  Definition MovesWithin (r : Ranges) (corners : list Coord3) : Prop :=
+    forall v d t, In v corners -> warping v = Moves d t ->
+      0 <= t <= 256 * MoveLimit r (DirectionKind d).
 
   (** [AdmissibleMoves] and [AdmissibleCuts], for any ranges. *)
   Definition FittingMoves (r : Ranges) (corners : list Coord3) : Prop :=
@@ -46,7 +66,7 @@ Section Placement.
   Variable r : Ranges.
   Variables (anchor : Coord3) (case : StructuredTetCase) (g : Turn).
   Let tid := STId anchor case.
-  Hypothesis Moves_fit : FittingMoves r (Corners tid).
+  Hypothesis Moves_fit : MovesWithin r (Corners tid).
   Hypothesis Cuts_fit : FittingCuts r (Corners tid).
   Hypothesis Limits : forall k, 0 <= MoveLimit r k.
 
@@ -151,12 +171,18 @@ Section Placement.
       cbn [Difference Translate]. f_equal; ring.
   Qed.
 
-  Lemma ConfigurationEnumerated : In moves (MovesFor signs).
+  Lemma MoveAtListed l : In (Of moves l) (MovesOf (Of signs l)).
   Proof.
-    apply (InMovesFor signs moves (QuadOf (fun l => before (Of w l)))).
-    - intros l. unfold moves, signs. rewrite !OfQuadOf. unfold MoveAt, MovesOf.
-      destruct (SignAt l); try (left; reflexivity).
-      apply in_map, InAllDirections.
+    unfold moves, signs. rewrite !OfQuadOf. unfold MoveAt, MovesOf.
+    destruct (SignAt l); try (left; reflexivity).
+    apply in_map, InAllDirections.
+  Qed.
+
+  Lemma ConfigurationEnumerated : FittingMoves r (Corners tid) ->
+    In moves (MovesFor signs).
+  Proof.
+    intros Fit. apply (InMovesFor signs moves (QuadOf (fun l => before (Of w l)))).
+    - exact MoveAtListed.
     - intros l. unfold signs. rewrite !OfQuadOf. unfold SignAt. cbn [PlacedSign].
       destruct (warping (Of w l)); cbn [WarpedSign];
         destruct (before (Of w l)); cbn; tauto.
@@ -165,7 +191,7 @@ Section Placement.
       unfold moves. rewrite !OfQuadOf.
       destruct (Targets i j (MoveAt i)) eqn:T; [|reflexivity].
       destruct (MoveAtMeans i j T) as (d & t & Ed & Ej).
-      destruct (Moves_fit _ _ _ (InW i) Ed) as [_ C].
+      destruct (Fit _ _ _ (InW i) Ed) as [_ C].
       rewrite Ej in C. destruct (C (InW j)) as [O N]. rewrite O.
       destruct (Targets j i (MoveAt j)) eqn:T'; [|reflexivity].
       destruct (MoveAtMeans j i T') as (e & s & Ee & Ei).
@@ -226,18 +252,20 @@ Section Placement.
     - rewrite MoveLattice, ApplyScale.
       destruct (ImageDirectionMeans d) as [-> K].
       apply AlongOnSegment. rewrite <- K.
-      destruct (Moves_fit _ _ _ (InW l) E) as [B _]. lia.
+      pose proof (Moves_fit _ _ _ (InW l) E). lia.
   Qed.
 
-  Lemma CutOnSegment a b : SignAt a = Plus -> SignAt b = Minus ->
+  (** Whatever the signs, of any cut that is in range. *)
+  Lemma CutInRangeOnSegment a b : LabelEqual a b = false ->
+    (forall d, Of w b = Translate (Of w a) (Offset d) ->
+       256 * CutFrom r (DirectionKind d) <= cut (Of w a) (Of w b)
+         <= 256 * CutTo r (DirectionKind d)) ->
     OnSegment 256 (SymbolSegment r moves (CutOf a b))
       (Move m Shift (PlacedPosition warping cut (Cut (Of w a) (Of w b)))).
   Proof.
-    intros Sa Sb. cbn [SymbolSegment PlacedPosition]. unfold PointOnEdge.
+    intros N Range. cbn [SymbolSegment PlacedPosition]. unfold PointOnEdge.
     rewrite MoveLattice, ApplyScale, WDifference.
     apply AlongOnSegment.
-    assert (N : LabelEqual a b = false)
-      by (destruct a, b; try reflexivity; congruence).
     destruct (CanonicalEdge a b N) as (e & Ee & Ke).
     destruct (OriginOfDirection m e Hm) as (d & Ed & Kd).
     assert (E : Of w b = Translate (Of w a) (Offset d)).
@@ -246,9 +274,17 @@ Section Placement.
         rewrite WDifference, Ed, Ee. reflexivity. }
       rewrite D. destruct (Of w a), (Of w b).
       cbn [Difference Translate]. f_equal; ring. }
-    rewrite <- Ke, <- Kd.
-    unfold SignAt in Sb. pose proof (InW b) as Ib. rewrite E in Sb, Ib |- *.
-    exact (Cuts_fit (Of w a) d (InW a) Ib Sa Sb).
+    rewrite <- Ke, <- Kd. exact (Range d E).
+  Qed.
+
+  Lemma CutOnSegment a b : SignAt a = Plus -> SignAt b = Minus ->
+    OnSegment 256 (SymbolSegment r moves (CutOf a b))
+      (Move m Shift (PlacedPosition warping cut (Cut (Of w a) (Of w b)))).
+  Proof.
+    intros Sa Sb. apply CutInRangeOnSegment.
+    - destruct a, b; try reflexivity; congruence.
+    - intros d E. unfold SignAt in Sb. pose proof (InW b) as Ib.
+      rewrite E in Sb, Ib |- *. exact (Cuts_fit (Of w a) d (InW a) Ib Sa Sb).
   Qed.
 
   Lemma SymbolOnSegment v : CutsFromPlusToMinus signs v = true ->
@@ -269,24 +305,18 @@ Section Placement.
   Hypothesis Hbounds : Sensible bounds.
 
   Lemma CheckedTet t :
-    CheckSigns bounds r signs = true -> In t (SymbolTets signs) ->
+    CheckMoves bounds r signs moves = true -> In t (SymbolTets signs) ->
     WellShaped bounds (MapTet (fun v =>
       Move m Shift (PlacedPosition warping cut (Stands w v))) t).
   Proof.
     intros C I. pose proof (StencilCuts _ _ I) as S.
-    unfold Configurations.CheckSigns in C.
-    assert (C' : forallb (fun moves => forallb (fun t =>
-      CheckTet bounds (MapTet (SymbolSegment r moves) t)) (SymbolTets signs))
-      (MovesFor signs) = true).
-    { destruct (SymbolTets signs); [destruct I|exact C]. }
-    rewrite forallb_forall in C'. specialize (C' _ ConfigurationEnumerated).
-    rewrite forallb_forall in C'. specialize (C' t I).
+    unfold CheckMoves in C. rewrite forallb_forall in C. specialize (C t I).
     destruct t as [p q s u]. cbn [AllOfTet] in S.
     rewrite !andb_true_iff in S. destruct S as [[[Sp Sq] Ss] Su].
     cbn [MapTet] in *.
     apply (CheckTetSound 256 ltac:(lia) _ _ _ _ _ _ _ _ _ Hbounds
              (SymbolOnSegment p Sp) (SymbolOnSegment q Sq)
-             (SymbolOnSegment s Ss) (SymbolOnSegment u Su) C').
+             (SymbolOnSegment s Ss) (SymbolOnSegment u Su) C).
   Qed.
 End Placement.
 
@@ -296,21 +326,10 @@ Section Reduction.
   Variables (bounds : AngleBounds) (r : Ranges).
   Hypothesis Hbounds : Sensible bounds.
   Hypothesis Limits : forall k, 0 <= MoveLimit r k.
-  Variable take : Z -> bool.
-  Hypothesis Checked : CheckRepresentatives bounds r take = true.
 
   Lemma SurfaceCornersTurned g signs :
     SurfaceCorners (TurnQuad g signs) = SurfaceCorners signs.
   Proof. destruct signs, g; cbn -[Z.add]; ring. Qed.
-
-  Lemma RepresentativesChecked signs :
-    In signs Representatives -> take (SurfaceCorners signs) = true ->
-    CheckSigns bounds r signs = true.
-  Proof.
-    intros I T. unfold Configurations.CheckRepresentatives in *.
-    rewrite forallb_forall in Checked.
-    apply Checked, filter_In. split; assumption.
-  Qed.
 
   Lemma EvenPermutationsMap {A B} (f : A -> B) t t' :
     In t (EvenPermutations t') ->
@@ -327,15 +346,23 @@ Section Reduction.
       reflexivity.
   Qed.
 
-  Theorem AllPlacementsWithin tid before warping cut :
-    FittingMoves before warping r (Corners tid) ->
+  (** It is enough that the configuration was checked that a placement has in
+      the canonical frame. *)
+  Theorem PlacementChecked anchor case before warping cut :
+    let tid := STId anchor case in
+    MovesWithin warping r (Corners tid) ->
     FittingCuts before warping cut r (Corners tid) ->
-    take (SurfaceCorners (QuadOf (fun l =>
-      PlacedSign before warping (Corner (Of (CornersOf tid) l))))) = true ->
+    (forall g m, In m AllIsometries ->
+       (forall l, Apply m (Difference (Of (TurnQuad g (CornersOf tid)) V1)
+                             (Of (TurnQuad g (CornersOf tid)) l))
+          = Difference (Of Canonical V1) (Of Canonical l)) ->
+       let signs := QuadOf (SignAt before warping anchor case g) in
+       In signs Representatives ->
+       CheckMoves bounds r signs
+         (QuadOf (MoveAt before warping anchor case g m)) = true) ->
     forall t, In t (PlacedTets before warping cut tid) -> WellShaped bounds t.
   Proof.
-    intros FM FC K t I. destruct tid as [anchor case].
-    set (tid := STId anchor case) in *.
+    intros tid FM FC Checked t I.
     assert (I' : In t (map (MapTet (PlacedPosition warping cut))
       (map (Orient (CaseHandedness case))
         (map (MapTet (Stands (CornersOf tid)))
@@ -350,19 +377,17 @@ Section Reduction.
     clear I. apply in_map_iff in I'. destruct I' as (t1 & <- & I).
     apply in_map_iff in I. destruct I as (t2 & <- & I).
     apply in_map_iff in I. destruct I as (t3 & <- & I).
-    set (signs := QuadOf _) in I, K.
+    set (signs := QuadOf _) in I.
     destruct (RepresentativeOf signs) as (g & R & T).
     destruct (T t3 I) as (t4 & I4 & E). clear T I.
     destruct (IsometryOf anchor case g) as (m & Hm & D & Hw). fold tid in Hw.
-    apply RepresentativesChecked in R;
-      [|rewrite SurfaceCornersTurned; exact K].
     assert (Q : TurnQuad g signs
       = QuadOf (SignAt before warping anchor case g)).
     { unfold SignAt, QuadOf, signs. rewrite !OfTurned.
       unfold TurnQuad. rewrite !OfQuadOf. reflexivity. }
     rewrite Q in R, I4. clear Q.
     pose proof (CheckedTet before warping cut r anchor case g FM FC Limits m Hm Hw
-      bounds Hbounds t4 R I4) as W. fold tid in W. clear R I4.
+      bounds Hbounds t4 (Checked g m Hm Hw R) I4) as W. fold tid in W. clear R I4.
     apply (EvenPermutationsMap (fun v => Move m (Shift anchor case g m)
       (PlacedPosition warping cut (Stands (TurnQuad g (CornersOf tid)) v)))) in E.
     pose proof (WellShapedPermuted _ _ _ E W) as S. clear E W.
@@ -372,5 +397,36 @@ Section Reduction.
     destruct (CaseHandedness case); cbn [Orient MapTet HandDeterminant] in *.
     - exact (WellShapedMoved _ m _ _ _ _ _ O D S).
     - exact (WellShapedMirrored _ m _ _ _ _ _ O D S).
+  Qed.
+  Variable take : Z -> bool.
+  Hypothesis Checked : CheckRepresentatives bounds r take = true.
+
+  Lemma RepresentativesChecked signs :
+    In signs Representatives -> take (SurfaceCorners signs) = true ->
+    CheckSigns bounds r signs = true.
+  Proof.
+    intros I T. unfold Configurations.CheckRepresentatives in *.
+    rewrite forallb_forall in Checked.
+    apply Checked, filter_In. split; assumption.
+  Qed.
+
+  Theorem AllPlacementsWithin tid before warping cut :
+    FittingMoves before warping r (Corners tid) ->
+    FittingCuts before warping cut r (Corners tid) ->
+    take (SurfaceCorners (QuadOf (fun l =>
+      PlacedSign before warping (Corner (Of (CornersOf tid) l))))) = true ->
+    forall t, In t (PlacedTets before warping cut tid) -> WellShaped bounds t.
+  Proof.
+    intros FM FC K. destruct tid as [anchor case].
+    apply PlacementChecked; [|exact FC|].
+    - intros v d t I E. exact (proj1 (FM v d t I E)).
+    - intros g m Hm Hw signs R. apply MovesChecked.
+      + apply RepresentativesChecked; [exact R|].
+        replace signs with (TurnQuad g (QuadOf (fun l =>
+          PlacedSign before warping (Corner (Of (CornersOf (STId anchor case)) l))))).
+        * rewrite SurfaceCornersTurned. exact K.
+        * unfold signs, SignAt, QuadOf. rewrite !OfTurned. unfold TurnQuad.
+          cbn [Of]. destruct g; reflexivity.
+      + apply (ConfigurationEnumerated before warping r anchor case g m Hm Hw FM).
   Qed.
 End Reduction.

@@ -2,6 +2,7 @@
 #include <memory>
 #include <utility>
 
+#include "certet/count_pieces.hpp"
 #include "certet/error.hpp"
 #include "certet/formats.hpp"
 #include "check_report.hpp"
@@ -17,9 +18,14 @@ namespace {
 constexpr const char* check_notes = R"(
 Keys of the JSON: certet, command, file, ok, failures, mesh {points, tets, volume, checksum,
 unused_points, nonfinite_points, duplicate_points, bad_indices, nonpositive_tets,
-overfull_faces, misoriented_faces, boundary_faces, open_edges}, dihedral {min, max,
-histogram}, bounds {min, max, and with --run: theorem}, seconds {read, check, total},
+overfull_faces, misoriented_faces, boundary_faces, open_edges, pieces {by_faces,
+by_vertices, largest_tets}, nonmanifold {edges, vertices, edge_places, vertex_places: of
+the first 8}}, with labels: regions [{label, pieces, pieces_by_vertices}], dihedral {min,
+max, histogram}, bounds {min, max, and with --run: theorem}, seconds {read, check, total},
 memory {peak}.  mesh.checksum is what `certet mesh` tells as mesh.file_checksum.
+
+Pieces are what faces that two tetrahedra share, or points, join.  A surface that is no
+manifold is told of, and is no defect: --method paper makes such.
 
 Angles are checked as they are shown, in thousandths of a degree.  With --run it is a
 defect too where points or tetrahedra are not, bit by bit, those that the run wrote;
@@ -73,6 +79,8 @@ Status check(const CheckOptions& options) {
   checked.read_seconds = clock.seconds();
   checked.report = certet::check(mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets),
                                 context);
+  checked.pieces = count_pieces(mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets),
+                                mesh.labels, context);
   checked.checksum = checksum(mesh);
   if (checked.run) {
     std::string defect = content_defect(*checked.run, options.mesh, mesh, checked.checksum);

@@ -4,6 +4,7 @@
 
 #include "check_report.hpp"
 #include "json.hpp"
+#include "pieces.hpp"
 
 namespace certet::command {
 
@@ -28,6 +29,11 @@ std::string json(const CheckedFile& checked) {
                   {"misoriented_faces", report.misoriented_faces},
                   {"boundary_faces", report.boundary_faces},
                   {"open_edges", report.open_edges}};
+  add_pieces(json["mesh"], checked.pieces);
+  for (const auto& [label, pieces] : checked.pieces.regions)
+    json["regions"].push_back({{"label", label},
+                               {"pieces", pieces.by_faces},
+                               {"pieces_by_vertices", pieces.by_vertices}});
   json["dihedral"] = {{"min", report.quality.min_dihedral},
                       {"max", report.quality.max_dihedral},
                       {"histogram", report.quality.histogram}};

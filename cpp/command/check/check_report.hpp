@@ -7,6 +7,7 @@
 #include <string>
 
 #include "certet/check.hpp"
+#include "certet/pieces.hpp"
 #include "report.hpp"
 #include "run_file.hpp"
 
@@ -15,6 +16,7 @@ namespace certet::command {
 struct CheckedFile {
   std::string file;
   CheckReport report;  ///< with what speaks against the run and the bounds asked for
+  Pieces pieces;
   std::optional<RunFile> run;
   AngleBounds asked{0, 180, {}};  ///< by --min-angle and --max-angle
   std::uint64_t checksum = 0;  ///< of the file's numbers, whatever its format

@@ -1,4 +1,5 @@
 #include "check_report.hpp"
+#include "pieces.hpp"
 #include "table.hpp"
 
 namespace certet::command {
@@ -19,6 +20,9 @@ std::string table(const CheckedFile& checked) {
   lines.add("mesh", "{}", checked.file);
   lines.add("", "{} points, {} tetrahedra, {} boundary faces", grouped(report.points),
             grouped(report.quality.tets), grouped(report.boundary_faces));
+  lines.add("pieces", "{}", sentence(checked.pieces, report.quality.tets));
+  if (checked.pieces.surface.vertices > 0)
+    lines.add("surface", "{}", sentence(checked.pieces.surface));
   lines.add("volume", "{:.9g}", report.quality.volume);
   add_angles(lines, report.quality);
   add_histogram(lines, report.quality);

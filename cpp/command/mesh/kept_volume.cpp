@@ -22,16 +22,15 @@ class Nowhere final : public MeshWriter {
   void finish() override {}
 };
 
-double measured_volume(const Counted& counted, Context& context) {
+}  // namespace
+
+double measured_volume(const Stuffing& stuffing, const Frame& frame, Context& context) {
   constexpr std::uint64_t slab_bytes = 24 << 20;
-  if (counted.stuffing.tet_count() == 0) return 0;
+  if (stuffing.tet_count() == 0) return 0;
   Nowhere nowhere;
-  return write_mesh(counted.stuffing, counted.source.frame,
-                    cut_slabs(counted.stuffing, slab_bytes), nowhere, context)
+  return write_mesh(stuffing, frame, cut_slabs(stuffing, slab_bytes), nowhere, context)
       .world.volume;
 }
-
-}  // namespace
 
 bool SearchBudget::pay_for(const PlacedSource& source) {
   constexpr std::int32_t side = 32;  // lattice units
@@ -80,7 +79,7 @@ std::optional<KeptSize> KeepingSize::find(double below) {
       const std::optional<Counted> counted = count_at_(size, budget);
       if (!counted) break;
       finest_ = {size, 0, counted->stuffing.tet_count()};
-      const double mesh = measured_volume(*counted, context_);
+      const double mesh = measured_volume(counted->stuffing, counted->source.frame, context_);
       if (mesh == 0) continue;
       const SolidVolume solid = volume_of(counted->source, context_);
       if (solid.volume > 0) finest_.share = mesh / solid.volume;

@@ -42,6 +42,9 @@ struct SolidVolume {
 /// Exact where the source knows it, and otherwise estimated, at less cost than a mesh.
 SolidVolume volume_of(const PlacedSource& source, const Context& context);
 
+/// Of a counted mesh, in world units cubed.
+double measured_volume(const Stuffing& stuffing, const Frame& frame, Context& context);
+
 /// A mesh at a size that was tried.
 struct KeptSize {
   double size = 0, share = 0;  ///< share: of the solid's volume

@@ -137,11 +137,11 @@ MeshSize announce(const MeshOptions& options, const LabelNames& names, const Cou
   return size;
 }
 
-/// Looks for a size that keeps a solid.
-KeepingSize keeping_size(const MeshOptions& options, const Source& source, std::uint64_t limit,
-                         Context& context) {
-  const auto count_at = [&options, &source, limit, &context](
-                            double size, SearchBudget& budget) -> std::optional<Counted> {
+/// Counts at the sizes that a search tries.
+KeepingSize::CountAt count_for_search(const MeshOptions& options, const Source& source,
+                                      std::uint64_t limit, Context& context) {
+  return [&options, &source, limit, &context](double size,
+                                              SearchBudget& budget) -> std::optional<Counted> {
     PlacedSource placed = source.place(size);
     check_lattice(placed, limit);
     if (!budget.pay_for(placed)) return std::nullopt;
@@ -149,7 +149,12 @@ KeepingSize keeping_size(const MeshOptions& options, const Source& source, std::
     if (static_cast<double>(stuffing.tet_count()) > most_searched_tets) return std::nullopt;
     return Counted{std::move(placed), std::move(stuffing)};
   };
-  return {count_at, source.thin, context};
+}
+
+/// Looks for a size that keeps a solid.
+KeepingSize keeping_size(const MeshOptions& options, const Source& source, std::uint64_t limit,
+                         Context& context) {
+  return {count_for_search(options, source, limit, context), source.thin, context};
 }
 
 [[noreturn]] void refuse_empty(const MeshOptions& options, const Source& source, double size,
@@ -167,7 +172,7 @@ KeepingSize keeping_size(const MeshOptions& options, const Source& source, std::
 void check_volume(const MeshOptions& options, const Source& source, const Counted& counted,
                   Context& context, MeshReport& report) {
   const SolidVolume solid = volume_of(counted.source, context);
-  const double mesh = report.written.world.volume;
+  const double mesh = report.written.world.volume + report.dropped.volume;
   if (!(solid.volume > 0) || solid.may_be(mesh)) return;
   KeepingSize search = keeping_size(options, source, report.memory_limit, context);
   const std::optional<KeptSize> kept = search.find(report.size);
@@ -188,7 +193,8 @@ void write(const MeshOptions& options, const Source& from, const Counted& counte
   if (options.origin == OutputOrigin::lattice) frame.origin = {0, 0, 0};
   const MaterialRuns none;
   report.written = write_mesh(stuffing, frame, slabs, writer, context,
-                              size.survey == nullptr ? none : size.survey->materials);
+                              size.survey == nullptr ? none : size.survey->materials,
+                              options.label_pieces);
   check_written(report);
   check_volume(options, from, counted, context, report);
   const Stopwatch finishing;
@@ -251,11 +257,32 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
   report.count_seconds = progress.seconds(Stage::count);
 }
 
-void describe(RegionWatch& watch, MeshReport& report) {
+/// Drops pieces, if that is asked for.
+void drop_pieces(const MeshOptions& options, Counted& counted, Context& context,
+                 MeshReport& report) {
+  if (!options.keep) return;
+  auto& [source, stuffing] = counted;
+  const Stuffing rest = stuffing.keep(*options.keep, context);
+  report.keep = options.keep_text;
+  report.dropped.tets = rest.tet_count();
+  report.dropped.pieces = rest.pieces(source.frame, context).whole.by_faces;
+  report.dropped.volume = measured_volume(rest, source.frame, context);
+  if (rest.tet_count() > 0 && stuffing.tet_count() == 0)
+    throw Error(ErrorCode::empty_domain,
+                fmt::format("none of the {} pieces of '{}' is kept by --keep {}",
+                            report.dropped.pieces, report.input_name, report.keep));
+}
+
+void count_pieces(const Counted& counted, Context& context, MeshReport& report) {
+  report.pieces = counted.stuffing.pieces(counted.source.frame, context);
+  report.dropped.kept = report.pieces.whole.by_faces;
+}
+
+void describe(RegionWatch& watch, const RegionWatch::SizeFor& size_for, MeshReport& report) {
   report.regions = watch.regions(report.tets);
   report.counted_pieces = watch.counted_pieces();
   // What becomes of single labels explains what became of the whole.
-  std::vector<std::string> warnings = watch.warnings(!report.dry_run);
+  std::vector<std::string> warnings = watch.warnings(!report.dry_run, size_for);
   report.warnings.insert(report.warnings.begin(), std::make_move_iterator(warnings.begin()),
                          std::make_move_iterator(warnings.end()));
 }
@@ -274,8 +301,12 @@ MeshReport run(const MeshOptions& options, Context& context) {
   report.read_seconds = clock.seconds();
   describe(options, source, report);
   Progress progress(context);
-  const Counted counted = count(options, source, context, report);
+  Counted counted = count(options, source, context, report);
   progress.stop();
+  const Stopwatch looking;
+  drop_pieces(options, counted, context, report);
+  count_pieces(counted, context, report);
+  report.pieces_seconds = looking.seconds();
   describe(options, counted, progress, report);
   if (report.tets == 0)
     refuse_empty(options, source, report.size, report.memory_limit, context);
@@ -286,7 +317,12 @@ MeshReport run(const MeshOptions& options, Context& context) {
   if (!options.dry_run)
     write(options, source, counted, slabs, size, context, progress, report);
   watch.see(report.written.regions);
-  describe(watch, report);
+  watch.see(report.pieces, report.written.region_pieces, report.dropped.pieces > 0);
+  const auto size_for = [&](const ImageRegion& region) {
+    return size_for_pieces(count_for_search(options, source, report.memory_limit, context),
+                           report.size, region, context);
+  };
+  describe(watch, size_for, report);
   report.total_seconds = clock.seconds();
   report.memory_peak = peak_memory();
   return report;

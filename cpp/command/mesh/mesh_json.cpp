@@ -2,6 +2,7 @@
 
 #include "json.hpp"
 #include "mesh_report.hpp"
+#include "pieces.hpp"
 
 namespace certet::command {
 namespace {
@@ -43,7 +44,8 @@ Json seconds(const MeshReport& report) {
             {"sample", report.sample_seconds},
             {"cut", report.cut_seconds},
             {"warp", report.warp_seconds},
-            {"count", report.count_seconds}};
+            {"count", report.count_seconds},
+            {"pieces", report.pieces_seconds}};
   if (!report.dry_run) {
     json["emit"] = report.written.emit_seconds;
     json["measure"] = report.written.measure_seconds;
@@ -55,7 +57,7 @@ Json seconds(const MeshReport& report) {
 
 Json regions(const MeshReport& report) {
   Json all = Json::array();
-  for (const auto& [region, tets, volume, voxel_volume] : report.regions) {
+  for (const auto& [region, tets, volume, voxel_volume, pieces] : report.regions) {
     Json one{{"label", region.label}, {"voxels", region.voxels}};
     if (const auto name = report.names.find(region.label); name != report.names.end())
       one["name"] = name->second;
@@ -64,8 +66,12 @@ Json regions(const MeshReport& report) {
       one["volume"] = volume;
       one["voxel_volume"] = voxel_volume;
     }
+    if (pieces) {
+      one["pieces"] = pieces->by_faces;
+      one["pieces_by_vertices"] = pieces->by_vertices;
+    }
     if (report.counted_pieces) {
-      one["pieces"] = region.lattice_pieces;
+      if (!pieces) one["pieces"] = region.lattice_pieces;
       one["image_pieces"] = {{"by_corners", region.pieces_by_corners},
                              {"by_faces", region.pieces_by_faces}};
     }
@@ -115,6 +121,13 @@ std::string json(const MeshReport& report) {
                         {"rounding", written.rounding},
                         {"histogram", written.lattice.histogram}};
   }
+  add_pieces(json["mesh"], report.pieces);
+  if (!report.keep.empty())
+    json["dropped"] = {{"keep", report.keep},
+                       {"pieces", report.dropped.pieces},
+                       {"kept", report.dropped.kept},
+                       {"tets", report.dropped.tets},
+                       {"volume", report.dropped.volume}};
   json["theorem"] = facts(report.used).bounds.theorem;
   json["guarantee"] = guarantee(report);
   json["seconds"] = seconds(report);

@@ -45,15 +45,30 @@ each tetrahedron has the label at its centre.  Formats with named surfaces have 
 each pair that touches, called after both.
 
 A label that the lattice is too coarse for is named in a warning, and so is one that
-has more or fewer pieces in the mesh than in the image, where voxels may touch at
-edges and corners or not.  Pieces are counted where --size is above the smallest
+has more or fewer pieces among the lattice's points than in the image, where voxels may
+touch at edges and corners or not.  That is looked at where --size is above the smallest
 voxel spacing, and with --smooth; not with --crop.  At the smallest spacing, without
---smooth, no label and no piece is lost.
+--smooth, no label and no piece is lost.  With --iso the pieces are those of the mesh,
+and up to 12 sizes are tried, each a fifth smaller than the one before, for one that
+keeps them.
+
+The pieces of every mesh are counted, by faces and by vertices, whatever its labels are, and
+with --label-pieces those of each label besides, which takes about as long as measuring; so are the edges and vertices at which its surface is no manifold, of which --method
+paper may leave some.  --keep largest drops all pieces by faces but the one of the most
+tetrahedra, --keep N all but the N largest, --keep percolating:x (y, z) all that do not go
+from one end of the solid to the other along that axis of the lattice, which is the
+image's or the world's, but for a --size at either end.  What was dropped is told.
 
 A surface need not be clean: equal corners that differ by rounding, triangles that are
 repeated, turned or without an area, T-junctions, and walls between two solids that are
 stored once are mended, with the least tolerance that closes the surface, and what was
-done is said.  An open surface is refused, unless --repair closes its holes.  Where the
+done is said.  An open surface is refused.  With --repair its solid is what it winds
+around by more than one half: the winding number is the generalised one, the share of the
+sphere around a point that the triangles cover, each with its sign.  So flat holes close
+flat, and triangles that are all apart are a solid as if there were no gaps; those that
+face another way than the ones around them are turned.  Where the
+winding number does not tell inside from outside, as of a flat sheet or of triangles that
+face any way, the surface is refused all the same.  Where the
 solid behind a fiftieth of the surface is thin, the default size is a quarter of its
 thickness, as far as about 4 million tetrahedra or 32 million cells of the lattice.
 
@@ -80,12 +95,17 @@ samples, which are + where the lattice's points are inside.
 Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file,
 format, bytes, origin}, lattice {cells, size, cuts, and with --target-tets:
 target_tets, tries}, method {name, and of embedded: violated, stayed, shortened, clamped {cuts,
-greatest, rms, greatest_edges, rms_edges}}, theorem, mesh {points, tets, volume, checksum, file_checksum}, dihedral
+greatest, rms, greatest_edges, rms_edges}}, theorem, mesh {points, tets, volume, checksum, file_checksum,
+pieces {by_faces, by_vertices, largest_tets}, nonmanifold {edges, vertices, edge_places,
+vertex_places: in the world, of the first 8}}, with --keep: dropped {keep, pieces, kept,
+tets, volume}, dihedral
 {min, max, lattice_min, lattice_max, rounding, histogram}, guarantee {asked, used,
 theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
-cut, warp, count, emit, measure, write, total}, memory {limit, needed, least,
+cut, warp, count, pieces, emit, measure, write, total}, memory {limit, needed, least,
 peak}, warnings, and for images regions [{label, voxels, tets, name where the file or
---label-names has one, volume and voxel_volume, and where pieces were counted: pieces, image_pieces {by_corners, by_faces}}], with --smooth: smoothing
+--label-names has one, volume, voxel_volume, pieces (by faces), and with --label-pieces or of
+one label pieces_by_vertices; without, pieces is of the samples, and told where the image's are:
+image_pieces {by_corners, by_faces}}], with --smooth: smoothing
 {sigma, voxel_volume, mesh_volume, change}.  Lengths are in world units, angles in degrees, memory in bytes; the
 histogram has 36 bins of 5 degrees, counted before coordinates are rounded; rounding
 is what the doubles of the world can turn an angle by; output.origin is where in the
@@ -97,7 +117,7 @@ a dry run leaves out what it does not know.)";
 /// Options whose values need more than CLI11's own reading.
 struct RawMesh {
   std::string volume, nan, size, relative_size, target_tets, iso, labels, spacing, smooth, crop,
-      bounds, format, origin;
+      bounds, format, origin, keep;
   MethodChoice method;
   bool compress = false;
 };
@@ -135,7 +155,8 @@ void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("--grid", options.grid, "Grid of a .vdb file (default: its first level set)")
       ->option_text("NAME");
   mesh.add_flag("--repair", options.repair,
-                "Closes the holes of an open surface; without it, such a surface is refused");
+                "Closes the holes of an open surface by the generalised winding number; without "
+                "it, such a surface is refused");
   mesh.add_option("--expr", options.formula,
                   "The solid is where a formula in x, y, z is negative")
       ->option_text("FORMULA");
@@ -163,6 +184,12 @@ void declare_lattice(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
       ->check(CLI::Range(1, 1000))
       ->option_text("N");
   declare_method(mesh, raw.method);
+  mesh.add_option("--keep", raw.keep,
+                  "Drops all pieces but the largest, the N largest, or those that go through "
+                  "from end to end: largest, N, percolating:x (y, z)")
+      ->option_text("WHICH");
+  mesh.add_flag("--label-pieces", options.label_pieces,
+                "Counts the pieces of each label in the mesh, too");
 }
 
 void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
@@ -214,6 +241,8 @@ void check_source(const MeshOptions& options, const RawMesh& raw) {
     refuse("--labels goes with an image, not with a volume");
   if (!options.label_names.empty() && (!image || !raw.iso.empty()))
     refuse("--label-names goes with an image of labels");
+  if (options.label_pieces && (!image || !raw.iso.empty()))
+    refuse("--label-pieces goes with an image of labels");
   const bool voxels =
       image && !is_surface_file(options.input) && !is_volume_file(options.input);
   if (!voxels && (!raw.spacing.empty() || !options.image.series.empty()))
@@ -263,6 +292,7 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   if (!raw.nan.empty()) options.nan = parse_nan(options, raw.nan);
   if (!raw.spacing.empty()) options.image.spacing = parse_spacing(raw.spacing);
   if (!raw.bounds.empty()) options.bounds = parse_bounds(raw.bounds);
+  if (!raw.keep.empty()) options.keep = parse_keep(options.keep_text = raw.keep);
   if (options.output.empty() && !options.dry_run) refuse("mesh needs an output: -o OUT");
   options.format = choose_format(options.output, raw.format, raw.compress);
   check_surface_choice(options.surface, options.format);

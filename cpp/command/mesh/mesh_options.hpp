@@ -14,6 +14,7 @@
 #include "certet/formats.hpp"
 #include "certet/image.hpp"
 #include "certet/method.hpp"
+#include "certet/pieces.hpp"
 
 namespace certet::command {
 
@@ -42,6 +43,9 @@ struct MeshOptions {
   std::uint64_t target_tets = 0;
   std::int32_t margin = 2;
   Method method{};
+  std::optional<KeepRule> keep;  ///< which pieces stay; nothing: all
+  std::string keep_text;         ///< as the user wrote it
+  bool label_pieces = false;     ///< counts the pieces of each label
   int threads = 0;
   std::uint64_t max_memory = 0;  ///< 0: by what is available
   bool dry_run = false;

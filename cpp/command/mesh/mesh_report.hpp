@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "certet/method.hpp"
+#include "certet/pieces.hpp"
 #include "certet/quality.hpp"
 #include "certet/warp_figures.hpp"
 #include "certet/write_mesh.hpp"
@@ -16,6 +17,12 @@
 #include "report.hpp"
 
 namespace certet::command {
+
+/// What --keep dropped from a mesh, and how many pieces it left.
+struct DroppedPieces {
+  std::uint64_t pieces = 0, kept = 0, tets = 0;
+  double volume = 0;  ///< world units cubed
+};
 
 struct MeshReport {
   bool dry_run = false;
@@ -40,10 +47,13 @@ struct MeshReport {
   WarpFigures warp;
 
   std::uint64_t points = 0, tets = 0;
+  Pieces pieces;
+  std::string keep;  ///< which pieces were to stay; empty: all
+  DroppedPieces dropped;
   WrittenMesh written;  ///< empty after a dry run
 
   double read_seconds = 0, sample_seconds = 0, cut_seconds = 0, warp_seconds = 0,
-         count_seconds = 0, total_seconds = 0;
+         count_seconds = 0, pieces_seconds = 0, total_seconds = 0;
   std::uint64_t memory_limit = 0;   ///< what the run may use
   std::uint64_t memory_needed = 0;  ///< what it holds while writing
   std::uint64_t memory_least = 0;   ///< the smallest limit that would do

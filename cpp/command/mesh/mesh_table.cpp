@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "mesh_report.hpp"
+#include "pieces.hpp"
 #include "table.hpp"
 
 namespace certet::command {
@@ -32,6 +33,16 @@ void add_settling(Lines& lines, const MeshReport& report) {
               grouped(world.cuts), edges.greatest, world.greatest, edges.rms, world.rms);
 }
 
+void add_pieces(Lines& lines, const MeshReport& report) {
+  const DroppedPieces& dropped = report.dropped;
+  if (!report.keep.empty())
+    lines.add("dropped", "{} of {} pieces: {} tetrahedra, volume {:.6g}", grouped(dropped.pieces),
+              grouped(dropped.pieces + dropped.kept), grouped(dropped.tets), dropped.volume);
+  lines.add("pieces", "{}", sentence(report.pieces, report.tets));
+  if (report.pieces.surface.vertices > 0)
+    lines.add("surface", "{}", sentence(report.pieces.surface));
+}
+
 void add_regions(Lines& lines, const MeshReport& report) {
   const auto present = std::count_if(report.regions.begin(), report.regions.end(),
                                      [](const MeshedRegion& region) { return region.tets > 0; });
@@ -59,6 +70,7 @@ std::string table(const MeshReport& report) {
     lines.add("target", "{} tetrahedra, size found in {} tries", grouped(report.target_tets),
               report.tries);
   lines.add("mesh", "{} points, {} tetrahedra", grouped(report.points), grouped(report.tets));
+  add_pieces(lines, report);
   add_regions(lines, report);
   if (!report.dry_run) {
     lines.add("volume", "{:.9g}", report.written.world.volume);
@@ -73,9 +85,10 @@ std::string table(const MeshReport& report) {
   }
   add_method(lines, report);
   add_settling(lines, report);
-  lines.add("seconds", "read {:.2f}, sample {:.2f}, cut {:.2f}, warp {:.2f}, count {:.2f}",
+  lines.add("seconds", "read {:.2f}, sample {:.2f}, cut {:.2f}, warp {:.2f}, count {:.2f}, "
+            "pieces {:.2f}",
             report.read_seconds, report.sample_seconds, report.cut_seconds,
-            report.warp_seconds, report.count_seconds);
+            report.warp_seconds, report.count_seconds, report.pieces_seconds);
   if (!report.dry_run)
     lines.add("", "emit {:.2f}, measure {:.2f}, write {:.2f}", report.written.emit_seconds,
               report.written.measure_seconds, report.written.write_seconds);

@@ -51,13 +51,27 @@ void RegionWatch::see(std::span<const Region> written) {
   }
 }
 
+/// Of a level they are those of its region.
+void RegionWatch::see(const Pieces& pieces, std::span<const RegionPieces> regions,
+                      bool dropped) {
+  pieces_.assign(regions_.size(), {});
+  if (regions_.size() == 1) pieces_[0] = pieces.whole;
+  for (const RegionPieces& region : regions)
+    if (const std::size_t which = index_of(regions_, region.label); which < pieces_.size())
+      pieces_[which] = region.pieces;
+  whole_ = pieces.whole;
+  dropped_ = dropped;
+  if (source_.voxels && source_.voxels->level && !dropped)
+    for (ImageRegion& region : regions_) region.lattice_pieces = whole_.by_faces;
+}
+
 std::vector<MeshedRegion> RegionWatch::regions(std::uint64_t all_tets) const {
   std::vector<MeshedRegion> result;
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto& spacing = source_.voxels->image->spacing;
     const double voxel = spacing[0] * spacing[1] * spacing[2];
     result.push_back({regions_[r], source_.voxels->level ? all_tets : tets_[r], volumes_[r],
-                      voxel * static_cast<double>(regions_[r].voxels)});
+                      voxel * static_cast<double>(regions_[r].voxels), pieces_[r]});
   }
   return result;
 }
@@ -71,13 +85,19 @@ std::string RegionWatch::lost(std::size_t which) {
   const ImageRegion& region = regions_[which];
   std::string text = fmt::format("label {} ({} voxels) is not in the mesh", region.label,
                                  region.voxels);
+  if (dropped_) return text + ", of which pieces were dropped";
   if (source_.voxels->cropped) return text + ", as far as it is cropped";
   if (source_.voxels->smoothed) return text + "; a smaller --smooth may keep it";
   find_certain_size(*source_.voxels->image, source_.voxels->level, regions_, which);
   return text + "; --size " + at_most(region.certain_size) + " or less keeps it";
 }
 
-std::string RegionWatch::other_pieces(std::size_t which) const {
+bool RegionWatch::keeps(std::size_t which) const {
+  return source_.voxels->level ? keeps_pieces(regions_[which], whole_)
+                               : regions_[which].keeps_pieces();
+}
+
+std::string RegionWatch::other_pieces(std::size_t which, const SizeFor& size_for) const {
   const ImageRegion& region = regions_[which];
   const bool exact = region.pieces_by_corners == region.pieces_by_faces;
   std::string text = fmt::format(
@@ -85,11 +105,11 @@ std::string RegionWatch::other_pieces(std::size_t which) const {
       region.lattice_pieces == 1 ? "1 piece" : fmt::format("{} pieces", region.lattice_pieces),
       exact ? "" : fmt::format("{} to ", region.pieces_by_corners), region.pieces_by_faces);
   if (source_.voxels->smoothed) return text + "; a smaller --smooth may keep them";
-  if (source_.voxels->level) return text + "; a smaller --size may keep them";
+  if (source_.voxels->level) return text + "; " + size_for(region);
   return text + fmt::format("; --size {:.6g} or less keeps them", finest_);
 }
 
-std::vector<std::string> RegionWatch::warnings(bool written) {
+std::vector<std::string> RegionWatch::warnings(bool written, const SizeFor& size_for) {
   std::vector<std::string> sentences;
   if (source_.voxels && !source_.voxels->level && looks_grayscale(*source_.voxels->image))
     sentences.push_back(fmt::format(
@@ -99,8 +119,8 @@ std::vector<std::string> RegionWatch::warnings(bool written) {
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     if (is_lost(r, written)) {
       if (++lost_ones <= most_told) sentences.push_back(lost(r));
-    } else if (counted_pieces_ && !regions_[r].keeps_pieces()) {
-      if (++changed <= most_told) sentences.push_back(other_pieces(r));
+    } else if (counted_pieces_ && !dropped_ && !keeps(r)) {
+      if (++changed <= most_told) sentences.push_back(other_pieces(r, size_for));
     }
   }
   if (lost_ones > most_told)

@@ -3,10 +3,13 @@
 /// Whether the labels of an image arrive in the mesh, and in one piece.
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "kept_pieces.hpp"
 #include "source.hpp"
 
 namespace certet::command {
@@ -17,6 +20,7 @@ struct MeshedRegion {
   std::uint64_t tets = 0;
   double volume = 0;        ///< of the mesh, in world units
   double voxel_volume = 0;  ///< of its voxels
+  std::optional<PieceCount> pieces = {};  ///< of the mesh, if they were counted
 };
 
 /// Watches a run from the counted lattice to the written mesh.
@@ -29,25 +33,33 @@ class RegionWatch {
   /// The regions of the mesh that was written; without this there are none.
   void see(std::span<const Region> written);
 
+  /// The pieces of the mesh, and those of each label that were counted; `dropped` tells that some were dropped from it.
+  void see(const Pieces& pieces, std::span<const RegionPieces> regions, bool dropped);
+
   /// Of a mesh of `all_tets`; 0 tetrahedra everywhere if it was not written.
   [[nodiscard]] std::vector<MeshedRegion> regions(std::uint64_t all_tets) const;
   [[nodiscard]] bool counted_pieces() const { return counted_pieces_; }
 
   /// Sentences about what is lost, split or joined; `written` tells whether there
-  /// are tetrahedra to go by, or lattice points alone.
-  [[nodiscard]] std::vector<std::string> warnings(bool written);
+  /// are tetrahedra to go by, or lattice points alone.  `size_for` looks for a size that
+  /// keeps the pieces of a level.
+  using SizeFor = std::function<std::string(const ImageRegion&)>;
+  [[nodiscard]] std::vector<std::string> warnings(bool written, const SizeFor& size_for);
 
  private:
   [[nodiscard]] bool is_lost(std::size_t which, bool written) const;
   [[nodiscard]] std::string lost(std::size_t which);
-  [[nodiscard]] std::string other_pieces(std::size_t which) const;
+  [[nodiscard]] bool keeps(std::size_t which) const;
+  [[nodiscard]] std::string other_pieces(std::size_t which, const SizeFor& size_for) const;
 
   const Source& source_;
   double size_, finest_ = 0;
   std::vector<ImageRegion> regions_;
   std::vector<std::uint64_t> tets_;  ///< of each region
   std::vector<double> volumes_;      ///< in world units
-  bool counted_pieces_ = false;
+  std::vector<std::optional<PieceCount>> pieces_;  ///< of each region, in the mesh
+  PieceCount whole_;                 ///< of the mesh
+  bool counted_pieces_ = false, dropped_ = false;
 };
 
 }  // namespace certet::command

@@ -47,8 +47,10 @@ Source from_surface(const MeshOptions& options, const Context& context) {
   CheckedSurface checked = open_surface(options.input, options.repair, context);
   const auto surface = std::make_shared<const TriangleSurface>(std::move(checked.surface));
   const auto place = [surface, margin = options.margin, volume = checked.measures.volume,
-                      own_size = checked.size.size](double size) {
-    PlacedSource source = placed(surface_domain(*surface, {size == 0 ? own_size : size, margin}));
+                      open = checked.open, own_size = checked.size.size](double size) {
+    const SurfaceLattice lattice{size == 0 ? own_size : size, margin};
+    if (open) return placed(open_surface_domain(*surface, lattice));
+    PlacedSource source = placed(surface_domain(*surface, lattice));
     source.volume = volume;
     return source;
   };
@@ -102,7 +104,7 @@ Source from_voxels(const std::shared_ptr<const Image>& image, const MeshOptions&
   std::optional<double> volume;
   if (!options.iso && !options.crop) volume = chosen_volume(*image, options.labels);
   const auto place = [image, options, volume](double size) {
-    const ImageLattice lattice{size, options.margin};
+    const ImageLattice lattice{size, options.margin, !facts(options.method).settles};
     PlacedSource source = placed_image(options.iso ? level_domain(image, *options.iso, lattice)
                                                    : label_domain(image, options.labels, lattice),
                                        options);

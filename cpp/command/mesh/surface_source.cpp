@@ -67,9 +67,12 @@ CheckedSurface open_surface(const std::filesystem::path& file, bool close_holes,
     const Silence silence;
     result.surface = read_surface(file);
   }
-  result.notes = sentences_on(repair_surface(result.surface, {close_holes}, context));
+  const SurfaceRepairs repairs = repair_surface(result.surface, {close_holes}, context);
+  result.notes = sentences_on(repairs);
+  result.open = repairs.closed_holes.count != 0;
   const SurfaceDefects defects = inspect(result.surface, context);
-  refuse_open(result.surface, defects, close_holes ? "" : remedy(defects));
+  if (result.open) refuse_unclear(result.surface, context);
+  else refuse_open(result.surface, defects, close_holes ? "" : remedy(defects));
   for (std::string& note : notes_on(result.surface, defects))
     result.notes.push_back(std::move(note));
   result.measures = measure(result.surface, context);

@@ -14,6 +14,7 @@ namespace certet::command {
 /// A surface, and what the user should know of it, a sentence each.
 struct CheckedSurface {
   TriangleSurface surface;
+  bool open = false;      ///< its holes are to be closed by the winding number
   std::vector<std::string> notes;
   SurfaceMeasures measures;
   SurfaceSize size;       ///< if none is asked for

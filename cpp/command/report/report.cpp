@@ -3,11 +3,13 @@
 #include <memory>
 #include <optional>
 
+#include "certet/count_pieces.hpp"
 #include "certet/error.hpp"
 #include "certet/formats.hpp"
 #include "certet/page.hpp"
 #include "commands.hpp"
 #include "outputs.hpp"
+#include "pieces.hpp"
 #include "refusal.hpp"
 #include "run_file.hpp"
 #include "table.hpp"
@@ -74,6 +76,14 @@ void add_run(const RunFile& run, const std::filesystem::path& file, const FileMe
   facts.rows.insert(facts.rows.end(), run.rows.begin(), run.rows.end());
 }
 
+void add_pieces(const FileMesh& mesh, PageFacts& facts) {
+  Context context;
+  const Pieces pieces = count_pieces(
+      mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets), mesh.labels, context);
+  facts.rows.push_back({"pieces", sentence(pieces, mesh.tets.size())});
+  if (pieces.surface.vertices > 0) facts.rows.push_back({"surface", sentence(pieces.surface)});
+}
+
 Status report(const ReportOptions& options) {
   validate(options);
   PageFacts facts;
@@ -86,6 +96,7 @@ Status report(const ReportOptions& options) {
     add_run(*run, options.mesh, mesh, facts);
   else
     facts.bounds = possible_bounds(options);
+  add_pieces(mesh, facts);
   const Page page = make_page(mesh, facts);
   write_text(options.output.string(), page.html);
   return page.report.failures.empty() ? Status::ok : Status::check_failed;

@@ -38,6 +38,9 @@ class CroppedDomain final : public PlacedDomain {
     const Extent found = whole_->extent(box);
     return place == Extent::inside || found == Extent::outside ? found : Extent::mixed;
   }
+  [[nodiscard]] bool even_points_tell_pieces() const override {
+    return whole_->even_points_tell_pieces();
+  }
   [[nodiscard]] std::span<const std::int32_t> labels() const override { return whole_->labels(); }
   void row_materials(Coord3 first, std::span<Material> out) const override {
     whole_->row_materials(first, out);

@@ -92,6 +92,12 @@ class LabelDomain final : public PlacedDomain {
     return found == Extent::inside && !reach->whole ? Extent::mixed : found;
   }
 
+  /// Where no voxel is narrower than a long edge, even points are joined by edges exactly
+  /// as voxels are by faces: `VoxelPiecesKept` of the certificate.
+  [[nodiscard]] bool even_points_tell_pieces() const override {
+    return placement_.frame.size <= *std::ranges::min_element(image_->spacing);
+  }
+
   [[nodiscard]] std::span<const BorderBox> border() const override { return placement_.border; }
   [[nodiscard]] LabelNames names() const override { return image_->names; }
 
@@ -363,7 +369,8 @@ std::unique_ptr<PlacedDomain> label_domain(std::shared_ptr<const Image> image,
             throw Error(ErrorCode::empty_domain,
                         "no voxel of '" + scan.name + "' has " +
                             (all ? "a label other than 0" : "one of the chosen labels"));
-          const Placement placement = place(scan, mask.bounds(), lattice);
+          const Placement placement = place(
+              scan, mask.bounds(), lattice, lattice.walls_halfway ? 0.25 : 0.4375);
           return std::make_unique<LabelDomain<T>>(image, std::move(mask),
                                                   MaterialTable(found.finish()), placement);
         }

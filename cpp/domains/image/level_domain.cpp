@@ -253,7 +253,7 @@ std::unique_ptr<PlacedDomain> level_domain(std::shared_ptr<const Image> image, d
   return std::visit(
       [&]<class T>(const Buffer<T>& voxels) -> std::unique_ptr<PlacedDomain> {
         refuse_wild_voxels(scan, voxels);
-        const Placement placement = place(scan, reach_above(scan, voxels, level), lattice);
+        const Placement placement = place(scan, reach_above(scan, voxels, level), lattice, 0.25);
         return std::make_unique<LevelDomain<T>>(image, level, placement);
       },
       scan.voxels);

@@ -26,17 +26,16 @@ double long_edge(const Image& image, const ImageLattice& choice) {
 /// Places one axis; returns the cells.  Origin and shift centre the lattice's
 /// coordinates around 0, so that their whole range can be used.
 std::int32_t place_axis(VoxelAxis& axis, double spacing, double size, std::int32_t margin,
-                        std::int64_t low, std::int64_t high, std::int32_t& origin) {
+                        double lead, std::int64_t low, std::int64_t high, std::int32_t& origin) {
   if (axis.reversed) {
     std::swap(low, high);
     low = axis.count - 1 - low;
     high = axis.count - 1 - high;
   }
   axis.scale = size / (2 * spacing);
-  // An even point a quarter of a voxel (or of a cell, if that is less) before
-  // the centre of voxel 0: no lattice point ties between voxels then, where the
-  // size is a whole multiple or a whole fraction of the spacing.
-  const double even = -0.25 * std::min(1.0, size / spacing);
+  // No lattice point ties between voxels then, where the size is a whole multiple or a
+  // whole fraction of the spacing.
+  const double even = -lead * std::min(1.0, size / spacing);
   const auto cell_of = [&](double forward) {
     return std::floor((forward - even) / (2 * axis.scale));
   };
@@ -67,7 +66,7 @@ BorderBox border_of(const Image& image, const Frame& frame) {
 
 }  // namespace
 
-Placement place(const Image& image, const VoxelBox& box, const ImageLattice& choice) {
+Placement place(const Image& image, const VoxelBox& box, const ImageLattice& choice, double lead) {
   const double size = long_edge(image, choice);
   Placement result;
   result.frame = {image.origin, image.axes, size};
@@ -85,7 +84,7 @@ Placement place(const Image& image, const VoxelBox& box, const ImageLattice& cho
                  image.spacing[a] * static_cast<double>(box.high[a] - box.low[a] + 1));
     axis.reversed = reflected && a == 2;
     result.lattice.cells[a] =
-        place_axis(axis, image.spacing[a], size, choice.margin, box.low[a], box.high[a],
+        place_axis(axis, image.spacing[a], size, choice.margin, lead, box.low[a], box.high[a],
                    *origin[a]);
     const double stored_shift =
         axis.reversed ? static_cast<double>(axis.count - 1) - axis.shift : axis.shift;

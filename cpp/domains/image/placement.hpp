@@ -52,9 +52,11 @@ struct Placement {
   double longest_side = 0;  ///< of the box of voxels, in world units
 };
 
-/// Puts a lattice around the voxels of `box`.
+/// Puts a lattice around the voxels of `box`, with an even point `lead` of a voxel (or of a
+/// cell, if that is less) before the centre of voxel 0; less than 1/2.  From 1/4 on no
+/// lattice point ties between voxels; at 0 odd ones do.
 /// \throws Error `bad_option` (size, margin), `too_large` (coordinate range).
-Placement place(const Image& image, const VoxelBox& box, const ImageLattice& choice);
+Placement place(const Image& image, const VoxelBox& box, const ImageLattice& choice, double lead);
 
 /// The stored voxel numbers, low to high, of the part of an interval of lattice
 /// coordinates that lies in the image.

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "disjoint_sets.hpp"
+#include "engine/disjoint_sets.hpp"
 #include "edges.hpp"
 #include "patches.hpp"
 #include "repeats.hpp"

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "exact.hpp"
 #include "rounding.hpp"
@@ -26,8 +27,8 @@ struct Crossing {
 /// Lines along one axis, which is x here.
 class ParallelLines {
  public:
-  ParallelLines(std::vector<Coord3> points, const TriangleSurface& surface, bool parity)
-      : parity_(parity), low_(points[surface.triangles[0][0]]), high_(low_),
+  ParallelLines(std::vector<Coord3> points, const TriangleSurface& surface, Rule rule)
+      : inside_(surface, points, rule), low_(points[surface.triangles[0][0]]), high_(low_),
         columns_(std::move(points), surface.triangles) {
     for (std::uint32_t t = 0; t < columns_.size(); ++t)
       for (const Coord3 c : columns_.corners(t)) {
@@ -69,21 +70,24 @@ class ParallelLines {
     });
     std::sort(crossings_.begin(), crossings_.end(),
               [](const Crossing& a, const Crossing& b) { return a.x > b.x; });
-    measure(chords);
+    measure(from, chords);
   }
 
-  void measure(Chords& chords) const {
+  void measure(Coord3 from, Chords& chords) const {
     int winding = 0;
     const Crossing* end = nullptr;
+    bool before = false, now = false;
     for (std::size_t i = 0; i + 1 < crossings_.size(); ++i) {
       const Crossing &one = crossings_[i], &next = crossings_[i + 1];
-      const bool before = inside(winding);
       winding += one.direction;
-      if (inside(winding) && !before) end = &one;
-      if (!inside(winding)) continue;
+      now = i == 0 ? inside(winding, from, i) : now;
+      const bool after = inside(winding + next.direction, from, i + 1);
+      if (now && !before) end = &one;
+      before = std::exchange(now, after);
+      if (!before) continue;
       chords.inside += (one.x - next.x) * step_ * area_;
       chords.wound += winding * ((one.x - next.x) * step_ * area_);
-      if (inside(winding + next.direction)) continue;
+      if (after) continue;
       // Near a sharp edge a line meets the two faces there, which are no wall.
       constexpr double least_facing = 0.85;
       if (dot(end->normal, next.normal) < least_facing) continue;
@@ -101,11 +105,15 @@ class ParallelLines {
     chords.behind.push_back({length * steepness, area_ / steepness});
   }
 
-  [[nodiscard]] bool inside(int winding) const {
-    return parity_ ? winding % 2 != 0 : winding != 0;
+  /// Between a crossing and the next one.
+  [[nodiscard]] bool inside(int winding, Coord3 from, std::size_t crossing) const {
+    if (crossing + 1 >= crossings_.size()) return false;
+    const double middle = (crossings_[crossing].x + crossings_[crossing + 1].x) / 2;
+    from.x = static_cast<std::int32_t>(static_cast<double>(from.x) + middle);
+    return inside_.at(winding, from, exact::Nudge::forward) == Sign::plus;
   }
 
-  bool parity_;
+  Inside inside_;
   Coord3 low_, high_;
   TriangleColumns columns_;
   double area_ = 0, step_ = 0;
@@ -114,7 +122,7 @@ class ParallelLines {
 
 }  // namespace
 
-Chords find_chords(const TriangleSurface& surface, bool parity, const Context& context) {
+Chords find_chords(const TriangleSurface& surface, Rule rule, const Context& context) {
   const Rounding round(surface);
   Chords chords;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -124,7 +132,7 @@ Chords find_chords(const TriangleSurface& surface, bool parity, const Context& c
         const Coord3 c = round(surface.points[p]);
         points[p] = axis == 0 ? c : axis == 1 ? Coord3{c.y, c.z, c.x} : Coord3{c.z, c.x, c.y};
       }
-    ParallelLines(std::move(points), surface, parity).find(round.step(), chords, context);
+    ParallelLines(std::move(points), surface, rule).find(round.step(), chords, context);
   }
   return chords;
 }

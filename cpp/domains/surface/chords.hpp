@@ -7,6 +7,7 @@
 
 #include "certet/context.hpp"
 #include "certet/surface.hpp"
+#include "inside.hpp"
 
 namespace certet {
 
@@ -23,8 +24,8 @@ struct Chords {
   double wound = 0;   ///< the same, each as often as the surface winds around it
 };
 
-/// `parity`: inside is what an odd number of triangles separate from the outside,
-/// not what the surface winds around.  \throws Error `cancelled`.
-Chords find_chords(const TriangleSurface& surface, bool parity, const Context& context);
+/// Of an open surface, what is between two of its triangles is inside if its middle is,
+/// and nothing else.  \throws Error `cancelled`.
+Chords find_chords(const TriangleSurface& surface, Rule rule, const Context& context);
 
 }  // namespace certet

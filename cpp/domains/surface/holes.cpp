@@ -6,31 +6,32 @@
 #include <utility>
 
 #include "edges.hpp"
-#include "polygons.hpp"
 #include "vectors.hpp"
 
 namespace certet {
 namespace {
 
-/// An end of an open edge at a point.
+/// From one point to another.
+struct Way {
+  std::uint32_t from, to;
+};
+
+/// An end of a way at a point.
 struct End {
   std::uint32_t point, edge, other;
 };
 
-/// Walks along open edges, each of them once.
+/// Walks along ways, each of them once.
 class Walk {
  public:
-  explicit Walk(const TriangleSurface& surface) : position_(surface.points.size(), none) {
-    for_each_edge(sides_of(surface), [&](std::span<const TriangleSide> edge) {
-      if (edge.size() != 1) return;
-      const auto number = static_cast<std::uint32_t>(ends_.size() / 2);
-      const TriangleSide& side = edge[0];
-      // A hole is walked around the other way than the triangle runs.
-      starts_.push_back(side.backward ? side.low() : side.high());
-      ends_.push_back({side.low(), number, side.high()});
-      ends_.push_back({side.high(), number, side.low()});
-    });
-    walked_.assign(starts_.size(), false);
+  Walk(std::span<const Way> ways, std::size_t points)
+      : walked_(ways.size(), false), position_(points, none) {
+    for (const Way& way : ways) {
+      const auto number = static_cast<std::uint32_t>(starts_.size());
+      starts_.push_back(way.from);
+      ends_.push_back({way.from, number, way.to});
+      ends_.push_back({way.to, number, way.from});
+    }
     std::sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) {
       return std::pair(a.point, a.edge) < std::pair(b.point, b.edge);
     });
@@ -71,7 +72,7 @@ class Walk {
     path_.erase(begin + 1, path_.end());
   }
 
-  /// The edge that was asked for, or the first that has not been walked; of these
+  /// The way that was asked for, or the first that has not been walked; of these
   /// one that leads on in its own direction comes first.
   [[nodiscard]] const End* way_from(std::uint32_t point, std::uint32_t wanted) const {
     auto at = std::lower_bound(ends_.begin(), ends_.end(), point,
@@ -86,59 +87,11 @@ class Walk {
   }
 
   std::vector<End> ends_;              ///< sorted by their points
-  std::vector<std::uint32_t> starts_;  ///< of each edge, as the hole runs
+  std::vector<std::uint32_t> starts_;  ///< of each way
   std::vector<bool> walked_;
   std::vector<std::uint32_t> path_, position_;  ///< position_: of each point, in path_
   std::vector<HoleLoop> loops_;
 };
-
-/// The triangles of the least area between the points of a loop; the area of those
-/// between the points i and k is the least of what any j between them leaves.
-class LeastArea {
- public:
-  LeastArea(const HoleLoop& loop, const std::vector<Point3>& points)
-      : loop_(loop), count_(loop.size()), area_(count_ * count_, 0), middle_(count_ * count_, 0) {
-    for (std::size_t width = 2; width < count_; ++width)
-      for (std::size_t i = 0; i + width < count_; ++i) weigh(i, i + width, points);
-  }
-
-  void add(std::size_t i, std::size_t k, TriangleSurface& surface) const {
-    if (k - i < 2) return;
-    const std::size_t j = middle_[i * count_ + k];
-    surface.triangles.push_back({loop_[i], loop_[j], loop_[k]});
-    add(i, j, surface);
-    add(j, k, surface);
-  }
-
- private:
-  void weigh(std::size_t i, std::size_t k, const std::vector<Point3>& points) {
-    double least = INFINITY;
-    for (std::size_t j = i + 1; j < k; ++j) {
-      const double area = area_[i * count_ + j] + area_[j * count_ + k] +
-                          length(area_vector(points[loop_[i]], points[loop_[j]], points[loop_[k]]));
-      if (!(area < least)) continue;
-      least = area;
-      middle_[i * count_ + k] = j;
-    }
-    area_[i * count_ + k] = least;
-  }
-
-  const HoleLoop& loop_;
-  std::size_t count_;
-  std::vector<double> area_;
-  std::vector<std::size_t> middle_;
-};
-
-void add_fan(TriangleSurface& surface, const HoleLoop& loop) {
-  Point3 middle{};
-  for (const std::uint32_t p : loop)
-    for (std::size_t a = 0; a < 3; ++a)
-      middle[a] += surface.points[p][a] / static_cast<double>(loop.size());
-  const auto top = static_cast<std::uint32_t>(surface.points.size());
-  surface.points.push_back(middle);
-  for (std::size_t i = 0; i < loop.size(); ++i)
-    surface.triangles.push_back({loop[i], loop[(i + 1) % loop.size()], top});
-}
 
 double diagonal(const TriangleSurface& surface, const HoleLoop& loop) {
   Point3 low = surface.points[loop[0]], high = low;
@@ -153,7 +106,23 @@ double diagonal(const TriangleSurface& surface, const HoleLoop& loop) {
 }  // namespace
 
 std::vector<HoleLoop> hole_loops(const TriangleSurface& surface) {
-  return Walk(surface).loops();
+  std::vector<Way> ways;
+  for_each_edge(sides_of(surface), [&](std::span<const TriangleSide> edge) {
+    if (edge.size() != 1) return;
+    const TriangleSide& side = edge[0];
+    // A hole is walked around the other way than the triangle runs.
+    ways.push_back(side.backward ? Way{side.low(), side.high()} : Way{side.high(), side.low()});
+  });
+  return Walk(ways, surface.points.size()).loops();
+}
+
+std::vector<HoleLoop> rim_loops(const TriangleSurface& surface) {
+  std::vector<Way> ways;
+  for (const SurfaceEdge& edge : edges_of(surface)) {
+    for (std::uint32_t n = edge.backward; n < edge.forward; ++n) ways.push_back({edge.low, edge.high});
+    for (std::uint32_t n = edge.forward; n < edge.backward; ++n) ways.push_back({edge.high, edge.low});
+  }
+  return Walk(ways, surface.points.size()).loops();
 }
 
 SurfaceHoles measure_holes(const TriangleSurface& surface, const std::vector<HoleLoop>& loops) {
@@ -166,15 +135,6 @@ SurfaceHoles measure_holes(const TriangleSurface& surface, const std::vector<Hol
     holes.largest_edges = loop.size();
   }
   return holes;
-}
-
-void close_holes(TriangleSurface& surface, const std::vector<HoleLoop>& loops) {
-  constexpr std::size_t few = 64, many = 300;
-  for (const HoleLoop& loop : loops) {
-    if (loop.size() <= few) LeastArea(loop, surface.points).add(0, loop.size() - 1, surface);
-    else if (loop.size() <= many) add_polygon(loop, surface);
-    else add_fan(surface, loop);
-  }
 }
 
 }  // namespace certet

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Loops of open edges, and what closes them.
+/// Loops of edges at which a surface ends.
 
 #include <cstdint>
 #include <vector>
@@ -18,10 +18,8 @@ std::vector<HoleLoop> hole_loops(const TriangleSurface& surface);
 
 SurfaceHoles measure_holes(const TriangleSurface& surface, const std::vector<HoleLoop>& loops);
 
-/// Adds triangles that close the loops.  A loop of few points is closed by triangles
-/// between them whose area is the least; one of more by cutting ears off it; one of
-/// more than some hundreds by a fan around a new point in its middle.  The triangles run
-/// along the loop the other way than what is around the hole at its first edge.
-void close_holes(TriangleSurface& surface, const std::vector<HoleLoop>& loops);
+/// Loops along which a surface ends, as its triangles run: each edge as often as more of
+/// them run along it that way than the other.  None of a surface that is closed and agrees.
+std::vector<HoleLoop> rim_loops(const TriangleSurface& surface);
 
 }  // namespace certet

@@ -4,6 +4,7 @@
 #include "certet/surface.hpp"
 #include "chords.hpp"
 #include "edges.hpp"
+#include "inside.hpp"
 #include "vectors.hpp"
 
 namespace certet {
@@ -30,12 +31,6 @@ double quantile(std::vector<Thickness> behind, double share) {
   for (const Thickness& one : behind)
     if ((so_far += one.area) >= share * all) return one.thick;
   return behind.back().thick;
-}
-
-bool agrees(const TriangleSurface& surface) {
-  const auto edges = edges_of(surface);
-  return std::none_of(edges.begin(), edges.end(),
-                      [](const SurfaceEdge& edge) { return edge.misoriented(); });
 }
 
 /// The sides of the box around the triangles.
@@ -65,11 +60,11 @@ bool allowed(const SurfaceMeasures& solid, const Point3& sides, double size) {
 SurfaceMeasures measure(const TriangleSurface& surface, const Context& context) {
   refuse_malformed(surface);
   constexpr double thin_share = 0.02;
-  const bool parity = !agrees(surface);
-  const Chords chords = find_chords(surface, parity, context);
+  const Rule rule = open_rule(surface);
+  const Chords chords = find_chords(surface, rule, context);
   SurfaceMeasures result;
   // Lines along three axes measured the same solid.
-  result.volume = parity || chords.wound == 0
+  result.volume = rule != Rule::winding || chords.wound == 0
                       ? chords.inside / 3
                       : std::fabs(wound_volume(surface)) * (chords.inside / std::fabs(chords.wound));
   for (const auto& t : surface.triangles)

@@ -10,6 +10,7 @@
 #include "certet/error.hpp"
 #include "certet/surface.hpp"
 #include "edges.hpp"
+#include "facing.hpp"
 #include "holes.hpp"
 #include "merge_points.hpp"
 #include "patches.hpp"
@@ -168,18 +169,14 @@ void agree(State& state) {
   keep_hull(state.surface, state.done);
 }
 
-/// Closes holes; what still ends in space then is a sheet that bounds nothing.
-void close(State& state) {
-  agreed_patches(state.surface, state.done.turned_triangles);
+/// Leaves holes to the winding number.  A sheet around which no hole is bounds nothing.
+void close(State& state, const Context& context) {
+  const SurfacePatches patches = agreed_patches(state.surface, state.done.turned_triangles);
+  if (patches.orientable && patches.count > 1)
+    state.done.turned_triangles += face_as_others(state.surface, patches, context);
   const std::vector<HoleLoop> loops = hole_loops(state.surface);
-  if (!loops.empty()) {
-    state.done.closed_holes = measure_holes(state.surface, loops);
-    const std::size_t before = state.surface.triangles.size();
-    close_holes(state.surface, loops);
-    state.done.closing_triangles = state.surface.triangles.size() - before;
-    drop_repeats(state.surface);
-  }
-  if (Gaps(state.surface).open != 0) keep_hull(state.surface, state.done);
+  if (loops.empty()) keep_hull(state.surface, state.done);
+  else state.done.closed_holes = measure_holes(state.surface, loops);
 }
 
 }  // namespace
@@ -201,10 +198,7 @@ SurfaceRepairs repair_surface(TriangleSurface& surface, const RepairChoice& choi
   if (!agrees || gaps.repeats) {
     mend(state, context);
     agree(state);
-    if (choice.close_holes && Gaps(state.surface).open != 0) {
-      close(state);
-      agree(state);
-    }
+    if (choice.close_holes && Gaps(state.surface).open != 0) close(state, context);
     merge_equal_points(state.surface);
   }
   surface = std::move(state.surface);

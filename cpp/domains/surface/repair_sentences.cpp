@@ -65,8 +65,9 @@ std::vector<std::string> sentences_on(const SurfaceRepairs& repairs) {
   if (repairs.closed_holes.count != 0)
     sentences.push_back(counted(repairs.closed_holes.count, "hole", "holes") + " of " + name +
                         ", " + size(repairs.closed_holes) +
-                        (repairs.closed_holes.count == 1 ? ", was" : ", were") + " closed by " +
-                        counted(repairs.closing_triangles, "triangle", "triangles"));
+                        (repairs.closed_holes.count == 1 ? ", was" : ", were") +
+                        " closed by the winding number: inside is what the surface winds "
+                        "around by more than one half");
   return sentences;
 }
 

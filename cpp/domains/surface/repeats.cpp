@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "disjoint_sets.hpp"
+#include "engine/disjoint_sets.hpp"
 #include "edges.hpp"
 
 namespace certet {

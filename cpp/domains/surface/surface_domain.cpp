@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "certet/error.hpp"
 #include "certet/surface.hpp"
 #include "edges.hpp"
 #include "exact.hpp"
+#include "inside.hpp"
 #include "surface_blocks.hpp"
 #include "triangle_columns.hpp"
 
@@ -71,28 +71,11 @@ std::vector<Coord3> positions(const TriangleSurface& surface, const Place& place
   return result;
 }
 
-/// Whether the solid is what the surface winds around, or what an odd number of
-/// triangles separate from the outside.
-enum class Rule { winding, parity };
-
-/// \throws Error where neither makes sense
-Rule rule_for(const TriangleSurface& surface) {
-  Rule rule = Rule::winding;
-  for (const SurfaceEdge& edge : edges_of(surface)) {
-    if (edge.odd())
-      throw Error(ErrorCode::bad_input,
-                  "'" + surface.name + "' is " + (edge.open() ? "open" : "non-manifold") +
-                      ": it does not enclose a solid");
-    if (edge.misoriented()) rule = Rule::parity;
-  }
-  return rule;
-}
-
 class SurfaceDomain final : public PlacedDomain {
  public:
   SurfaceDomain(const TriangleSurface& surface, const Place& place, Rule rule)
       : place_(place),
-        rule_(rule),
+        inside_(surface, positions(surface, place), rule),
         columns_(positions(surface, place), surface.triangles),
         blocks_(place.lattice) {
     for (std::uint32_t t = 0; t < columns_.size(); ++t) blocks_.add(columns_.corners(t));
@@ -102,7 +85,7 @@ class SurfaceDomain final : public PlacedDomain {
   [[nodiscard]] const Lattice& lattice() const override { return place_.lattice; }
   [[nodiscard]] double longest_side() const override { return place_.longest_side; }
   [[nodiscard]] std::uint64_t bytes() const override {
-    return columns_.bytes() + blocks_.bytes();
+    return columns_.bytes() + blocks_.bytes() + inside_.bytes();
   }
 
   void row(Coord3 first, std::span<Sign> out) const override {
@@ -115,38 +98,33 @@ class SurfaceDomain final : public PlacedDomain {
 
   [[nodiscard]] Extent extent(const LatticeBox& box) const override {
     if (blocks_.any(box)) return Extent::mixed;
-    return sign(steps * box.low) == Sign::plus ? Extent::inside : Extent::outside;
+    constexpr std::int32_t halves = steps / 2;
+    const Coord3 middle = halves * (box.low + box.high);
+    return inside_.over({steps * box.low, steps * box.high}, middle,
+                        columns_.crossings(middle, Nudge::forward));
   }
 
  private:
-  [[nodiscard]] bool inside(int winding) const {
-    return rule_ == Rule::parity ? winding % 2 != 0 : winding != 0;
-  }
-
   [[nodiscard]] Sign sign(Coord3 p) const {
-    int winding = 0;
+    int sum = 0;
     bool touched = false;
     columns_.for_each_ahead(p, [&](const exact::Corners& t) {
       const exact::Normal n = exact::normal(t);
       touched = touched || exact::touches(t, n, p);
       const int direction = exact::passing(t, p, Nudge::forward);
-      if (direction != 0 && exact::ahead(t, n, direction, p, Nudge::forward))
-        winding += direction;
+      if (direction != 0 && exact::ahead(t, n, direction, p, Nudge::forward)) sum += direction;
     });
-    if (touched) return sign_on_surface(p, inside(winding));
-    return inside(winding) ? Sign::plus : Sign::minus;
+    return sign_given(p, sum, touched);
   }
 
-  /// Of a point on a triangle, if its neighbour forward is inside or not.
-  [[nodiscard]] Sign sign_on_surface(Coord3 p, bool inside_forward) const {
-    if (!inside_forward) return Sign::on_surface;
-    int winding = 0;
-    columns_.for_each_ahead(p, [&](const exact::Corners& t) {
-      const int direction = exact::passing(t, p, Nudge::backward);
-      if (direction != 0 && exact::ahead(t, exact::normal(t), direction, p, Nudge::backward))
-        winding += direction;
-    });
-    return inside(winding) ? Sign::plus : Sign::on_surface;
+  /// Given the crossings of the point moved forward, and whether it is on a triangle.
+  [[nodiscard]] Sign sign_given(Coord3 p, int sum, bool touched) const {
+    const Sign forward = inside_.at(sum, p, Nudge::forward);
+    if (!touched) return forward;
+    const auto inside_backward = [&] {
+      return inside_.at(columns_.crossings(p, Nudge::backward), p, Nudge::backward) == Sign::plus;
+    };
+    return forward == Sign::plus && inside_backward() ? Sign::plus : Sign::on_surface;
   }
 
   /// Lattice points first, first + (2,0,0), … with each triangle looked at once.
@@ -158,13 +136,10 @@ class SurfaceDomain final : public PlacedDomain {
 
     void find() {
       domain_.columns_.for_each_ahead(first_, [&](const exact::Corners& t) { add(t); });
-      int winding = 0;
+      int sum = 0;
       for (std::size_t i = out_.size(); i-- > 0;) {
-        winding += changes_[i + 1];
-        const bool inside = domain_.inside(winding);
-        out_[i] = touched_[i] ? domain_.sign_on_surface(point(i), inside)
-                  : inside    ? Sign::plus
-                              : Sign::minus;
+        sum += changes_[i + 1];
+        out_[i] = domain_.sign_given(point(i), sum, touched_[i]);
       }
     }
 
@@ -225,20 +200,30 @@ class SurfaceDomain final : public PlacedDomain {
   };
 
   Place place_;
-  Rule rule_;
+  Inside inside_;
   TriangleColumns columns_;
   SurfaceBlocks blocks_;
 };
+
+std::unique_ptr<PlacedDomain> domain_of(const TriangleSurface& surface,
+                                        const SurfaceLattice& lattice, Rule rule) {
+  SurfaceLattice chosen = lattice;
+  if (chosen.size == 0) chosen.size = default_size(surface, measure(surface)).size;
+  return std::make_unique<SurfaceDomain>(surface, Place(Box(surface), chosen), rule);
+}
 
 }  // namespace
 
 std::unique_ptr<PlacedDomain> surface_domain(const TriangleSurface& surface,
                                              const SurfaceLattice& lattice) {
   refuse_malformed(surface);
-  const Rule rule = rule_for(surface);
-  SurfaceLattice chosen = lattice;
-  if (chosen.size == 0) chosen.size = default_size(surface, measure(surface)).size;
-  return std::make_unique<SurfaceDomain>(surface, Place(Box(surface), chosen), rule);
+  return domain_of(surface, lattice, closed_rule(surface));
+}
+
+std::unique_ptr<PlacedDomain> open_surface_domain(const TriangleSurface& surface,
+                                                  const SurfaceLattice& lattice) {
+  refuse_malformed(surface);
+  return domain_of(surface, lattice, open_rule(surface));
 }
 
 }  // namespace certet

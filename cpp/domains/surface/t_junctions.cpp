@@ -54,7 +54,8 @@ class Splitting {
       ++count;
       cuts[side.triangle].on[side.corner] = std::move(on);
     }
-    for (auto& [triangle, cut] : cuts) {
+    for (auto& [number, cut] : cuts) {
+      const std::uint32_t triangle = number;  // clang 14 captures no structured binding
       const auto corners = surface_.triangles[triangle];
       bool first = true;
       divide(corners, cut.on, [&](const std::array<std::uint32_t, 3>& piece) {

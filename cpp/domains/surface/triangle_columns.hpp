@@ -28,6 +28,18 @@ class TriangleColumns {
     }
   }
 
+  /// How often the ray along x from a moved point leaves the solid, less how often it
+  /// enters.
+  [[nodiscard]] int crossings(Coord3 point, exact::Nudge nudge) const {
+    int sum = 0;
+    for_each_ahead(point, [&](const exact::Corners& t) {
+      const int direction = exact::passing(t, point, nudge);
+      if (direction != 0 && exact::ahead(t, exact::normal(t), direction, point, nudge))
+        sum += direction;
+    });
+    return sum;
+  }
+
   [[nodiscard]] exact::Corners corners(std::uint32_t triangle) const {
     const auto& numbers = triangles_[triangle];
     return {points_[numbers[0]], points_[numbers[1]], points_[numbers[2]]};

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "certet/error.hpp"
+#include "vdb_file.hpp"
 #include "volume_state.hpp"
 
 namespace certet {
@@ -43,8 +44,10 @@ openvdb::GridBase::Ptr choose(const fs::path& file, const openvdb::GridPtrVec& a
   return real.front();
 }
 
-/// The headers first: only the grid that was chosen is read.
+/// The headers first: only the grid that was chosen is read.  Nothing is, before it was
+/// looked at.
 openvdb::GridBase::Ptr read(const fs::path& file, const std::string& name) {
+  VdbFile structure(file);
   openvdb::io::File input(file.string());
   input.open(false);  // what is damaged is to be found out now, not when it is used
   const auto grids = input.readAllGridMetadata();
@@ -55,7 +58,9 @@ openvdb::GridBase::Ptr read(const fs::path& file, const std::string& name) {
     if (grid == chosen || at == input.endName()) break;
     ++at;
   }
-  return input.readGrid(at == input.endName() ? chosen->getName() : *at);
+  const std::string unique_name = at == input.endName() ? chosen->getName() : *at;
+  structure.check_trees(unique_name);
+  return input.readGrid(unique_name);
 }
 
 /// Doubles are rounded: the engine asks for signs, at places that are rounded too.

@@ -1,6 +1,8 @@
 #include "volume_blocks.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
 #include "certet/error.hpp"
 
@@ -29,17 +31,28 @@ VolumeBlocks::VolumeBlocks(const openvdb::FloatGrid& grid, double level, double 
   const openvdb::Coord count = blocks_.extents();
   if (double(count[0]) * count[1] * count[2] > double(most_blocks))
     throw Error(ErrorCode::too_large, "the volume spans too many voxels");
-  extents_.resize(static_cast<std::size_t>(blocks_.volume()));
-  const auto accessor = grid.getConstAccessor();
-  std::size_t at = 0;
-  for (int z = blocks_.min()[2]; z <= blocks_.max()[2]; ++z)
-    for (int y = blocks_.min()[1]; y <= blocks_.max()[1]; ++y)
-      for (int x = blocks_.min()[0]; x <= blocks_.max()[0]; ++x) {
-        const openvdb::Coord voxel(x * dimension, y * dimension, z * dimension);
-        const auto* const leaf = accessor.probeConstLeaf(voxel);
-        extents_[at++] = leaf != nullptr ? extent_of(*leaf, level, sign)
-                                         : extent_of(accessor.getValue(voxel), level, sign);
-      }
+  // Most blocks of a sparse volume are nowhere in its tree, and most tiles as what is there.
+  const Extent elsewhere = extent_of(grid.background(), level, sign);
+  extents_.assign(static_cast<std::size_t>(blocks_.volume()), static_cast<std::uint8_t>(elsewhere));
+  auto tile = grid.tree().cbeginValueAll();
+  for (tile.setMaxDepth(decltype(tile)::LEAF_DEPTH - 1); tile; ++tile)
+    if (const Extent extent = extent_of(tile.getValue(), level, sign); extent != elsewhere)
+      fill(tile.getBoundingBox(), extent);
+  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf)
+    fill(leaf->getNodeBoundingBox(), extent_of(*leaf, level, sign));
+}
+
+void VolumeBlocks::fill(const openvdb::CoordBBox& voxels, Extent extent) {
+  openvdb::CoordBBox part = blocks_of(voxels);
+  part.intersect(blocks_);
+  if (part.empty()) return;
+  const auto count = static_cast<std::size_t>(part.extents()[0]);
+  const auto whole = static_cast<std::size_t>(blocks_.extents()[0]);
+  for (int z = part.min()[2]; z <= part.max()[2]; ++z) {
+    std::size_t row = block({part.min()[0], part.min()[1], z});
+    for (int y = part.min()[1]; y <= part.max()[1]; ++y, row += whole)
+      std::fill_n(extents_.data() + row, count, static_cast<std::uint8_t>(extent));
+  }
 }
 
 openvdb::CoordBBox VolumeBlocks::blocks_of(const openvdb::CoordBBox& voxels) const {
@@ -61,10 +74,10 @@ Extent VolumeBlocks::extent(const openvdb::CoordBBox& voxels) const {
   const openvdb::CoordBBox asked = blocks_of(voxels);
   // Beyond there may be tiles that are inactive and inside.
   if (!blocks_.isInside(asked)) return Extent::mixed;
-  const Extent first = extents_[block(asked.min())];
+  const std::uint8_t first = extents_[block(asked.min())];
   for (auto at = asked.begin(); at; ++at)
     if (extents_[block(*at)] != first) return Extent::mixed;
-  return first;
+  return static_cast<Extent>(first);
 }
 
 }  // namespace certet

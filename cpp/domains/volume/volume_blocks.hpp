@@ -24,11 +24,12 @@ class VolumeBlocks {
  private:
   static constexpr int dimension = static_cast<int>(openvdb::FloatTree::LeafNodeType::DIM);
 
+  void fill(const openvdb::CoordBBox& voxels, Extent extent);
   [[nodiscard]] openvdb::CoordBBox blocks_of(const openvdb::CoordBBox& voxels) const;
   [[nodiscard]] std::size_t block(const openvdb::Coord& at) const;
 
   openvdb::CoordBBox blocks_;  ///< in units of leaves
-  std::vector<Extent> extents_;
+  std::vector<std::uint8_t> extents_;  ///< an Extent each, in a byte: there are many
 };
 
 }  // namespace certet

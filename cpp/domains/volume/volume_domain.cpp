@@ -46,6 +46,32 @@ openvdb::BBoxd in_world(const openvdb::FloatGrid& grid, const openvdb::CoordBBox
   return box;
 }
 
+/// The file has a transform's inverse too, which may be that of another.
+void check_inverse(const Volume::State& volume, const openvdb::CoordBBox& voxels) {
+  for (const openvdb::Coord& corner : {voxels.min(), voxels.max()}) {
+    const Vec3d at = corner.asVec3d();
+    const double error = (volume.grid->worldToIndex(volume.grid->indexToWorld(at)) - at).length();
+    if (!(error <= 0.5 + 1e-6 * at.length()))
+      throw Error(ErrorCode::bad_input, "'" + volume.name + "' has a transform that is not the "
+                                            "inverse of its inverse");
+  }
+}
+
+/// Voxels are counted by 32 bits.
+void check_reach(const Volume::State& volume, const Frame& frame, const Lattice& lattice) {
+  constexpr double farthest = 1 << 30;
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto side = [&](std::size_t a) {
+      return frame.origin[a] + (corner >> a & 1 ? 1 : -1) * frame.size * lattice.cells[a];
+    };
+    const Vec3d at = volume.grid->worldToIndex(Vec3d(side(0), side(1), side(2)));
+    for (int a = 0; a < 3; ++a)
+      if (!(std::abs(at[a]) <= farthest))
+        throw Error(ErrorCode::too_large,
+                    "the lattice reaches too far beyond the voxels of '" + volume.name + "'");
+  }
+}
+
 /// Frame and lattice.
 struct Place {
   Frame frame;
@@ -57,6 +83,7 @@ struct Place {
     if (voxels.empty())
       throw Error(ErrorCode::empty_domain, "'" + volume.name + "' has no active voxels");
     voxels.expand(1);  // interpolation reaches so far
+    check_inverse(volume, voxels);
     const Vec3d voxel = volume.grid->voxelSize();
     frame.size = checked_size(choice.size == 0 ? std::min({voxel[0], voxel[1], voxel[2]})
                                                : choice.size);
@@ -71,6 +98,7 @@ struct Place {
           2 * (std::ceil(box.extents()[a] / (2 * frame.size)) + choice.margin));
     }
     lattice.origin = {-lattice.cells[0], -lattice.cells[1], -lattice.cells[2]};
+    check_reach(volume, frame, lattice);
   }
 };
 

@@ -79,6 +79,12 @@ void Cursor::bytes(std::span<std::byte> out) {
   }
 }
 
+void Cursor::skip(std::uint64_t bytes) {
+  if (bytes > remaining()) file_.fail("it is cut off");
+  if (bytes <= end_ - at_) at_ += static_cast<std::size_t>(bytes);
+  else go_to(position() + bytes);
+}
+
 void Cursor::go_to(std::uint64_t position) {
   if (position > file_.size()) file_.fail("it is cut off");
   offset_ = position;

@@ -51,6 +51,8 @@ class Cursor {
   /// Bytes that are behind, and still to come.
   [[nodiscard]] std::uint64_t position() const { return offset_ - (end_ - at_); }
   [[nodiscard]] std::uint64_t remaining() const { return file_.size() - position(); }
+  /// Goes on behind so many bytes.
+  void skip(std::uint64_t bytes);
   /// Goes on at another place of the file.
   void go_to(std::uint64_t position);
 

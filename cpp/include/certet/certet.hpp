@@ -17,6 +17,7 @@
 ///     read(path)                a FileMesh
 ///     check(mesh)               verifies a Mesh or FileMesh anew
 ///     quality(mesh)             its dihedral angles and volume
+///     count_pieces(mesh, context)   its pieces, and where its surface is no manifold
 ///
 /// Each takes a `Context` too, which has the number of threads, stops a run and tells of
 /// its progress.  Coordinates are the world's, in the units of the input, but for
@@ -26,6 +27,7 @@
 #include "certet/bounded_function.hpp"
 #include "certet/check.hpp"
 #include "certet/context.hpp"
+#include "certet/count_pieces.hpp"
 #include "certet/error.hpp"
 #include "certet/formats.hpp"
 #include "certet/formula.hpp"

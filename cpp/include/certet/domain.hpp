@@ -63,6 +63,11 @@ class Domain {
     return Extent::mixed;
   }
 
+  /// Whether the even points of the lattice alone tell what hangs together: then a method
+  /// that keeps pieces takes an odd point for outside that would join several groups of
+  /// its even neighbours (`VoxelSigns` of coq/Certificate.v).
+  [[nodiscard]] virtual bool even_points_tell_pieces() const { return false; }
+
   /// What files call the materials: that of material m is labels()[m - 1].  They are
   /// ascending, and stay where they are as long as the domain does.  None: the only
   /// material is 1, and it has no label.

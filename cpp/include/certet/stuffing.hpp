@@ -2,7 +2,9 @@
 /// \file
 /// The engine: from a domain to a mesh.
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -13,10 +15,16 @@
 #include "certet/lattice/lattice_limits.hpp"
 #include "certet/mesh.hpp"
 #include "certet/method.hpp"
+#include "certet/pieces.hpp"
 #include "certet/placed_domain.hpp"
 #include "certet/warp_figures.hpp"
 
 namespace certet {
+
+/// Two tetrahedra, each by its number from the first of its layer on.
+using TetPair = std::array<std::uint32_t, 2>;
+/// Takes some pairs, and is called again for more.
+using VisitTetPairs = std::function<void(std::span<const TetPair>)>;
 
 /// A mesh that is decided and counted, but not yet written out: signs, cuts
 /// and warped vertices of the lattice.  It is made of layers (one for each k of
@@ -95,6 +103,23 @@ class Stuffing {
   /// The same for some tetrahedra of the mesh, whose corners are at hand.
   void materials_of(std::span<const TetCorners> tets, std::span<Material> out) const;
 
+  /// Counts the pieces of the mesh, and the faults of its surface, whatever the method; no
+  /// tetrahedron is made.  Places are in the world of `frame`.  Takes 12 bytes for each run
+  /// of neighbouring lattice points inside, which is most often one or two in a row.
+  /// \throws Error `cancelled`, `too_large` (out of memory, or 2^32 runs).
+  [[nodiscard]] Pieces pieces(const Frame& frame, Context& context) const;
+
+  /// Tells which tetrahedra of a layer share a face with each other, or with which of the
+  /// next layer: each pair once, in no order that means anything.
+  void visit_faces_within(std::int32_t layer, const VisitTetPairs& visit) const;
+  void visit_faces_between(std::int32_t layer, const VisitTetPairs& visit) const;
+
+  /// Takes the pieces that are not to stay out of the mesh, whose points and tetrahedra are
+  /// numbered anew and otherwise as they were; none may be left.
+  /// \returns what was taken out, as a mesh of its own.
+  /// \throws Error as `pieces`; then nothing is changed.
+  Stuffing keep(const KeepRule& rule, Context& context);
+
   /// Whether the domain is cut off anywhere.
   [[nodiscard]] bool has_border() const;
   /// Whether a point of the mesh's surface, in steps, lies where the domain is cut off.
@@ -106,6 +131,7 @@ class Stuffing {
 
  private:
   struct State;
+  explicit Stuffing(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
 

@@ -98,14 +98,14 @@ struct SurfaceRepairs {
   std::uint64_t split_edges = 0;           ///< on which corners of others lie
   std::uint64_t turned_triangles = 0;      ///< that ran the wrong way around
   std::uint64_t inner_triangles = 0;       ///< dropped: walls within the solid, stored once
+  /// What the surface is still open around; `open_surface_domain` closes them.
   SurfaceHoles closed_holes;
-  std::uint64_t closing_triangles = 0;     ///< that were added
   std::string name;                        ///< the surface's
 };
 
 /// What `repair_surface` may do.
 struct RepairChoice {
-  bool close_holes = false;
+  bool close_holes = false;  ///< leave them to `open_surface_domain`
 };
 
 /// Makes of what exporters write the surface that they mean; a closed surface whose
@@ -123,10 +123,10 @@ struct RepairChoice {
 /// space is divided into cells, and a wall between two cells of the solid is dropped:
 /// both of its sides are inside.
 ///
-/// With `close_holes` each hole is closed by triangles between its corners, of the
-/// least area if they are few.  Over a flat hole this is where the generalised
-/// winding number of the rest is one half (Jacobson, Kavan and Sorkine-Hornung 2013);
-/// what is inside then is decided by exact arithmetic, as of all closed surfaces.
+/// With `close_holes` the pieces of an open surface are turned as those of a closed one,
+/// those of few triangles that touch no other as the winding number of the others wants, a
+/// sheet around which no hole is is dropped, and the holes are counted; they stay, and
+/// `open_surface_domain` tells what is inside.
 ///
 /// What is not closed after this stays open: `inspect` tells.
 /// \throws Error `bad_input` as `inspect`, `cancelled`.
@@ -142,11 +142,17 @@ std::vector<std::string> sentences_on(const SurfaceRepairs& repairs);
 void refuse_open(const TriangleSurface& surface, const SurfaceDefects& defects,
                  const std::string& remedy);
 
-/// What the solid inside of a closed surface measures.
+/// Of an open surface, by the winding numbers on both sides of some thousand triangles:
+/// \throws Error `empty_domain` where they are about one half, as beside a flat sheet, and
+/// `bad_input` where the solid would be behind many triangles and in front of many others.
+void refuse_unclear(const TriangleSurface& surface, const Context& context = {});
+
+/// What the solid inside of a surface measures.
 struct SurfaceMeasures {
   /// World units cubed: by the divergence theorem, to rounding, but where the surface
   /// winds around something more than once (solids overlap), or its triangles do not
-  /// agree; there by some sixty thousand lines through it.
+  /// agree; there by some sixty thousand lines through it.  Of an open one roughly: what
+  /// these lines find between its triangles.
   double volume = 0;
   double area = 0;  ///< of the triangles, world units squared
   /// How thick the solid is between faces that are about parallel: of their area, a
@@ -154,7 +160,7 @@ struct SurfaceMeasures {
   double thin = 0;
 };
 
-/// \throws Error as `inspect`.  The surface should be closed.
+/// \throws Error as `inspect` and, of an open surface, `open_surface_domain`.
 SurfaceMeasures measure(const TriangleSurface& surface, const Context& context = {});
 
 /// For the sake of thin parts, a default goes to no more tetrahedra than about these,
@@ -198,5 +204,24 @@ struct SurfaceLattice {
 /// `bad_option` (size, margin), `too_large` (coordinate range).
 std::unique_ptr<PlacedDomain> surface_domain(const TriangleSurface& surface,
                                              const SurfaceLattice& lattice);
+
+/// The solid inside of a surface that need not be closed: in the box around it, what it
+/// winds around by more than one half, either way.  The winding number is the generalised
+/// one, the share of the sphere around a point that the triangles cover, each with its
+/// sign (Jacobson, Kavan and Sorkine-Hornung 2013).  A flat hole is closed by its plane,
+/// many holes close to each other by what is between; a surface in single triangles with
+/// gaps is a solid as if there were none.
+///
+/// The triangles that a ray meets are counted exactly, as of a closed surface; what the
+/// edges add at which the surface ends is a sum of floating point numbers, the same on
+/// every machine.  What is one half to a billionth is on the surface.  Where many edges
+/// are far away, their sum is near: wrong by less than 0.01.
+///
+/// A closed surface has the same solid as by `surface_domain`; of another, `refuse_unclear`
+/// tells whether the answer makes sense.
+/// \throws Error as `surface_domain`, but where the surface is open only if a piece of it
+/// has a single side, like a Moebius strip.
+std::unique_ptr<PlacedDomain> open_surface_domain(const TriangleSurface& surface,
+                                                  const SurfaceLattice& lattice);
 
 }  // namespace certet

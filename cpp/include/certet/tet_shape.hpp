@@ -36,7 +36,7 @@ struct ShapeSurvey {
   /// Bins of the same width from the shortest edge to the longest.
   static constexpr int edge_bins = 40;
 
-  std::uint64_t tets = 0;  ///< with four finite corners; the others are left out
+  std::uint64_t tets = 0;  ///< with four corners (has_corners); the others are left out
   double greatest_aspect = 0;
   double shortest_edge = 0, longest_edge = 0;
   std::array<std::uint64_t, aspect_bins> aspects{};
@@ -44,18 +44,19 @@ struct ShapeSurvey {
   std::array<std::uint64_t, edge_bins> edges{};
 };
 
-/// Tetrahedra with an index that is not a point's, or with a corner that is not
-/// finite, are left out.
+/// Tetrahedra with an index that is not a point's, or with a corner that is nowhere,
+/// are left out.
 ShapeSurvey survey_shapes(std::span<const Point3> points,
                           std::span<const Tet<std::uint64_t>> tets);
 
-/// Whether all four indices are those of points, and the points finite.
+/// Whether all four indices are those of points, and the points somewhere: neither NaN nor
+/// beyond 1e50, where no lattice reaches, so that areas and volumes are finite numbers, and
+/// their squares.
 inline bool has_corners(std::span<const Point3> points, const Tet<std::uint64_t>& tet) {
   for (const std::uint64_t corner : tet) {
     if (corner >= points.size()) return false;
-    const auto& [x, y, z] = points[corner];
-    // A sum of finite numbers may be infinite, but none of them that large is a place.
-    if (!std::isfinite(x + y + z)) return false;
+    for (const double coordinate : points[corner])
+      if (!(std::fabs(coordinate) <= 1e50)) return false;
   }
   return true;
 }

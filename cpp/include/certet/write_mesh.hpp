@@ -31,6 +31,7 @@ struct WrittenMesh : PlacedQuality {
   std::uint64_t checksum = 0;       ///< of the mesh in lattice coordinates
   std::uint64_t file_checksum = 0;  ///< that of a `FileMesh` with what was written
   std::vector<Region> regions;      ///< by growing labels, without names; none is empty
+  std::vector<RegionPieces> region_pieces;  ///< if they were asked for
   /// Of all threads together; they overlap.
   double emit_seconds = 0, measure_seconds = 0, write_seconds = 0;
 };
@@ -38,12 +39,15 @@ struct WrittenMesh : PlacedQuality {
 /// Writes all points, then all tetrahedra, with labels if the domain has any.
 /// `known` are the materials that a survey of this mesh found; the domain is asked if
 /// there are none.  While one slab is written, the next is made.
+/// With `label_pieces`, counts the pieces of each of several labels on the way, which takes
+/// about as long as measuring does.
 /// Does not finish the file, so that the caller may ask `standing_of` the mesh first.  What
 /// is written and returned (but for the seconds) does not depend on slabs and
 /// threads.
 /// \throws Error `write_failed`, `cancelled`, `too_large` (out of memory), and as
 /// `checked_size` for the size of the frame.
 WrittenMesh write_mesh(const Stuffing& stuffing, const Frame& frame, const Slabs& slabs,
-                       MeshWriter& writer, Context& context, const MaterialRuns& known = {});
+                       MeshWriter& writer, Context& context, const MaterialRuns& known = {},
+                       bool label_pieces = false);
 
 }  // namespace certet

@@ -49,10 +49,10 @@ Corners corners_of(std::span<const Point3> points, const Tet<std::uint64_t>& tet
   return {points[tet[0]], points[tet[1]], points[tet[2]], points[tet[3]]};
 }
 
-std::size_t aspect_bin(double aspect) {
-  const double bin = (aspect - 1) / ShapeSurvey::aspect_step;
-  return bin < ShapeSurvey::aspect_bins - 1 ? static_cast<std::size_t>(std::max(bin, 0.0))
-                                            : ShapeSurvey::aspect_bins - 1;
+/// The last one for all that is beyond, and for what is no number.
+std::size_t bin_of(double bin, int bins) {
+  return bin < bins - 1 ? static_cast<std::size_t>(std::max(bin, 0.0))
+                        : static_cast<std::size_t>(bins - 1);
 }
 
 /// First what is extreme, which the bins of the edges hang on.
@@ -68,7 +68,7 @@ void survey_extremes(std::span<const Point3> points, std::span<const Tet<std::ui
     longest = std::max(longest, greatest);
     const double aspect = aspect_of(corners, normals(corners), greatest);
     survey.greatest_aspect = std::max(survey.greatest_aspect, aspect);
-    ++survey.aspects[aspect_bin(aspect)];
+    ++survey.aspects[bin_of((aspect - 1) / ShapeSurvey::aspect_step, ShapeSurvey::aspect_bins)];
     ++survey.tets;
   }
   if (survey.tets == 0) return;
@@ -84,8 +84,7 @@ void survey_edges(std::span<const Point3> points, std::span<const Tet<std::uint6
     if (!has_corners(points, tet)) continue;
     for (const double squared : squared_edges(corners_of(points, tet))) {
       const double bin = (std::sqrt(squared) - survey.shortest_edge) * bins_per_length;
-      ++survey.edges[std::min(static_cast<std::size_t>(std::max(bin, 0.0)),
-                              std::size_t{ShapeSurvey::edge_bins - 1})];
+      ++survey.edges[bin_of(bin, ShapeSurvey::edge_bins)];
     }
   }
 }

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _certet
 
-__all__ = ["CheckReport", "FileMesh", "Mesh", "Quality", "check", "mesh", "mesh_function",
+__all__ = ["CheckReport", "FileMesh", "Mesh", "Pieces", "Quality", "check", "mesh", "mesh_function",
            "mesh_image", "mesh_surface", "quality", "read", "write"]
 __version__: str = _certet.version
 
@@ -60,6 +60,27 @@ class CheckReport(NamedTuple):
     boundary_faces: int
 
 
+class Pieces(NamedTuple):
+    """The pieces of a mesh, counted on its tetrahedra, and where its surface is no manifold."""
+
+    by_faces: int
+    """What is joined by faces that two tetrahedra share."""
+    by_vertices: int
+    """What is joined by points."""
+    largest_tets: int
+    """The tetrahedra of the largest piece by faces."""
+    regions: dict[int, tuple[int, int]]
+    """Of each label: its pieces by faces and by vertices; empty without labels."""
+    nonmanifold_edges: int
+    """Edges in more than two faces of the surface."""
+    nonmanifold_vertices: int
+    """Vertices around which its faces are not one closed fan."""
+    edge_places: NDArray[np.float64]
+    """Shape (n, 3), n at most 8: the middles of the first such edges, in world units."""
+    vertex_places: NDArray[np.float64]
+    """Shape (n, 3), n at most 8: the first such vertices, in world units."""
+
+
 class FileMesh:
     """A mesh as a file holds it.  Its arrays share the memory of the mesh and keep it alive."""
 
@@ -89,6 +110,10 @@ class FileMesh:
     def quality(self) -> Quality:
         """Measures every tetrahedron, in the file's coordinates."""
         return _quality(self._inner.quality())
+
+    def pieces(self) -> Pieces:
+        """Counts the pieces, by faces and by vertices, of the whole and of each label."""
+        return _pieces(self._inner)
 
     def __repr__(self) -> str:
         return f"<certet.FileMesh of {len(self.points)} points and {len(self.tets)} tetrahedra>"
@@ -165,6 +190,10 @@ class Mesh:
     def quality(self) -> Quality:
         """Measures every tetrahedron, in exact and in world coordinates."""
         return _quality(self._inner.quality())
+
+    def pieces(self) -> Pieces:
+        """Counts the pieces, by faces and by vertices, of the whole and of each label."""
+        return _pieces(self._inner)
 
     def to_meshio(self) -> Any:
         """A `meshio.Mesh` with the cell data `label`, if there are labels."""
@@ -342,12 +371,14 @@ def mesh_surface(
     triangles : shape (m, 3), numbers of points, anticlockwise seen from outside
     size : the long edge of the lattice (default: a 64th of the longest side, or less where the
         solid is thin, as far as some 4 million tetrahedra)
-    repair : close the holes of an open surface
+    repair : of an open surface, mesh what it winds around by more than one half (the
+        generalised winding number); `Mesh.notes` says how many holes that closed
     margin, method, cuts, guarantee, threads : as `mesh_image` has them
 
     Raises
     ------
-    ValueError : also for an open surface, unless it is to be repaired
+    ValueError : also for an open surface, unless it is to be repaired, or where the winding
+        number does not tell inside from outside
     MemoryError : as `mesh_image`
     """
     return Mesh(_certet.mesh_surface(np.asarray(points, float), np.asarray(triangles, np.int64),
@@ -357,6 +388,13 @@ def mesh_surface(
 
 def _quality(found: dict[str, Any]) -> Quality:
     return Quality(**{**found, "histogram": np.asarray(found["histogram"], np.uint64)})
+
+
+def _pieces(mesh: _certet.Mesh | _certet.FileMesh) -> Pieces:
+    found = _certet.pieces(mesh)
+    places = {key: np.asarray(found[key], float).reshape(-1, 3)
+              for key in ("edge_places", "vertex_places")}
+    return Pieces(**{**found, **places})
 
 
 def _three(numbers: Sequence[float]) -> tuple[float, float, float]:

@@ -57,6 +57,23 @@ void image(Bytes bytes) {
   read_and_place(file.path(), {.series = {}, .spacing = {}, .volume = 1});
 }
 
+/// Half of the voxels are in each of two files, and all in others.
+void image_parts(Bytes bytes) {
+  static constexpr std::array<std::string_view, 3> headers{"a.mhd", "a.nhdr", "a.hdr"};
+  if (bytes.size() < 3) return;
+  const std::size_t length = bytes[1] + std::size_t{bytes[2]} * 256;
+  const Bytes rest = bytes.subspan(3);
+  const Bytes header = rest.first(std::min(length, rest.size()));
+  const Bytes voxels = rest.subspan(header.size());
+  const std::string_view name = headers[bytes[0] % headers.size()];
+  const InputFolder folder;
+  folder.put(name, header);
+  folder.put("1.raw", voxels.first(voxels.size() / 2));
+  folder.put("2.raw", voxels.subspan(voxels.size() / 2));
+  for (const char* const whole : {"a.raw", "a.img"}) folder.put(whole, voxels);
+  read_and_place(folder.path() / name);
+}
+
 void dicom(Bytes bytes) {
   const InputFolder folder;
   folder.put("1", bytes.first(bytes.size() / 2));

@@ -10,8 +10,7 @@ namespace fuzz {
 
 void mesh_file(Bytes bytes) {
   if (bytes.empty()) return;
-  static constexpr std::array<std::string_view, 4> extensions{".vtu", ".mesh", ".meshb", ".msh"};
-  const InputFile file = chosen_file(bytes, extensions);
+  const InputFile file = mesh_file_of(bytes);
   certet::Context context;
   context.threads = 1;
   read_or_refuse([&] {

@@ -47,6 +47,11 @@ InputFile chosen_file(Bytes bytes, const std::array<std::string_view, count>& ex
   return InputFile(bytes.subspan(1), extensions[bytes[0] % count]);
 }
 
+/// A mesh, in one of the formats that are read.
+inline InputFile mesh_file_of(Bytes bytes) {
+  return chosen_file(bytes, std::array<std::string_view, 4>{".vtu", ".mesh", ".meshb", ".msh"});
+}
+
 /// \throws Finding where an error does not say one sentence.
 void judge_sentence(const certet::Error& error);
 

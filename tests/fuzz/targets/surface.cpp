@@ -17,11 +17,15 @@ void surface(Bytes bytes) {
     certet::inspect(read);
     certet::TriangleSurface repaired = read;
     const bool close_holes = bytes.back() % 2 != 0;
-    static_cast<void>(sentences_on(certet::repair_surface(repaired, {close_holes})));
+    const certet::SurfaceRepairs repairs = certet::repair_surface(repaired, {close_holes});
+    static_cast<void>(sentences_on(repairs));
     certet::inspect(repaired);
     if (certet::is_closed(read) && !certet::is_closed(repaired))
       throw Finding("a closed surface was repaired and is open");
-    const auto domain = certet::surface_domain(repaired, {});
+    const bool open = repairs.closed_holes.count != 0;
+    if (open) certet::refuse_unclear(repaired);
+    const auto domain = open ? certet::open_surface_domain(repaired, {})
+                             : certet::surface_domain(repaired, {});
     std::array<certet::Sign, 8> signs;
     domain->row(domain->lattice().origin, signs);
   });

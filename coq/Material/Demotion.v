@@ -1,0 +1,119 @@
+(** * Who stays, where all corners of a tetrahedron come to lie on interfaces
+
+    Of one material and the outside such a tetrahedron is left out; of several
+    it has to be kept, and moves alone do not make it well shaped.  So it is
+    tested, unless it counts as outside, and if it fails, the corner that moves
+    farthest for its edge stays where it is; all at once, for nobody who stays
+    spoils another: one that is kept whole has four corners that did move, or had
+    no material, and was tested as it is.  Cuts are kept alpha away from both
+    ends of their edges. *)
+
+From Coq Require Import ZArith List Bool.
+From Certet Require Import Lattice.Coord3 Lattice.Direction.
+From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
+From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
+From Certet Require Import Angles.Geometry Angles.AnglesSpec.
+From Certet Require Import Embedding.WarpOrClamp.
+From Certet Require Import Material.MaterialTet Material.MaterialMesh.
+Import ListNotations.
+Open Scope Z_scope.
+
+(** ** The test *)
+
+(** [AngleAtLeast] and [AngleAtMost], decided. *)
+Definition IsAngleWithin (bounds : AngleBounds) (a b c d : Coord3) : bool :=
+  match bounds with
+    AB (CotSq num den) (CotSq num' den') =>
+      let n := NormalsProduct a b c d in
+      let scale := SixVolume a b c d ^ 2 * EdgeSquared a b in
+      ((n <=? 0) || (den * n ^ 2 <=? num * scale)) &&
+      ((0 <=? n) || (den' * n ^ 2 <=? num' * scale))
+  end.
+
+Definition IsWellShaped (bounds : AngleBounds) (t : UnstructuredTet Coord3)
+  : bool :=
+  match t with
+    UT _ a b c d =>
+      (0 <? SixVolume a b c d) &&
+      forallb (fun e => let '(p, q, r, s) := e in IsAngleWithin bounds p q r s)
+        (DihedralEdges t)
+  end.
+
+(** ** The structured tetrahedra around a lattice point *)
+
+(** Corners are no farther from the reference point. *)
+Definition Reach : list Z := [0; 1; 2; 3].
+
+Definition Anchors (v : Coord3) : list Coord3 :=
+  filter (fun anchor =>
+    match anchor with C3 x y z => Z.even x && Z.even y && Z.even z end)
+    (flat_map (fun x => flat_map (fun y =>
+       map (fun z => Difference (C3 x y z) v) Reach) Reach) Reach).
+
+Definition TetsAround (v : Coord3) : list StructuredTetId :=
+  filter (fun tid => existsb (Coord3Equal v) (Corners tid))
+    (flat_map (fun anchor => map (STId anchor) AllCases) (Anchors v)).
+
+(** ** The rule *)
+
+Section Demotion.
+  Variables (bounds : AngleBounds) (th : Thresholds).
+  Variables (material : MaterialField) (cut : CutField).
+  (** The material of a tetrahedron with all corners on interfaces. *)
+  Variable shared : StructuredTetId -> Material.
+
+  (** Everyone who is violated moves. *)
+  Definition FullWarping (v : Coord3) : Warping :=
+    WarpMaterialVertex th material cut v.
+
+  Definition OnInterfaces (tid : StructuredTetId) : bool :=
+    forallb (fun v =>
+      match PlacedMaterial material FullWarping v with
+      | None => true
+      | Some _ => false
+      end) (Corners tid).
+
+  Definition Spoiled (tid : StructuredTetId) : bool :=
+    if shared tid =? Outside then false
+    else if OnInterfaces tid
+    then negb (IsWellShaped bounds (PlacedWhole FullWarping cut tid)) else false.
+
+  (** Who moves by more alphas of the edge; the first, of two that move equally
+      far. *)
+  Definition FartherOf (best : option Coord3) (v : Coord3) : option Coord3 :=
+    match FullWarping v with
+    | Stays => best
+    | Moves d t =>
+        match best with
+        | None => Some v
+        | Some u =>
+            match FullWarping u with
+            | Stays => Some v
+            | Moves e s =>
+                if s * ThresholdSteps th (DirectionKind d)
+                   <? t * ThresholdSteps th (DirectionKind e)
+                then Some v else best
+            end
+        end
+    end.
+
+  Definition Farthest (tid : StructuredTetId) : option Coord3 :=
+    fold_left FartherOf (Corners tid) None.
+
+  Definition Demoted (v : Coord3) : bool :=
+    existsb (fun tid =>
+      if Spoiled tid
+      then match Farthest tid with
+           | Some u => Coord3Equal u v
+           | None => false
+           end
+      else false) (TetsAround v).
+
+  Definition DemotedWarping : Coord3 -> Warping :=
+    RuledMaterialWarping th material cut Demoted (fun _ => Steps).
+
+  (** The tetrahedra of all materials in one structured tetrahedron, in steps. *)
+  Definition DemotedTets (tid : StructuredTetId)
+    : list (Material * UnstructuredTet Coord3) :=
+    PlacedMaterialTets material DemotedWarping (ClampedCut th cut) shared tid.
+End Demotion.

@@ -1,0 +1,48 @@
+(** * The angles of several materials, in degrees *)
+
+From Coq Require Import ZArith Reals List Lra.
+From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
+From Certet Require Import Lattice.NeighborSpec.
+From Certet Require Import Stencil.UnstructuredTet.
+From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing Stuffing.Domain.
+From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
+From Certet Require Import Angles.Degrees.DegreesProof.
+From Certet Require Import Material.MaterialTet Material.MaterialMesh.
+From Certet Require Import Material.MaterialSpec Material.Demotion.
+From Certet Require Import Material.MaterialBoundsProof.
+From Certet Require Import Material.MaterialWarpProof.
+
+Theorem MaterialDihedralBoundsInDegrees : forall before warping cut shared tid m t,
+  AdmissibleMaterials before warping cut AngleThresholds (Corners tid) ->
+  (InterfacesAlone before warping tid ->
+     WellShaped WidestAngles (PlacedWhole warping cut tid)) ->
+  In (m, t) (PlacedMaterialTets before warping cut shared tid) ->
+  WithinDegrees (1077 / 100) (16476 / 100) t.
+Proof.
+  intros before warping cut shared tid m t A W I.
+  replace (16476 / 100)%R with (180 - 1524 / 100)%R by lra.
+  exact (DegreesBounds _ _ _ _ _ Cotangent10_77 Cotangent15_24
+           (MaterialDihedralBounds before warping cut shared tid A W m t I)).
+Qed.
+
+Theorem DemotedBoundsInDegrees : forall material cut shared tid m t,
+  MaterialCutsOnEdges material cut -> InLattice tid -> m <> Outside ->
+  In (m, t) (DemotedTets WidestAngles AngleThresholds material cut shared tid) ->
+  WithinDegrees (1077 / 100) (16476 / 100) t.
+Proof.
+  intros material cut shared tid m t C E N I.
+  replace (16476 / 100)%R with (180 - 1524 / 100)%R by lra.
+  exact (DegreesBounds _ _ _ _ _ Cotangent10_77 Cotangent15_24
+           (DemotedBounds material cut shared tid m t C E N I)).
+Qed.
+
+Theorem MaterialMidpointBoundsInDegrees :
+  forall (material : Coord3 -> Material) shared tid m t,
+    In (m, t) (PlacedMaterialTets (fun v => Some (material v)) (fun _ => Stays)
+                 MidpointCuts shared tid) ->
+    WithinDegrees 30 135 t.
+Proof.
+  intros material shared tid m t I. replace 135%R with (180 - 45)%R by lra.
+  exact (DegreesBounds _ _ _ _ _ Cotangent30 Cotangent45
+           (MaterialMidpointBounds material shared tid m t I)).
+Qed.

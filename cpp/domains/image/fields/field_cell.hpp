@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// A cell of a block where several labels are near.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "fields/cell_corners.hpp"
+#include "fields/field_point.hpp"
+#include "fields/field_tile.hpp"
+
+namespace certet::fields {
+
+class FieldCell {
+ public:
+  FieldCell(const BlockView& block, const std::array<std::int64_t, 3>& cell)
+      : block_(block),
+        first_(node_number(static_cast<int>(cell[0] % block_cells),
+                           static_cast<int>(cell[1] % block_cells),
+                           static_cast<int>(cell[2] % block_cells))) {}
+
+  [[nodiscard]] const Node& node(std::size_t corner) const {
+    return block_.nodes[first_ + cell_corners[corner]];
+  }
+  /// By its number in the block.
+  [[nodiscard]] Material material(std::size_t label) const { return block_.materials[label]; }
+
+  /// What the field of a label is at the corners.
+  [[nodiscard]] Corners values(std::size_t label) const {
+    const std::int16_t* value = block_.values + label * nodes_of_block + first_;
+    Corners corners;
+    for (std::size_t c = 0; c < 8; ++c) corners[c] = value[cell_corners[c]];
+    return corners;
+  }
+  /// The same by material: 0 where it is not near.
+  [[nodiscard]] Corners values_of(Material material) const {
+    for (std::size_t l = 0; l < block_.labels; ++l)
+      if (block_.materials[l] == material) return values(l);
+    return {};
+  }
+
+ private:
+  const BlockView& block_;
+  std::size_t first_;
+};
+
+}  // namespace certet::fields

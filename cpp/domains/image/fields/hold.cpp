@@ -1,0 +1,43 @@
+#include "hold.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace certet::fields {
+namespace {
+
+using OfNodes = std::array<std::int32_t, nodes_of_block>;
+
+/// How far the own label is to be mixed in.
+void find_mixing(const BlockView& block, std::span<const std::int32_t> values, OfNodes& mixing) {
+  OfNodes best_other{};
+  const std::int32_t* value = values.data();
+  for (std::size_t l = 0; l < block.labels; ++l, value += nodes_of_block)
+    for (std::size_t n = 0; n < nodes_of_block; ++n)
+      best_other[n] = std::max(best_other[n], block.nodes[n].own() == l ? 0 : value[n]);
+  for (std::size_t n = 0; n < nodes_of_block; ++n) {
+    const std::int32_t ahead = best_other[n] - values[block.nodes[n].own() * nodes_of_block + n];
+    mixing[n] = ahead < 0 ? 0 : std::min(field_one, 4 * ahead + 16);
+  }
+}
+
+}  // namespace
+
+void raise_and_hold(const BlockView& block, const Constants& constants, bool hold,
+                    std::span<std::int32_t> out) {
+  std::size_t i = 0;
+  for (std::size_t l = 0; l < block.labels; ++l) {
+    const std::int32_t constant = constants[static_cast<std::size_t>(block.materials[l])];
+    for (std::size_t n = 0; n < nodes_of_block; ++n, ++i)
+      out[i] = block.values[i] == 0 ? 0 : block.values[i] + constant;
+  }
+  if (!hold) return;
+  OfNodes mixing;
+  find_mixing(block, out, mixing);
+  i = 0;
+  for (std::size_t l = 0; l < block.labels; ++l)
+    for (std::size_t n = 0; n < nodes_of_block; ++n, ++i)
+      out[i] += (block.nodes[n].own() == l ? mixing[n] : 0) - ((out[i] * mixing[n]) >> field_bits);
+}
+
+}  // namespace certet::fields

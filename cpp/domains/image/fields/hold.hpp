@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// Fields of a block, each raised by its label's constant, and the own label of every
+/// node made to win there.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "fields/field_tile.hpp"
+
+namespace certet::fields {
+
+/// What is added to the field of a material, by material, in 16384ths.
+using Constants = std::vector<std::int32_t>;
+
+/// `out` has a value for each of the block's.  Where the own label's value o is not
+/// above the best other value q (0 at least), values u become (1-m) u, and that of the
+/// own label m more, with m = min(1, 4 (q-o) + 16/16384): it is then above all others.
+/// A value of 0 says that the label is not near, and stays so.
+void raise_and_hold(const BlockView& block, const Constants& constants, bool hold,
+                    std::span<std::int32_t> out);
+
+}  // namespace certet::fields

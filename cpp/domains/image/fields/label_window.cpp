@@ -1,0 +1,49 @@
+#include "label_window.hpp"
+
+#include <algorithm>
+
+#include "fields/field_tile.hpp"
+
+namespace certet::fields {
+namespace {
+
+/// Ascending.
+std::vector<Material> different_ones(const std::vector<Material>& all) {
+  std::vector<Material> found;  // where runs begin
+  for (const Material material : all)
+    if (found.empty() || material != found.back()) found.push_back(material);
+  std::ranges::sort(found);
+  const auto rest = std::ranges::unique(found);
+  found.erase(rest.begin(), rest.end());
+  return found;
+}
+
+}  // namespace
+
+LabelWindow window_around(const MaterialImage& image, const std::array<std::int64_t, 3>& first,
+                          int halo) {
+  LabelWindow window;
+  window.halo = halo;
+  window.width = tile_nodes + 2 * halo;
+  VoxelCube cube{{}, window.width};
+  // Node n is voxel n - 1.
+  for (std::size_t a = 0; a < 3; ++a) cube.low[a] = first[a] - 1 - halo;
+  std::vector<Material> all(static_cast<std::size_t>(window.width * window.width * window.width));
+  image.read(cube, all);
+  window.materials = different_ones(all);
+  if (window.materials.size() == 1) return window;
+  window.ranks.resize(all.size());
+  Material last = -1;
+  std::uint16_t rank = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i] != last) {
+      last = all[i];
+      rank = static_cast<std::uint16_t>(std::ranges::lower_bound(window.materials, last) -
+                                        window.materials.begin());
+    }
+    window.ranks[i] = rank;
+  }
+  return window;
+}
+
+}  // namespace certet::fields

@@ -1,0 +1,79 @@
+#pragma once
+/// \file
+/// The fields of all labels of an image.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "certet/context.hpp"
+#include "fields/field_tile.hpp"
+#include "fields/hold.hpp"
+#include "fields/material_image.hpp"
+#include "fields/rules.hpp"
+
+namespace certet::fields {
+
+/// Cells low to high along each axis, both ends included; cell c lies between nodes c
+/// and c + 1, which are voxels c - 1 and c.
+struct CellBox {
+  std::array<std::int64_t, 3> low, high;
+};
+
+/// A field u for each label, in 16384ths at nodes and trilinear between them:
+///   - the share of its voxels among those around a node, weighted by the taps, or by
+///     (3 10 3)/16 near thin voxels;
+///   - and a constant for each label by which the region where it is the greatest has
+///     the volume of its voxels (`volume_constants`);
+///   - changed so that at every voxel's centre its own label is the greatest (`hold`).
+/// All numbers are whole, and the same for any number of threads.
+class NodeFields {
+ public:
+  /// \throws Error `cancelled`.
+  NodeFields(const MaterialImage& image, const Rules& rules, const Context& context);
+
+  /// The block of a cell.  Cells are numbered from 0 to the number of voxels.
+  [[nodiscard]] BlockView block(const std::array<std::int64_t, 3>& cell) const {
+    const std::size_t t = tile_number(cell[0] / tile_cells, cell[1] / tile_cells,
+                                      cell[2] / tile_cells);
+    if (!tiles_[t]) return {only_[t], 0, nullptr, nullptr, nullptr};
+    const auto along = [&](std::size_t a) {
+      return static_cast<int>(cell[a] / block_cells % tile_blocks);
+    };
+    return tiles_[t]->view(tiles_[t]->blocks[block_number(along(0), along(1), along(2))]);
+  }
+
+  /// The material that all points of some cells have, where none other is near.
+  [[nodiscard]] std::optional<Material> only_material(const CellBox& cells) const;
+
+  [[nodiscard]] std::uint64_t bytes() const;
+
+  [[nodiscard]] const std::array<std::int64_t, 3>& tile_counts() const { return counts_; }
+  /// Of a tile by its number.
+  [[nodiscard]] std::array<std::int64_t, 3> first_cell(std::size_t number) const {
+    const auto n = static_cast<std::int64_t>(number);
+    return {tile_cells * (n % counts_[0]), tile_cells * (n / counts_[0] % counts_[1]),
+            tile_cells * (n / counts_[0] / counts_[1])};
+  }
+  /// nullptr where there is but one material.
+  [[nodiscard]] const Tile* tile(std::size_t number) const { return tiles_[number].get(); }
+  [[nodiscard]] Material only(std::size_t number) const { return only_[number]; }
+  [[nodiscard]] const Constants& constants() const { return constants_; }
+
+ private:
+  [[nodiscard]] std::size_t tile_number(std::int64_t x, std::int64_t y, std::int64_t z) const {
+    return static_cast<std::size_t>((z * counts_[1] + y) * counts_[0] + x);
+  }
+  void make_tiles(const MaterialImage& image, const Rules& rules, const Context& context);
+  void finish_tiles(bool hold, const Context& context);
+
+  std::array<std::int64_t, 3> counts_;  ///< of tiles
+  std::vector<std::unique_ptr<Tile>> tiles_;
+  std::vector<Material> only_;  ///< of tiles of one material
+  Constants constants_;
+};
+
+}  // namespace certet::fields

@@ -1,0 +1,149 @@
+#include "parting.hpp"
+
+#include <algorithm>
+
+#include "certet/lattice/coord3.hpp"
+#include "fields/field_cell.hpp"
+#include "fields/labelling.hpp"
+
+namespace certet::fields {
+namespace {
+
+/// On which side points of an edge are.  The cell of the last point is kept.
+class Sides {
+ public:
+  Sides(const NodeFields& fields, const FieldEdge& edge) : fields_(fields), edge_(edge) {}
+
+  bool is_first(const FieldPoint& point) {
+    if (point.cell() != at_) enter(point.cell());
+    const auto within = point.within();
+    if (some_forced_) {
+      const Material forced = forced_[Labelling::nearest_corner(within)];
+      if (forced != not_forced) return forced != edge_.of_last;
+    }
+    return trilinear(difference_, within) > 0;
+  }
+
+  /// Of the two fields, at the corners of a cell; nullptr where one of these is forced.
+  const Corners* difference_in(const std::array<std::int64_t, 3>& cell) {
+    enter(cell);
+    return some_forced_ ? nullptr : &difference_;
+  }
+
+ private:
+  static constexpr Material not_forced = -1;
+
+  void enter(const std::array<std::int64_t, 3>& cell) {
+    at_ = cell;
+    some_forced_ = false;
+    const BlockView block = fields_.block(cell);
+    if (block.labels == 0) {
+      difference_.fill(block.only == edge_.of_last ? -1 : 1);
+      return;
+    }
+    const FieldCell corners(block, cell);
+    difference_ = corners.values_of(edge_.of_first);
+    const Corners others = corners.values_of(edge_.of_last);
+    for (std::size_t c = 0; c < 8; ++c) {
+      difference_[c] -= others[c];
+      const Node& node = corners.node(c);
+      forced_[c] = node.forced() ? corners.material(node.own()) : not_forced;
+      some_forced_ = some_forced_ || node.forced();
+    }
+  }
+
+  const NodeFields& fields_;
+  const FieldEdge& edge_;
+  std::array<std::int64_t, 3> at_{-1, -1, -1};
+  Corners difference_{};  ///< of the first material's field and the last one's
+  std::array<Material, 8> forced_{};
+  bool some_forced_ = false;
+};
+
+/// An edge in one cell where nothing is forced: with the difference of the two fields at
+/// the cell's corners.
+class EdgeInCell {
+ public:
+  EdgeInCell(const FieldEdge& edge, const std::array<std::int64_t, 3>& cell,
+             const Corners& difference)
+      : difference_(difference) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      first_[a] = edge.first.at[a] - cell[a] * point_one;
+      along_[a] = edge.last.at[a] - edge.first.at[a];
+    }
+  }
+
+  /// Between two steps by whether the difference is above 0: mostly where a straight line
+  /// through the values at both has its root, for that is near.
+  [[nodiscard]] std::int32_t root() const {
+    std::int32_t low = 0, high = steps;
+    std::int64_t at_low = at(low), at_high = at(high);
+    if (at_low <= 0) return 0;
+    if (at_high > 0) return steps - 1;
+    for (int round = 0; high - low > 1; ++round) {
+      const std::int32_t step = round < most_lines ? on_line(low, at_low, high, at_high)
+                                                   : low + (high - low) / 2;
+      const std::int64_t value = at(step);
+      (value > 0 ? low : high) = step;
+      (value > 0 ? at_low : at_high) = value;
+    }
+    return low;
+  }
+
+ private:
+  static constexpr int most_lines = 8;
+
+  /// Between two steps and at neither.
+  static std::int32_t on_line(std::int32_t low, std::int64_t at_low, std::int32_t high,
+                              std::int64_t at_high) {
+    const std::int64_t away = (high - low) * at_low / (at_low - at_high);
+    return std::clamp(low + static_cast<std::int32_t>(away), low + 1, high - 1);
+  }
+
+  [[nodiscard]] std::int64_t at(std::int32_t step) const {
+    std::array<std::int64_t, 3> within;
+    for (std::size_t a = 0; a < 3; ++a) within[a] = first_[a] + ((along_[a] * step) >> step_bits);
+    return trilinear(difference_, within);
+  }
+
+  const Corners& difference_;
+  std::array<std::int64_t, 3> first_{}, along_{};
+};
+
+FieldPoint point_of(const FieldEdge& edge, std::int32_t step) {
+  FieldPoint point;
+  for (std::size_t a = 0; a < 3; ++a)
+    point.at[a] = edge.first.at[a] +
+                  (((edge.last.at[a] - edge.first.at[a]) * step) >> step_bits);
+  return point;
+}
+
+/// Whether all of an edge lies in a cell, its faces included.
+bool holds(const std::array<std::int64_t, 3>& cell, const FieldEdge& edge) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::int64_t low = cell[a] * point_one, high = low + point_one;
+    if (std::min(edge.first.at[a], edge.last.at[a]) < low ||
+        std::max(edge.first.at[a], edge.last.at[a]) > high)
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::uint16_t part(const NodeFields& fields, const FieldExtent& extent, const FieldEdge& edge) {
+  Sides sides(fields, edge);
+  const bool leaves = !extent.contains(edge.last);
+  const auto cell = point_of(edge, steps / 2).cell();
+  if (!leaves && holds(cell, edge))
+    if (const Corners* difference = sides.difference_in(cell); difference != nullptr)
+      return static_cast<std::uint16_t>(EdgeInCell(edge, cell, *difference).root());
+  std::int32_t low = 0;
+  for (std::int32_t half = steps / 2; half != 0; half /= 2) {
+    const FieldPoint middle = point_of(edge, low + half);
+    if ((!leaves || extent.contains(middle)) && sides.is_first(middle)) low += half;
+  }
+  return static_cast<std::uint16_t>(low);
+}
+
+}  // namespace certet::fields

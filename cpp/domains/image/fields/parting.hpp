@@ -1,0 +1,35 @@
+#pragma once
+/// \file
+/// Where the fields of two labels are equal along an edge.
+
+#include <cstdint>
+
+#include "fields/field_point.hpp"
+#include "fields/node_fields.hpp"
+
+namespace certet::fields {
+
+/// The image's extent in nodes, both ends included.
+struct FieldExtent {
+  std::array<std::int64_t, 3> low, high;
+  [[nodiscard]] bool contains(const FieldPoint& point) const {
+    for (std::size_t a = 0; a < 3; ++a)
+      if (point.at[a] < low[a] || point.at[a] > high[a]) return false;
+    return true;
+  }
+};
+
+/// An edge from a point of one material to a point of another.
+struct FieldEdge {
+  FieldPoint first, last;
+  Material of_first, of_last;
+};
+
+/// The number of steps, of 2^step_bits in all, after which the edge is on the side of
+/// its last end: the field of that one's label is as great as the other's, or the point
+/// lies beyond the image, or in a voxel that is forced to be of the last material (in
+/// one of any other it is on the side of the first).  If that is so more than once, one of
+/// those steps; 0 if it is so from the start, the last step if never.
+std::uint16_t part(const NodeFields& fields, const FieldExtent& extent, const FieldEdge& edge);
+
+}  // namespace certet::fields

@@ -1,0 +1,107 @@
+#include "smoothed_labels.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "fields/field_tile.hpp"
+
+namespace certet::fields {
+namespace {
+
+constexpr std::size_t length = SmoothedLabels::row_length;
+
+/// Adds a row with a weight in 65536ths.
+void add_row(const std::uint16_t* row, std::uint16_t weight, std::uint16_t* sum) {
+  for (std::size_t x = 0; x < length; ++x)
+    sum[x] = static_cast<std::uint16_t>(sum[x] + ((std::uint32_t{row[x]} * weight) >> 16));
+}
+
+/// Row number `at` of rows that start with number `low`, smoothed across them.
+void smooth_across(const std::uint16_t* rows, std::size_t stride, int low, int high, int at,
+                   const Taps& taps, std::uint16_t* sum) {
+  if (taps.weights.empty()) {
+    std::copy_n(rows + static_cast<std::size_t>(at - low) * stride, length, sum);
+    return;
+  }
+  std::fill_n(sum, length, std::uint16_t{0});
+  const int radius = taps.radius();
+  for (int t = std::max(low, at - radius); t <= std::min(high, at + radius); ++t)
+    add_row(rows + static_cast<std::size_t>(t - low) * stride,
+            taps.weights[static_cast<std::size_t>(t - at + radius)], sum);
+}
+
+/// The indicator of a label along a row of the window, smoothed at the tile's nodes.
+void smooth_row(std::span<const std::uint16_t> ranks, std::uint16_t rank, int halo,
+                const Taps& taps, std::uint16_t* sum) {
+  std::array<std::uint16_t, length + 2 * greatest_radius + 8> is{};
+  for (std::size_t x = 0; x < ranks.size(); ++x) is[x] = ranks[x] == rank ? field_one : 0;
+  const std::uint16_t* from = is.data() + halo - taps.radius();
+  if (taps.weights.empty()) {
+    std::copy_n(from, length, sum);
+  } else {
+    std::fill_n(sum, length, std::uint16_t{0});
+    for (const std::uint16_t weight : taps.weights) add_row(from++, weight, sum);
+  }
+  std::fill(sum + tile_nodes, sum + length, std::uint16_t{0});
+}
+
+}  // namespace
+
+void SmoothedLabels::compute(const LabelWindow& window, const std::array<Taps, 3>& taps) {
+  find_supports(window);
+  values_.clear();
+  for (std::size_t rank = 0; rank < supports_.size(); ++rank) smooth(window, rank, taps);
+}
+
+void SmoothedLabels::find_supports(const LabelWindow& window) {
+  supports_.assign(window.materials.size(), {{window.width, window.width}, {-1, -1}});
+  const std::uint16_t* rank = window.ranks.data();
+  for (int z = 0; z < window.width; ++z)
+    for (int y = 0; y < window.width; ++y)
+      for (int x = 0; x < window.width; ++x, ++rank) {
+        if (x > 0 && *rank == rank[-1]) continue;
+        Support& s = supports_[*rank];
+        s.low = {std::min(s.low[0], y), std::min(s.low[1], z)};
+        s.high = {std::max(s.high[0], y), std::max(s.high[1], z)};
+      }
+}
+
+void SmoothedLabels::smooth(const LabelWindow& window, std::size_t rank,
+                            const std::array<Taps, 3>& taps) {
+  const Support voxels = supports_[rank];
+  Support& nodes = supports_[rank];
+  for (std::size_t a = 0; a < 2; ++a) {
+    const int radius = taps[a + 1].radius();
+    nodes.low[a] = std::max(voxels.low[a] - radius - window.halo, 0);
+    nodes.high[a] = std::min(voxels.high[a] + radius - window.halo, tile_nodes - 1);
+  }
+  nodes.first = values_.size();
+  if (nodes.low[0] > nodes.high[0] || nodes.low[1] > nodes.high[1]) return;
+  const auto rows = static_cast<std::size_t>(voxels.high[0] - voxels.low[0] + 1);
+  const auto layers = static_cast<std::size_t>(voxels.high[1] - voxels.low[1] + 1);
+  const auto rows_out = static_cast<std::size_t>(nodes.high[0] - nodes.low[0] + 1);
+  const auto layers_out = static_cast<std::size_t>(nodes.high[1] - nodes.low[1] + 1);
+
+  along_x_.resize(layers * rows * length);
+  std::uint16_t* out = along_x_.data();
+  for (int z = voxels.low[1]; z <= voxels.high[1]; ++z)
+    for (int y = voxels.low[0]; y <= voxels.high[0]; ++y, out += length)
+      smooth_row({&window.ranks[window.at(0, y, z)], static_cast<std::size_t>(window.width)},
+                 static_cast<std::uint16_t>(rank), window.halo, taps[0], out);
+
+  along_y_.resize(layers * rows_out * length);
+  out = along_y_.data();
+  for (std::size_t z = 0; z < layers; ++z)
+    for (int y = nodes.low[0]; y <= nodes.high[0]; ++y, out += length)
+      smooth_across(&along_x_[z * rows * length], length, voxels.low[0], voxels.high[0],
+                    y + window.halo, taps[1], out);
+
+  values_.resize(nodes.first + layers_out * rows_out * length);
+  out = &values_[nodes.first];
+  for (int z = nodes.low[1]; z <= nodes.high[1]; ++z)
+    for (std::size_t y = 0; y < rows_out; ++y, out += length)
+      smooth_across(&along_y_[y * length], rows_out * length, voxels.low[1], voxels.high[1],
+                    z + window.halo, taps[2], out);
+}
+
+}  // namespace certet::fields

@@ -1,0 +1,112 @@
+#include "volume_constants.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <vector>
+
+#include "fields/for_each_tile.hpp"
+#include "fields/node_fields.hpp"
+#include "fields/region_estimate.hpp"
+
+namespace certet::fields {
+namespace {
+
+constexpr int passes = 4;
+/// More than 1, for held and thin parts move less than the others.
+constexpr double moved_at_once = 1.2;
+constexpr std::int32_t greatest_constant = 6554;  ///< 0.4, so that 16 bits hold all fields
+constexpr int rounds = 100;  ///< of the solver
+constexpr double least_area = 5;  ///< in faces of a voxel
+
+double in_voxels(std::int64_t sum) {
+  return static_cast<double>(sum) / static_cast<double>(RegionSums::unit);
+}
+
+/// Of all tiles, merged in any order.
+RegionSums estimate(const NodeFields& fields, const MaterialImage& image, const Slopes& slopes,
+                    const Constants& constants, bool hold, const Context& context) {
+  RegionSums sums(constants.size());
+  std::mutex mutex;
+  const auto& counts = fields.tile_counts();
+  for_each_tile(context, static_cast<std::size_t>(counts[0] * counts[1] * counts[2]),
+                [&](std::size_t t) {
+    RegionSums of_tile(constants.size());
+    TileEstimate estimate(image.size(), slopes, of_tile);
+    const auto first = fields.first_cell(t);
+    if (fields.tile(t) == nullptr) {
+      estimate.add_uniform(fields.only(t), first, tile_cells);
+    } else {
+      for (std::int64_t z = first[2]; z < first[2] + tile_cells; z += block_cells)
+        for (std::int64_t y = first[1]; y < first[1] + tile_cells; y += block_cells)
+          for (std::int64_t x = first[0]; x < first[0] + tile_cells; x += block_cells)
+            estimate.add_block(fields.block({x, y, z}), {x, y, z}, constants, hold);
+    }
+    of_tile.merge_areas();
+    const std::lock_guard lock(mutex);
+    sums.add(of_tile);
+  });
+  sums.merge_areas();
+  return sums;
+}
+
+Slopes slopes_of(const Rules& rules) {
+  double wide = 0, narrow = 0;
+  for (const Taps& taps : rules.taps) {
+    wide += taps.variance() / 3;
+    narrow += narrower(taps, thin_taps()).variance() / 3;
+  }
+  // Interpolation smooths by a variance of 1/6.
+  return {slope_of(std::sqrt(wide + 1.0 / 6)), slope_of(std::sqrt(narrow + 1.0 / 6))};
+}
+
+/// By how much each constant is to change for volumes to change by `excess` less, in
+/// voxels: what a label's region gains along a surface is what its own constant changes
+/// by, less what the other's does.  By Gauss and Seidel; the outside's stays.
+std::vector<double> changes(const RegionSums& sums, const std::vector<double>& excess) {
+  struct Neighbour {
+    std::size_t of;
+    double area;
+  };
+  std::vector<std::vector<Neighbour>> neighbours(excess.size());
+  std::vector<double> whole(excess.size(), 0);
+  for (const auto& [low, high, area] : sums.areas()) {
+    const auto a = static_cast<std::size_t>(low), b = static_cast<std::size_t>(high);
+    const double faces = in_voxels(area);
+    neighbours[a].push_back({b, faces});
+    neighbours[b].push_back({a, faces});
+    whole[a] += faces;
+    whole[b] += faces;
+  }
+  std::vector<double> change(excess.size(), 0);
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t m = 1; m < change.size(); ++m) {
+      double sum = -excess[m];
+      for (const Neighbour& n : neighbours[m]) sum += n.area * change[n.of];
+      // What is as small as a voxel may lie between all points.
+      change[m] = sum / std::max(whole[m], least_area);
+    }
+  return change;
+}
+
+}  // namespace
+
+Constants volume_constants(const NodeFields& fields, const MaterialImage& image,
+                           const Rules& rules, const Context& context) {
+  Constants constants(image.labels().size() + 1, 0);
+  std::vector<double> excess(constants.size(), 0);
+  const Slopes slopes = slopes_of(rules);
+  for (int pass = 0; pass < passes; ++pass) {
+    const RegionSums sums = estimate(fields, image, slopes, constants, rules.hold, context);
+    for (std::size_t m = 1; m < constants.size(); ++m)
+      excess[m] = in_voxels(sums.volumes()[m]) - static_cast<double>(image.voxels()[m - 1]);
+    const std::vector<double> change = changes(sums, excess);
+    for (std::size_t m = 1; m < constants.size(); ++m)
+      constants[m] = static_cast<std::int32_t>(
+          std::lround(std::clamp<double>(constants[m] + moved_at_once * field_one * change[m],
+                                         -greatest_constant, greatest_constant)));
+  }
+  return constants;
+}
+
+}  // namespace certet::fields
