@@ -106,17 +106,19 @@ struct LabelRange {
 struct ImageLattice {
   double size = 0;  ///< long edge in world units; 0: the smallest voxel spacing
   std::int32_t margin = 2;  ///< lattice cells around the solid, at least 1
-  /// Of labels: whether the walls of voxels are to be halfway between even and odd points.
-  bool walls_halfway = false;
+  /// Of labels: whether the walls of voxels are halfway between even and odd points.  For
+  /// `Method::embedded` they had better not be, and it keeps more of the volume; with cuts in
+  /// the middle of edges the solid would be shifted, by 3/16 of a voxel.
+  bool walls_halfway = true;
 };
 
 // Solids in images share their voxels with other solids of the same image, on
 // lattices of other sizes too.  Where `size` is the voxel spacing, each voxel holds one
-// even and one odd point, half its diagonal apart.  Of labels the even one is 7/16 of the
-// diagonal before its centre, so that just one of the two is near to a wall of the voxel:
-// if both move onto walls, as they do where these are halfway, tetrahedra at the edges of
-// the solid lose all their corners to them, and it its edges.  Of levels, and where walls
-// are to be halfway, they are a quarter of the diagonal before and behind the centre.  Beyond the outermost voxels all is outside,
+// even and one odd point, half its diagonal apart.  They are a
+// quarter of the diagonal before and behind its centre or, of labels whose walls are not to
+// be halfway, 7/16 before and 1/16 behind, so that just one of the two is near to a wall:
+// if both move onto walls, tetrahedra at the edges of the solid lose all their corners to
+// them, and it its edges.  Beyond the outermost voxels all is outside,
 // which closes the solid at the image's border: the domain is cut off there.
 //
 // The frame is right-handed for every image.  The longest side is that of the
