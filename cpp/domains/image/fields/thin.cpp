@@ -39,7 +39,9 @@ bool at_risk(const LabelWindow& window, const std::vector<std::uint8_t>& whole,
 /// the outermost voxels alone.
 std::vector<std::uint8_t> whole_blocks(const LabelWindow& window) {
   const auto row = static_cast<std::size_t>(window.width);
-  const auto distance = [&](std::size_t o) { return (o & 1) + (o >> 1 & 1) * row + (o >> 2) * row * row; };
+  const auto distance = [&](std::size_t o) {
+    return (o & 1) + (o >> 1 & 1) * row + (o >> 2) * row * row;
+  };
   const std::size_t count = window.ranks.size() - distance(7);
   std::vector<std::uint8_t> whole(count, 1);  // of the block from a voxel upwards
   const std::uint16_t* rank = window.ranks.data();
