@@ -1,7 +1,7 @@
 (** * Three wrong ways to mesh materials
 
-    They show that the checkers of [MaterialFacesAgree] and [MaterialTwice] can
-    say no. *)
+    They show that the checkers of [MaterialFacesAgree] and [MaterialTriangleTwice]
+    can say no. *)
 
 From Coq Require Import ZArith List.
 From Certet Require Import Stencil.UnstructuredTet.

@@ -22,7 +22,8 @@ using namespace certet::bench;
 nlohmann::json measure(const char* file, double size, Method method, int threads, int repeats) {
   const double start = now();
   const auto domain = label_domain(
-      read_image(file, std::numeric_limits<std::uint64_t>::max()), {}, {.size = size});
+      read_image(file, std::numeric_limits<std::uint64_t>::max()), {},
+      {.size = size, .walls_halfway = !facts(method).settles});
   const double read_seconds = now() - start;
   EngineRun engine(threads);
   nlohmann::json json;

@@ -36,7 +36,7 @@ struct RandomImage {
     for (std::int32_t n = 0; n < 80; ++n)
       voxels[static_cast<std::size_t>(n)] = holds({n % 5, n / 5 % 4, n / 20}) ? 1 : 0;
     image.voxels = std::move(voxels);
-    return label_domain(std::move(image), {}, {.size = size, .margin = 1});
+    return label_domain(std::move(image), {}, {.size = size, .margin = 1, .walls_halfway = false});
   }
 };
 

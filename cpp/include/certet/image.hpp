@@ -106,17 +106,19 @@ struct LabelRange {
 struct ImageLattice {
   double size = 0;  ///< long edge in world units; 0: the smallest voxel spacing
   std::int32_t margin = 2;  ///< lattice cells around the solid, at least 1
-  /// Of labels: whether the walls of voxels are to be halfway between even and odd points.
-  bool walls_halfway = false;
+  /// Of labels: whether the walls of voxels are halfway between even and odd points.  For
+  /// `Method::embedded` they had better not be, and it keeps more of the volume; with cuts in
+  /// the middle of edges the solid would be shifted, by 3/16 of a voxel.
+  bool walls_halfway = true;
 };
 
 // Solids in images share their voxels with other solids of the same image, on
 // lattices of other sizes too.  Where `size` is the voxel spacing, each voxel holds one
-// even and one odd point, half its diagonal apart.  Of labels the even one is 7/16 of the
-// diagonal before its centre, so that just one of the two is near to a wall of the voxel:
-// if both move onto walls, as they do where these are halfway, tetrahedra at the edges of
-// the solid lose all their corners to them, and it its edges.  Of levels, and where walls
-// are to be halfway, they are a quarter of the diagonal before and behind the centre.  Beyond the outermost voxels all is outside,
+// even and one odd point, half its diagonal apart.  They are a
+// quarter of the diagonal before and behind its centre or, of labels whose walls are not to
+// be halfway, 7/16 before and 1/16 behind, so that just one of the two is near to a wall:
+// if both move onto walls, tetrahedra at the edges of the solid lose all their corners to
+// them, and it its edges.  Beyond the outermost voxels all is outside,
 // which closes the solid at the image's border: the domain is cut off there.
 //
 // The frame is right-handed for every image.  The longest side is that of the
@@ -188,27 +190,35 @@ struct InterfaceSmoothing {
 
 /// Every chosen label is a material, and regions meet where smoothed labels are equally
 /// strong: each label has a field u, its share of the voxels around a voxel's centre,
-/// weighted by (1 4 6 4 1)/16 along every axis, and trilinear in between; a point has
-/// the label whose field is the greatest, of equal ones the first, where the outside
-/// comes before all labels.  An edge between two labels is cut where their fields are
-/// equal.  So that no region is lost or shrinks,
+/// weighted by (1 4 6 4 1)/16 along every axis, and trilinear in between; beyond the image
+/// its outermost voxels go on.  A point has the label whose field is the greatest of those
+/// of the voxels whose centres are around it, of equal ones the first, where the outside
+/// comes before all labels.  An edge between two labels is cut where their fields are equal.
+/// So that no region is lost or shrinks,
 ///   - u is smoothed less, by (3 10 3)/16, around voxels that lie in no 2 x 2 x 2 voxels of
 ///     their label;
-///   - a constant is added to each label's field by which its region has the volume of
+///   - a constant is added to each label's field by which its region has about the volume of
 ///     its voxels;
-///   - a voxel's centre has the voxel's label, for the field of that one is raised where
-///     it is not the greatest.
+///   - the field of a voxel's own label is raised at its centre where it is not the greatest.
 ///
-/// Even points of the lattice lie at voxel centres, where the size is the spacing or a
-/// whole fraction of it along every axis.  Points of the lattice of one label then hang
-/// together, by the edges of the lattice, where voxels do by faces: no label is lost, and
-/// no piece of one is lost or taken apart.  For other sizes voxels that smoothing might
-/// lose, because no point is at their centre, have their own label throughout, and keep
-/// their flat faces; where the size is at most the spacing, each has a point.
+/// Where the size is the spacing, or a whole fraction of it, along every axis, even points
+/// of the lattice lie at voxel centres.  Each of those has its voxel's label, and between
+/// two that share a face and a label so have all points of the lattice: no label is lost,
+/// and no piece of one (by faces) is lost or taken apart.  Where the size is the spacing
+/// the pieces of the lattice are made of such pieces, and hang together across an edge or a
+/// corner of voxels at most.  On finer lattices a label may have islets besides, where
+/// voxels are as good as noise.
+///
+/// For other sizes voxels that smoothing might lose have their own label throughout, and
+/// keep their flat faces: those in no 2 x 2 x 2 voxels of their label, those that share no
+/// such block with a face neighbour of their label, and those whose blocks do not hang
+/// together by faces.  Where the size is at most the least spacing each of them has a point
+/// of the lattice.  That no piece is lost or taken apart then is tested, not proved; a
+/// larger size may lose what is smaller than itself.
 ///
 /// All is computed with whole numbers, and the same for every number of threads.  Needs
-/// some ten bytes, beside those of the image, for each voxel that is within 4 voxels of
-/// one with another label.
+/// some 17 bytes, beside the image, for each voxel in blocks of 4 x 4 x 4 where labels are
+/// near each other.
 /// \throws Error as `label_domain`; `bad_option` (sigma), `cancelled`.
 std::unique_ptr<InterfaceDomain> interface_domain(std::shared_ptr<const Image> image,
                                                  std::vector<LabelRange> labels,

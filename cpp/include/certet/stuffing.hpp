@@ -104,8 +104,8 @@ class Stuffing {
   void materials_of(std::span<const TetCorners> tets, std::span<Material> out) const;
 
   /// Counts the pieces of the mesh, and the faults of its surface, whatever the method; no
-  /// tetrahedron is made.  Places are in the world of `frame`.  Takes 12 bytes for each run
-  /// of neighbouring lattice points inside, which is most often one or two in a row.
+  /// tetrahedron is made.  Places are in the world of `frame`.  Takes some 20 bytes for each
+  /// run of neighbouring lattice points inside, of which a row has most often one or two.
   /// \throws Error `cancelled`, `too_large` (out of memory, or 2^32 runs).
   [[nodiscard]] Pieces pieces(const Frame& frame, Context& context) const;
 

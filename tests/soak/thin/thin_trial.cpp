@@ -110,7 +110,9 @@ struct Subject {
 
 Subject image_subject(std::uint64_t seed, std::uint64_t number) {
   const ThinImage image = make_image(seed, number);
-  auto domain = certet::label_domain(image.image(), {}, {.size = image.lattice_size, .margin = 1});
+  auto domain = certet::label_domain(
+      image.image(), {},
+      {.size = image.lattice_size, .margin = 1, .walls_halfway = false});
   const Lattice lattice = domain->lattice();
   return {std::move(domain), lattice, image.pieces()};
 }

@@ -13,8 +13,7 @@ std::vector<Material> different_ones(const std::vector<Material>& all) {
   for (const Material material : all)
     if (found.empty() || material != found.back()) found.push_back(material);
   std::ranges::sort(found);
-  const auto rest = std::ranges::unique(found);
-  found.erase(rest.begin(), rest.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());  // clang 14 refuses ranges
   return found;
 }
 

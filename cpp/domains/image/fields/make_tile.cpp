@@ -53,10 +53,15 @@ class TileFields {
       for (int y = corner[1]; y < corner[1] + block_nodes; ++y, out += block_nodes) {
         const std::uint16_t* wide = wide_.row(rank, y, z);
         const std::uint16_t* narrow = some_thin_ ? narrow_.row(rank, y, z) : nullptr;
+        if (wide == nullptr) {  // then the other is, too
+          std::fill_n(out, block_nodes, std::int16_t{0});
+          continue;
+        }
+        const bool* thin = some_thin_ ? &thin_[flag(0, y, z)] : nullptr;
         for (int x = 0; x < block_nodes; ++x) {
           const int at = corner[0] + x;
-          const std::uint16_t* row = some_thin_ && thin_[flag(at, y, z)] ? narrow : wide;
-          const std::uint16_t value = row == nullptr ? 0 : row[at];
+          std::uint16_t value = wide[at];
+          if (thin != nullptr && thin[at]) value = narrow == nullptr ? 0 : narrow[at];
           out[x] = static_cast<std::int16_t>(value);
           some |= value;
         }

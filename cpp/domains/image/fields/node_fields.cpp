@@ -56,7 +56,7 @@ std::optional<Material> NodeFields::only_material(const CellBox& cells) const {
     return *found != material;
   };
   // From the first cell of one block to the first of the next.
-  const auto next = [](std::int64_t cell) { return cell / block_cells * block_cells + block_cells; };
+  const auto next = [](std::int64_t cell) { return (cell / block_cells + 1) * block_cells; };
   for (std::int64_t z = cells.low[2]; z <= cells.high[2]; z = next(z))
     for (std::int64_t y = cells.low[1]; y <= cells.high[1]; y = next(y))
       for (std::int64_t x = cells.low[0]; x <= cells.high[0]; x = next(x)) {

@@ -9,20 +9,20 @@
 namespace certet::fields {
 namespace {
 
-/// Points along an axis of a cell, the lower and the upper, that lie in an image of so
+/// Quarters along an axis of a cell, the lower and the upper, that lie in an image of so
 /// many voxels: a bit for each.  Cells 0 and `voxels` are half beyond it.
-unsigned points_along(std::int64_t cell, std::int64_t voxels) {
+unsigned quarters_along(std::int64_t cell, std::int64_t voxels) {
   return cell > voxels ? 0 : (cell != 0 ? 1U : 0U) | (cell != voxels ? 2U : 0U);
 }
 
 /// A bit for each of a cell's eight points.
-unsigned points_of_cell(const std::array<std::int64_t, 3>& cell,
+unsigned quarters_within(const std::array<std::int64_t, 3>& cell,
                         const std::array<std::int64_t, 3>& size) {
   unsigned points = 0;
   for (unsigned p = 0; p < 8; ++p) {
     bool within = true;
     for (unsigned a = 0; a < 3; ++a)
-      within = within && (points_along(cell[a], size[a]) >> (p >> a & 1) & 1) != 0;
+      within = within && (quarters_along(cell[a], size[a]) >> (p >> a & 1) & 1) != 0;
     points |= static_cast<unsigned>(within) << p;
   }
   return points;
@@ -35,13 +35,13 @@ std::int64_t count_of(unsigned points) {
 }
 
 /// A field at the eight points of a cell, 64 times as great.
-using Points = std::array<std::int32_t, 8>;
+using Quarters = std::array<std::int32_t, 8>;
 
-Points at_points(const std::int32_t* first_node) {
-  Points values;
+Quarters at_quarters(const std::int32_t* first_node) {
+  Quarters values;
   for (std::size_t c = 0; c < 8; ++c) values[c] = first_node[cell_corners[c]];
   for (std::size_t axis = 1; axis < 8; axis *= 2) {
-    Points mixed;
+    Quarters mixed;
     for (std::size_t p = 0; p < 8; ++p) mixed[p] = 3 * values[p] + values[p ^ axis];
     values = mixed;
   }
@@ -50,7 +50,7 @@ Points at_points(const std::int32_t* first_node) {
 
 /// The greatest fields of the eight points and the second ones.
 struct Winners {
-  Points first, second, of_first, of_second;
+  Quarters first, second, of_first, of_second;
 
   Winners() {
     first.fill(std::numeric_limits<std::int32_t>::min() / 2);
@@ -59,7 +59,7 @@ struct Winners {
     of_second.fill(0);
   }
 
-  void add(const Points& values, std::int32_t label) {
+  void add(const Quarters& values, std::int32_t label) {
     for (std::size_t p = 0; p < 8; ++p) {
       const bool wins = values[p] > first[p], is_second = values[p] > second[p];
       of_second[p] = wins ? of_first[p] : is_second ? label : of_second[p];
@@ -86,7 +86,7 @@ void TileEstimate::add_uniform(Material material, const std::array<std::int64_t,
   for (std::size_t a = 0; a < 3; ++a) {
     std::int64_t along = 0;
     for (std::int64_t cell = first_cell[a]; cell < first_cell[a] + cells; ++cell)
-      along += count_of(points_along(cell, size_[a]));
+      along += count_of(quarters_along(cell, size_[a]));
     points *= along;
   }
   sums_.add_volume(material, field_one * points);
@@ -104,7 +104,7 @@ void TileEstimate::add_block(const BlockView& block,
       for (int x = 0; x < block_cells; ++x) {
         const std::size_t node = node_number(x, y, z);
         const unsigned points =
-            points_of_cell({first_cell[0] + x, first_cell[1] + y, first_cell[2] + z}, size_);
+            quarters_within({first_cell[0] + x, first_cell[1] + y, first_cell[2] + z}, size_);
         if (is_settled(block, node)) {
           const Material own = block.materials[block.nodes[node].own()];
           sums_.add_volume(own, field_one * count_of(points));
@@ -128,11 +128,14 @@ void TileEstimate::find_margins(const BlockView& block) {
 /// less.
 bool TileEstimate::is_settled(const BlockView& block, std::size_t node) const {
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  bool thin = false;
   for (const std::size_t corner : cell_corners) {
-    if (block.nodes[node + corner].own() != block.nodes[node].own()) return false;
+    const Node& other = block.nodes[node + corner];
+    if (other.own() != block.nodes[node].own()) return false;
+    thin = thin || other.thin();
     least = std::min<std::int64_t>(least, margins_[node + corner]);
   }
-  return ((least * std::min(slopes_.wide, slopes_.narrow)) >> 16) >= settled;
+  return ((least * (thin ? slopes_.narrow : slopes_.wide)) >> 16) >= settled;
 }
 
 /// A point that is x voxels inside gives a part of min(1, 1/2 + 2x) to the label with the
@@ -140,7 +143,7 @@ bool TileEstimate::is_settled(const BlockView& block, std::size_t node) const {
 void TileEstimate::add_cell(const BlockView& block, std::size_t node, unsigned points) {
   Winners winners;
   for (std::size_t l = 0; l < block.labels; ++l)
-    winners.add(at_points(&values_[l * nodes_of_block + node]), static_cast<std::int32_t>(l));
+    winners.add(at_quarters(&values_[l * nodes_of_block + node]), static_cast<std::int32_t>(l));
   const bool thin = std::ranges::any_of(
       cell_corners, [&](std::size_t corner) { return block.nodes[node + corner].thin(); });
   const std::int64_t slope = thin ? slopes_.narrow : slopes_.wide;

@@ -29,7 +29,8 @@ Taps gaussian_taps(double sigma) {
   std::vector<int> rounded;
   int middle = 4096;
   for (int t = 1; t <= radius; ++t) {
-    const int weight = static_cast<int>(std::lround(4096 * half[static_cast<std::size_t>(t)] / sum));
+    const double share = half[static_cast<std::size_t>(t)] / sum;
+    const int weight = static_cast<int>(std::lround(4096 * share));
     if (weight == 0) break;
     rounded.push_back(weight);
     middle -= 2 * weight;

@@ -19,15 +19,6 @@ std::size_t flag_number(int x, int y, int z) {
   return static_cast<std::size_t>((z * tile_nodes + y) * tile_nodes + x);
 }
 
-/// Whether the block of 2 x 2 x 2 voxels from this one upwards has one label.
-bool is_whole(const LabelWindow& window, std::size_t from) {
-  const std::uint16_t label = window.ranks[from];
-  const auto row = static_cast<std::size_t>(window.width);
-  for (const std::size_t other : {from, from + row, from + row * row, from + row * row + row})
-    if (window.ranks[other] != label || window.ranks[other + 1] != label) return false;
-  return true;
-}
-
 bool at_risk(const LabelWindow& window, const std::vector<std::uint8_t>& whole,
              std::size_t voxel) {
   const Octants own = whole[voxel];
@@ -44,18 +35,26 @@ bool at_risk(const LabelWindow& window, const std::vector<std::uint8_t>& whole,
 
 }  // namespace
 
+/// In loops over all voxels, as if each row went on in the next one: that is wrong in
+/// the outermost voxels alone.
 std::vector<std::uint8_t> whole_blocks(const LabelWindow& window) {
+  const auto row = static_cast<std::size_t>(window.width);
+  const auto distance = [&](std::size_t o) {
+    return (o & 1) + (o >> 1 & 1) * row + (o >> 2) * row * row;
+  };
+  const std::size_t count = window.ranks.size() - distance(7);
+  std::vector<std::uint8_t> whole(count, 1);  // of the block from a voxel upwards
+  const std::uint16_t* rank = window.ranks.data();
+  for (std::size_t o = 1; o < 8; ++o)
+    for (std::size_t v = 0; v < count; ++v)
+      whole[v] = static_cast<std::uint8_t>(whole[v] & (rank[v] == rank[v + distance(o)] ? 1 : 0));
   std::vector<std::uint8_t> octants(window.ranks.size(), 0);
-  const int last = window.width - 1;
-  for (int z = 0; z < last; ++z)
-    for (int y = 0; y < last; ++y)
-      for (int x = 0; x < last; ++x) {
-        if (!is_whole(window, window.at(x, y, z))) continue;
-        // It is the block in octant 7 - o of its voxel o.
-        for (int o = 0; o < 8; ++o)
-          octants[window.at(x + (o & 1), y + (o >> 1 & 1), z + (o >> 2))] |=
-              static_cast<std::uint8_t>(1U << (7 - o));
-      }
+  for (std::size_t o = 0; o < 8; ++o) {
+    // The block lies in octant 7 - o of its voxel o.
+    std::uint8_t* of_voxel = octants.data() + distance(o);
+    for (std::size_t v = 0; v < count; ++v)
+      of_voxel[v] = static_cast<std::uint8_t>(of_voxel[v] | whole[v] << (7 - o));
+  }
   return octants;
 }
 
