@@ -2,22 +2,20 @@
 /// \file
 /// Which pieces of a mesh stay, and the lattice without the others.
 
-#include <vector>
-
 #include "certet/pieces.hpp"
-#include "plus_runs.hpp"
 #include "warped_lattice.hpp"
 
 namespace certet::core {
 
-/// Of each run of plus vertices, whether the piece that it is in stays.
-std::vector<bool> runs_that_stay(const PlusRuns& runs, const WarpedLattice& warped,
-                                 const Lattice& lattice, const KeepRule& rule, Context& context);
-
-/// The lattice with those runs alone that `stays` has, which no edge joins to others: what
-/// is around them is as it was.
-WarpedLattice with_runs(const WarpedLattice& warped, const PlusRuns& runs,
-                        const std::vector<bool>& stays, const Lattice& lattice,
+/// The lattice of a mesh in two: what stays, and the rest.  No edge joins the two: what is
+/// around either is as it was.
+struct SplitLattice {
+  WarpedLattice kept, rest;
+};
+SplitLattice split_runs(const WarpedLattice& warped, const Lattice& lattice, const KeepRule& rule,
                         Context& context);
+/// The same of several materials.
+SplitLattice split_regions(const WarpedLattice& warped, const Lattice& lattice,
+                           const KeepRule& rule, Context& context);
 
 }  // namespace certet::core

@@ -34,18 +34,19 @@ inline Material material_of_whole_cell(const SignPlanes& planes, int i, int j, i
   return planes.materials()->at(grid, i + shift.x, j + shift.y, k + shift.z);
 }
 
-/// Calls visit(c, tet, material) for the tetrahedra of one cell: case by case, in the
-/// order of the stencil; those outside are left out.
+/// Calls visit(c, tet, material) for the tetrahedra of one cell, with their owners: case by
+/// case, in the order of the stencil; those outside are left out.
 template <class Visit>
-void for_each_material_tet(const SignPlanes& planes, int i, int j, int k, const Visit& visit) {
+void for_each_owned_tet(const SignPlanes& planes, int i, int j, int k, const Visit& visit) {
   std::array<Material, cell_vertex_count> material, lower;
   for (std::size_t v = 0; v < cell_vertex_count; ++v) {
     const auto& [grid, shift] = cell.vertices[v];
     const int x = i + shift.x;
     const int y = j + shift.y;
     const int z = k + shift.z;
-    const bool moved = (planes.zero(grid, y, z)[x >> 6] >> (x & 63) & 1) != 0;
-    lower[v] = planes.materials()->at(grid, x, y, z);
+    const auto bit = [x](const std::uint64_t* row) { return (row[x >> 6] >> (x & 63) & 1) != 0; };
+    const bool moved = bit(planes.zero(grid, y, z));
+    lower[v] = moved || bit(planes.plus(grid, y, z)) ? planes.materials()->at(grid, x, y, z) : 0;
     material[v] = moved ? moved_corner : lower[v];
   }
   for (std::size_t c = 0; c < cell_tet_count; ++c) {
@@ -58,9 +59,18 @@ void for_each_material_tet(const SignPlanes& planes, int i, int j, int k, const 
       // Corners that have all moved have one lower material.
       const Material owner =
           tet.owner == shared_owner ? lower[corner[0]] : corners[tet.owner];
-      if (owner != 0) visit(c, tet.vertices, owner);
+      if (owner != 0) visit(c, tet, owner);
     }
   }
+}
+
+/// The same without their owners.
+template <class Visit>
+void for_each_material_tet(const SignPlanes& planes, int i, int j, int k, const Visit& visit) {
+  for_each_owned_tet(planes, i, j, k,
+                     [&](std::size_t c, const MaterialTet& tet, Material material) {
+                       visit(c, tet.vertices, material);
+                     });
 }
 
 }  // namespace certet::core

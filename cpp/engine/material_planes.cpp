@@ -73,6 +73,16 @@ std::array<std::uint64_t, family_count> MaterialPlanes::parted(int j, int k, int
   return compare(j, k, w);
 }
 
+std::uint64_t MaterialPlanes::parted_along(Grid grid, int j, int k, int w) const {
+  if (!is_parted(j, k, w)) return 0;
+  std::uint64_t parted = 0;
+  for (std::size_t b = 0; b < planes_.size(); ++b) {
+    const std::uint64_t* const words = row(b, {grid, {}}, j, k);
+    parted |= words[w] ^ shifted(words, w, 1);
+  }
+  return parted;
+}
+
 std::uint64_t MaterialPlanes::first_is_greater(std::size_t f, int j, int k, int w) const {
   std::uint64_t decided = 0;
   std::uint64_t greater = 0;

@@ -31,6 +31,8 @@ class MaterialPlanes {
   [[nodiscard]] Material at(Grid grid, int i, int j, int k) const;
   /// Of the edges that word w owns, those whose ends are of different materials.
   [[nodiscard]] std::array<std::uint64_t, family_count> parted(int j, int k, int w) const;
+  /// Of a row, the vertices of word w whose next one is of another material.
+  [[nodiscard]] std::uint64_t parted_along(Grid grid, int j, int k, int w) const;
   /// Of those of a family, those whose first end is of the greater material.
   [[nodiscard]] std::uint64_t first_is_greater(std::size_t f, int j, int k, int w) const;
   /// Of the cells that word w owns, those whose vertices are all of one material.

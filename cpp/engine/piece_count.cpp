@@ -7,6 +7,7 @@
 
 #include "lattice/cell_tables.hpp"
 #include "layer_loop.hpp"
+#include "places.hpp"
 #include "stencil_counts.hpp"
 #include "zero_link.hpp"
 
@@ -87,33 +88,10 @@ class ZeroVisitor {
   const SignPlanes& planes_;
 };
 
-/// Where a zero vertex has moved to, in steps.
-Coord3 position(const WarpedLattice& warped, const Lattice& lattice, const Vertex& v) {
-  const DisplacedLayer& layer = warped.zeros[v.k];
-  std::uint32_t rank = layer.row_begin[static_cast<std::size_t>(v.j)];
-  const auto zeros_before = [&](Grid grid, int end) {
-    const std::uint64_t* const zero = warped.planes.zero(grid, v.j, v.k);
-    for (int w = 0; 64 * w < end; ++w) {
-      const std::uint64_t mask = end - 64 * w >= 64 ? ~std::uint64_t{0} : below(end - 64 * w);
-      rank += static_cast<std::uint32_t>(std::popcount(zero[w] & mask));
-    }
-  };
-  for (const Grid grid : grids)
-    if (grid < v.grid) zeros_before(grid, 64 * warped.planes.words());
-  zeros_before(v.grid, v.i);
-  const Displacement& moved = layer.displacements[rank];
-  return steps * lattice_point(lattice, {v.grid, {}}, v.i, v.j, v.k) +
-         std::int32_t{moved.distance} * tiling.directions[moved.direction];
-}
-
-Point3 middle(const Point3& a, const Point3& b) {
-  return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])};
-}
-
 /// In the order of layers, so that the first places are those of the lowest numbers.
 void add_faults(const LayerZeros& layer, const WarpedLattice& warped, const Lattice& lattice,
                 const Frame& frame, SurfaceFaults& surface) {
-  const auto place = [&](const Vertex& v) { return frame.world(position(warped, lattice, v)); };
+  const auto place = [&](const Vertex& v) { return frame.world(moved_place(warped, lattice, {v.grid, v.i, v.j, v.k})); };
   surface.vertices += layer.vertices.size();
   surface.edges += layer.edges.size();
   for (const Vertex& v : layer.vertices)
@@ -200,6 +178,10 @@ class PieceTets {
 };
 
 }  // namespace
+
+Point3 middle(const Point3& a, const Point3& b) {
+  return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])};
+}
 
 JoinedRuns join_runs(const PlusRuns& runs, const WarpedLattice& warped, const Lattice& lattice,
                      const Frame& frame, Context& context) {

@@ -34,6 +34,8 @@ std::vector<std::uint64_t> count_tets_of_pieces(const PlusRuns& runs,
                                                 const std::vector<std::uint32_t>& piece_of,
                                                 std::size_t pieces, Context& context);
 
+Point3 middle(const Point3& a, const Point3& b);
+
 /// The sets' numbers, from 0 on, by their least elements: of each element, the number of
 /// its set.
 struct NumberedSets {

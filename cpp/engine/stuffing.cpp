@@ -12,6 +12,7 @@
 #include "emit.hpp"
 #include "keep.hpp"
 #include "piece_count.hpp"
+#include "region_pieces.hpp"
 #include "sample.hpp"
 #include "shared_faces.hpp"
 #include "settle.hpp"
@@ -200,7 +201,10 @@ void Stuffing::materials_of(std::span<const TetCorners> tets, std::span<Material
 
 Pieces Stuffing::pieces(const Frame& frame, Context& context) const {
   return within_memory([&] {
-    return count_pieces(state_->warped, state_->lattice, tet_count(), frame, context);
+    const State& s = *state_;
+    return has_interfaces()
+               ? count_region_pieces(s.warped, s.lattice, labels(), tet_count(), frame, context)
+               : count_pieces(s.warped, s.lattice, tet_count(), frame, context);
   });
 }
 
@@ -217,18 +221,17 @@ void Stuffing::visit_faces_between(std::int32_t layer, const VisitTetPairs& visi
 Stuffing Stuffing::keep(const KeepRule& rule, Context& context) {
   return within_memory([&] {
     const State& old = *state_;
-    const PlusRuns runs(old.warped.planes, context);
-    std::vector<bool> stays = runs_that_stay(runs, old.warped, old.lattice, rule, context);
-    const auto part = [&] {
-      WarpedLattice warped = with_runs(old.warped, runs, stays, old.lattice, context);
+    const auto state_of = [&](WarpedLattice warped) {
       RowNumbers numbers(warped.planes, old.lattice, whole(old.lattice), context);
       return std::make_unique<State>(State{old.domain, old.lattice, std::move(warped),
                                            std::move(numbers), old.method, old.inverted_tets});
     };
-    auto kept = part();
-    stays.flip();
-    Stuffing dropped(part());
-    state_ = std::move(kept);
+    auto [kept, rest] = has_interfaces()
+                            ? split_regions(old.warped, old.lattice, rule, context)
+                            : split_runs(old.warped, old.lattice, rule, context);
+    auto state = state_of(std::move(kept));
+    Stuffing dropped(state_of(std::move(rest)));
+    state_ = std::move(state);
     return dropped;
   });
 }

@@ -220,7 +220,7 @@ WrittenMesh write_mesh(const Stuffing& stuffing, const Frame& frame, const Slabs
                        bool label_pieces) {
   checked_size(frame.size);
   try {
-    Source source{stuffing, frame, known, label_pieces && stuffing.labels().size() > 1};
+    Source source{stuffing, frame, known, label_pieces && stuffing.labels().size() > 1 && !stuffing.has_interfaces()};
     return write_all(source, slabs, writer, context);
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::too_large, "out of memory while writing the mesh");

@@ -317,7 +317,9 @@ MeshReport run(const MeshOptions& options, Context& context) {
   if (!options.dry_run)
     write(options, source, counted, slabs, size, context, progress, report);
   watch.see(report.written.regions);
-  watch.see(report.pieces, report.written.region_pieces, report.dropped.pieces > 0);
+  watch.see(report.pieces,
+            report.pieces.regions.empty() ? report.written.region_pieces : report.pieces.regions,
+            report.dropped.pieces > 0);
   const auto size_for = [&](const ImageRegion& region) {
     return size_for_pieces(count_for_search(options, source, report.memory_limit, context),
                            report.size, region, context);

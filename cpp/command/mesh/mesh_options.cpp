@@ -52,9 +52,10 @@ voxel spacing, and with --smooth; not with --crop.  At the smallest spacing, wit
 and up to 12 sizes are tried, each a fifth smaller than the one before, for one that
 keeps them.
 
-The pieces of every mesh are counted, by faces and by vertices, whatever its labels are, and
-with --label-pieces those of each label besides, which takes about as long as measuring; so are the edges and vertices at which its surface is no manifold, of which --method
-paper may leave some.  --keep largest drops all pieces by faces but the one of the most
+The pieces of every mesh are counted, by faces and by vertices, and of several labels
+those of each; with --method paper the latter by --label-pieces alone, for it takes long.
+So are the edges and vertices at which its surface is no manifold, of which --method
+paper may leave some, and others where three labels meet.  --keep largest drops all pieces by faces but the one of the most
 tetrahedra, --keep N all but the N largest, --keep percolating:x (y, z) all that do not go
 from one end of the solid to the other along that axis of the lattice, which is the
 image's or the world's, but for a --size at either end.  What was dropped is told.
@@ -189,7 +190,7 @@ void declare_lattice(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
                   "from end to end: largest, N, percolating:x (y, z)")
       ->option_text("WHICH");
   mesh.add_flag("--label-pieces", options.label_pieces,
-                "Counts the pieces of each label in the mesh, too");
+                "With --method paper: counts the pieces of each label in the mesh, too");
 }
 
 void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
