@@ -83,16 +83,22 @@ class Workshop:
     # -- smaller copies of the project --
 
     def shorten(self):
-        """Leaves of Certificate.v the theorems that are KEPT, which is then what was agreed."""
-        text = (self.root / "Certificate.v").read_text()
+        """Leaves of the last page the theorems that are KEPT, which is then what was agreed, and
+        of that before it none."""
         # No proofs but theirs; and nothing of Mesh, which would have to follow every change of a Spec.
-        text = re.sub(r"From Certet Require (?!Export (?!Mesh))[^\n]*\n", "", text)
+        self.shorten_page("MaterialCertificate.v", r"Export (?!.*(?:Degrees|Range))")
+        self.shorten_page("Certificate.v", "Export (?!Mesh)")
+
+    def shorten_page(self, page, left):
+        text = (self.root / page).read_text()
+        text = re.sub(rf"From Certet Require (?!{left})[^\n]*\n", "", text)
         text = THEOREM.sub(lambda t: t.group() if t.group(1) in KEPT else "", text)
         modules = {Path(file).stem: file[:-2].replace("/", ".") for file in sources(self.root)}
         proofs = sorted({modules[m] for m in re.findall(r"exact (\w+)\.", text)})
-        text = text.replace("\nOpen Scope", f"\nFrom Certet Require {' '.join(proofs)}.\nOpen Scope", 1)
-        self.write("Certificate.v", text)
-        self.compile("Certificate.v")
+        if proofs:
+            text = text.replace("\nOpen Scope", f"\nFrom Certet Require {' '.join(proofs)}.\nOpen Scope", 1)
+        self.write(page, text)
+        self.compile(page)
 
     def only(self, *files):
         """Leaves of _CoqProject these files."""
