@@ -198,18 +198,22 @@ class Labels(ProgramTest):
         return tuple(origin[r] + sum(directions[a][r] * voxel[a] for a in range(3))
                      for r in range(3))
 
-    def assert_lies_on_its_voxels(self, file, directions, origin):
-        """Every tetrahedron has the label of the voxel around its centroid."""
+    def assert_lies_on_its_voxels(self, file, directions, origin, near):
+        """Tetrahedra have the label of the voxel around their centroids, but for those `near` the
+        wall between the bricks; along its rim, where the outside is a third, up to half an edge."""
         points = vtu.points(self.folder / file)
         tets = vtu.tets(self.folder / file)
         labels = vtu.numbers(self.folder / file, "label")
         lengths = [sum(c * c for c in d) for d in directions]
         self.assertEqual(set(labels), {3, 7})
+        rim = 0
         for tet, label in zip(tets, labels):
             at = center([points[n] for n in tet])
             along = sum((at[r] - origin[r]) * directions[0][r] for r in range(3)) / lengths[0]
-            if abs(along - 3.5) > 1e-9:
-                self.assertEqual(label, 3 if along < 3.5 else 7)
+            right = label == (3 if along < 3.5 else 7)
+            rim += not right and abs(along - 3.5) > near
+            self.assertTrue(right or abs(along - 3.5) < 0.45)
+        self.assertLess(rim, 0.03 * len(tets))
         for a in range(3):  # the solid ends where the image does
             alongs = [sum((p[r] - origin[r]) * directions[a][r] for r in range(3)) / lengths[a]
                       for p in points]
@@ -238,7 +242,8 @@ class Labels(ProgramTest):
                     exact = math.prod(e * n for e, n in zip(edges, self.size))
                     self.assertAlmostEqual(report["mesh"]["volume"], exact, delta=0.25 * exact)
                     if name != "anisotropic":
-                        self.assert_lies_on_its_voxels("b.vtu", directions, origin)
+                        self.assert_lies_on_its_voxels("b.vtu", directions, origin,
+                                                       0.26 if cuts == "midpoint" else 0.05)
 
     def test_touching_the_border_is_closed(self):
         self.brick("b.nrrd", ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
