@@ -13,9 +13,9 @@ namespace {
 void emit_row_materials(const SignPlanes& planes, int j, int k, Material* out) {
   const SignRows signs(planes, j, k);
   for (int w = 0; w < planes.words(); ++w) {
-    const auto [any, whole] = kinds_of_cells(planes, signs, j, k, w);
-    for_each_bit(any, [&](int b) {
-      if ((whole >> b & 1) != 0)
+    const CellKinds cells = kinds_of_cells(planes, signs, j, k, w);
+    for_each_bit(cells.any, [&](int b) {
+      if ((cells.whole >> b & 1) != 0)
         out = std::fill_n(out, cell_tet_count, material_of_whole_cell(planes, 64 * w + b, j, k));
       else
         for_each_material_tet(planes, 64 * w + b, j, k,

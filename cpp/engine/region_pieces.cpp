@@ -196,7 +196,7 @@ class PointJoiner {
   }
 
   void join_faces(const VertexIndex& v) {
-    const auto [plus, zero] = link(v);
+    const LinkSet zero = link(v).second;
     for_each_bit(zero, [&](int a) {
       for_each_bit(zero & link_ring[static_cast<std::size_t>(a)] & after(a), [&](int b) {
         const LinkSet sides =
