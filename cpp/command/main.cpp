@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "command_line.hpp"
@@ -37,6 +38,9 @@ int main(int argc, char** argv) {
       return static_cast<int>(say(Status::too_large, "out of memory for another thread"));
     return static_cast<int>(say(Status::bad_input, error.what()));
   } catch (const std::exception& error) {
+    // oneTBB tells the same by this sentence alone.
+    if (std::string_view(error.what()).starts_with("pthread_create has failed"))
+      return static_cast<int>(say(Status::too_large, "out of memory for another thread"));
     return static_cast<int>(say(Status::bad_input, error.what()));
   }
 }
