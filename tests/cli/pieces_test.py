@@ -99,6 +99,9 @@ class Counted(PiecesTest):
         faults = report["mesh"]["nonmanifold"]
         self.assertEqual(len(faults["vertex_places"]), min(8, faults["vertices"]))
         self.assertEqual(len(faults["edge_places"]), min(8, faults["edges"]))
+        self.assertGreater(faults["edges"], 0)
+        for x, y, _ in faults["edge_places"] + faults["vertex_places"]:
+            self.assertLess(max(abs(x - 4.5), abs(y - 4.5)), 0.5)
 
 
 class Keep(PiecesTest):

@@ -54,7 +54,9 @@ void RegionWatch::see(std::span<const Region> written) {
 /// Of a level they are those of its region.
 void RegionWatch::see(const Pieces& pieces, std::span<const RegionPieces> regions,
                       bool dropped) {
-  pieces_.assign(regions_.size(), {});
+  // Where pieces are told of the others, a label without any has none.
+  pieces_.assign(regions_.size(),
+                 regions.empty() ? std::nullopt : std::optional(PieceCount{}));
   if (regions_.size() == 1) pieces_[0] = pieces.whole;
   for (const RegionPieces& region : regions)
     if (const std::size_t which = index_of(regions_, region.label); which < pieces_.size())

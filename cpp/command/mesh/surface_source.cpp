@@ -25,10 +25,12 @@ std::string remedy(const SurfaceDefects& defects) {
   return defects.holes.count == 1 ? "--repair closes it" : "--repair closes them";
 }
 
+/// Of an open surface inside is told by the winding number, whatever its edges say.
 std::vector<std::string> notes_on(const TriangleSurface& surface,
-                                  const SurfaceDefects& defects) {
+                                  const SurfaceDefects& defects, bool open) {
   std::vector<std::string> notes;
-  if (defects.misoriented_edges.count != 0)
+  const bool by_parity = !open && defects.misoriented_edges.count != 0;
+  if (by_parity)
     notes.push_back(fmt::format(
         "the triangles of '{}' do not agree which side is out along {}, {}; inside is what an "
         "odd number of triangles separate from the outside",
@@ -39,8 +41,8 @@ std::vector<std::string> notes_on(const TriangleSurface& surface,
         "the surface '{}' passes through itself in {}, {}; {}", surface.name,
         counted(defects.self_intersections, "pair of triangles", "pairs of triangles"),
         place(defects.self_intersections),
-        defects.misoriented_edges.count != 0 ? "what is twice inside is outside"
-                                             : "what is inside more than once is inside"));
+        by_parity ? "what is twice inside is outside"
+                  : "what is inside more than once is inside"));
   if (defects.inside_out)
     notes.push_back(fmt::format(
         "the surface '{}' is inside out; what it encloses is meshed", surface.name));
@@ -73,7 +75,7 @@ CheckedSurface open_surface(const std::filesystem::path& file, bool close_holes,
   const SurfaceDefects defects = inspect(result.surface, context);
   if (result.open) refuse_unclear(result.surface, context);
   else refuse_open(result.surface, defects, close_holes ? "" : remedy(defects));
-  for (std::string& note : notes_on(result.surface, defects))
+  for (std::string& note : notes_on(result.surface, defects, result.open))
     result.notes.push_back(std::move(note));
   result.measures = measure(result.surface, context);
   result.size = default_size(result.surface, result.measures);

@@ -88,10 +88,11 @@ void refuse_unclear(const TriangleSurface& surface, const Context& context) {
     throw Error(ErrorCode::bad_input, disagree + text);
   }
   const Facing pieces = facing_of(surface, context);
-  if (pieces.against >= stray) {
+  const double against = pieces.against * pieces.area;
+  if (against >= stray) {
     std::snprintf(text, sizeof text,
                   "%.0f %% of their area face other ways than what is around them",
-                  100 * pieces.against);
+                  100 * against);
     throw Error(ErrorCode::bad_input, disagree + text);
   }
   if (pieces.area < 0.5 || sums.beside >= weak * sums.area) return;

@@ -62,7 +62,7 @@ void check_reach(const Volume::State& volume, const Frame& frame, const Lattice&
   constexpr double farthest = 1 << 30;
   for (int corner = 0; corner < 8; ++corner) {
     const auto side = [&](std::size_t a) {
-      return frame.origin[a] + (corner >> a & 1 ? 1 : -1) * frame.size * lattice.cells[a];
+      return frame.origin[a] + (corner >> a & 1 ? 1 : -1) * frame.size / 2 * lattice.cells[a];
     };
     const Vec3d at = volume.grid->worldToIndex(Vec3d(side(0), side(1), side(2)));
     for (int a = 0; a < 3; ++a)
