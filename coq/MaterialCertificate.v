@@ -12,7 +12,7 @@
 
 From Coq Require Import ZArith Reals List.
 
-(** What runs. *)
+(** What is extracted. *)
 From Certet Require Export Lattice.Coord3 Lattice.StructuredTet.
 From Certet Require Export Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Export Warp.Cut Warp.Warp.
@@ -42,7 +42,9 @@ Open Scope Z_scope.
 
     [DemotedTets] is the whole of it: vertices that are violated move, those
     that would spoil a tetrahedron between interfaces stay, cuts are kept alpha
-    away from both ends of their edges; read [Material/Demotion.v]. *)
+    away from both ends of their edges; read [Material/Demotion.v].  The library
+    keeps other vertices than these: what it makes, [AnyMaterialSubsetStays] and
+    [MaterialDihedralBounds] cover. *)
 
 (** Every tetrahedron of every material, however many there are, has positive
     volume and dihedral angles between 10.77 and 164.76 degrees, as integers tell

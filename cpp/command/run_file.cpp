@@ -44,8 +44,10 @@ Method method_of(const Json& json) {
 /// The bounds are the product's own, never those that a file claims.
 AngleBounds bounds_of(const Json& json) {
   const Method method = method_of(json);
-  const AngleBounds& bounds = facts(method).bounds;
   const Json& guarantee = json.at("guarantee");
+  AngleBounds bounds = facts(method).bounds;
+  if (facts(method).interfaces && text(guarantee.at("theorem")) != bounds.theorem)
+    bounds = certet::bounds_of(method, true);
   if (json.value("theorem", std::string(bounds.theorem)) != bounds.theorem) refuse_run(other_theorem);
   if (json.contains("method") && text(json.at("method").at("name")) != name(method))
     refuse_run(other_theorem);

@@ -2,6 +2,7 @@
 /// \file
 /// The tetrahedra of cells in which materials meet each other, or the outside.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -56,9 +57,10 @@ void for_each_owned_tet(const SignPlanes& planes, int i, int j, int k, const Vis
     };
     const CornerMaterials corners = of_corners(material);
     for (const MaterialTet& tet : material_tets(corners)) {
-      // Corners that have all moved have one lower material.
-      const Material owner =
-          tet.owner == shared_owner ? lower[corner[0]] : corners[tet.owner];
+      // Corners that have all moved have one lower material, but for those that pieces were
+      // dropped around: it is 0 of some then, and so is the tetrahedron's.
+      const Material owner = tet.owner == shared_owner ? std::ranges::min(of_corners(lower))
+                                                       : corners[tet.owner];
       if (owner != 0) visit(c, tet, owner);
     }
   }

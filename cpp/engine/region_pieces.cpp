@@ -293,7 +293,8 @@ class PointJoiner {
     const LinkSet zero = link(v).second;
     if (std::popcount(zero) < 3) return;
     for (const auto& [d, e, f] : link_triangles)
-      if ((zero >> d & zero >> e & zero >> f & 1) != 0)
+      if ((zero >> d & zero >> e & zero >> f & 1) != 0 && joiner_.material(v.next(d)) != 0 &&
+          joiner_.material(v.next(e)) != 0 && joiner_.material(v.next(f)) != 0)
         visit(key_of(v, {d, e, f}), std::array<int, 3>{d, e, f});
   }
 
@@ -429,10 +430,12 @@ std::vector<std::uint64_t> count_tets_of_regions(const RegionRuns& runs,
                                                  const std::vector<std::uint32_t>& piece_of,
                                                  std::size_t pieces) {
   std::vector<std::uint64_t> tets(pieces, 0);
-  std::map<std::uint64_t, std::uint32_t> shared_at;  // by the least corner: any of its pieces
-  for (std::size_t n = 0; n < joined.shared.size(); ++n)
-    for (const VertexIndex& v : joined.shared[n])
-      shared_at[number_of(v)] = piece_of[runs.size() + n];
+  std::map<SharedKey, std::uint32_t> shared_at;
+  for (std::size_t n = 0; n < joined.shared.size(); ++n) {
+    SharedKey key;
+    std::ranges::transform(joined.shared[n], key.begin(), number_of);
+    shared_at.emplace(key, piece_of[runs.size() + n]);
+  }
   for (std::int32_t k = 0; k < planes.cells()[2]; ++k)
     for (std::int32_t j = 0; j < planes.cells()[1]; ++j) {
       const SignRows signs(planes, j, k);
@@ -448,12 +451,16 @@ std::vector<std::uint64_t> count_tets_of_regions(const RegionRuns& runs,
         for_each_bit(cells.any & ~cells.whole, [&](int b) {
           for_each_owned_tet(planes, 64 * w + b, j, k,
                              [&](std::size_t c, const MaterialTet& tet, Material) {
-                               const VertexIndex v = vertex_at(
-                                   b, cell.corner[c][tet.owner == shared_owner ? 0 : tet.owner]);
-                               const std::uint32_t piece = tet.owner == shared_owner
-                                                               ? shared_at.at(number_of(v))
-                                                               : piece_of[runs.run_of(v)];
-                               ++tets[piece];
+                               if (tet.owner != shared_owner) {
+                                 ++tets[piece_of[runs.run_of(
+                                     vertex_at(b, cell.corner[c][tet.owner]))]];
+                                 return;
+                               }
+                               SharedKey key;
+                               for (std::size_t n = 0; n < 4; ++n)
+                                 key[n] = number_of(vertex_at(b, cell.corner[c][n]));
+                               std::ranges::sort(key);
+                               ++tets[shared_at.at(key)];
                              });
         });
       }

@@ -59,7 +59,7 @@ void refuse_unsound(const Mesh& mesh, std::span<const Point3> world,
     case Standing::outside:
       throw Error(ErrorCode::check_failed,
                   "'" + file.string() + "' was not written: the mesh has angles that " +
-                      std::string(facts(mesh.method).bounds.theorem) + " rules out");
+                      std::string(bounds_of(mesh).theorem) + " rules out");
   }
 }
 

@@ -107,13 +107,14 @@ class FacePieces {
   }
 
   /// The tetrahedra of one face.
-  void join(std::uint64_t lowest, std::span<const Face> run) {
+  void join(std::uint64_t lowest, std::span<Face> run) {
     if (run.size() == 1) surface_.push_back(outward(lowest, run.front()));
-    for (std::size_t n = 1; n < run.size(); ++n) {
-      whole_.join(run.front().tet, run[n].tet);
-      for (std::size_t m = 0; m < n && !labels_.empty(); ++m)
-        if (labels_[run[m].tet] == labels_[run[n].tet]) of_labels_.join(run[m].tet, run[n].tet);
-    }
+    for (std::size_t n = 1; n < run.size(); ++n) whole_.join(run.front().tet, run[n].tet);
+    if (labels_.empty() || run.size() == 1) return;
+    const auto label = [this](const Face& face) { return labels_[face.tet]; };
+    std::ranges::sort(run, {}, label);
+    for (std::size_t n = 1; n < run.size(); ++n)
+      if (label(run[n - 1]) == label(run[n])) of_labels_.join(run[n - 1].tet, run[n].tet);
   }
 
   /// As seen from outside.

@@ -123,7 +123,7 @@ std::shared_ptr<PythonMesh> mesh_surface(
 }
 
 py::dict quality_of(const PythonMesh& mesh) {
-  const AngleBounds& bounds = facts(mesh.mesh.method).bounds;
+  const AngleBounds bounds = bounds_of(mesh.mesh);
   PlacedQuality placed;
   {
     const py::gil_scoped_release unlocked;

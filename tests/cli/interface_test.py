@@ -61,6 +61,23 @@ class Interfaces(ProgramTest):
             self.assertAlmostEqual(sum(r["volume"] for r in report["regions"]),
                                    report["mesh"]["volume"], delta=1e-6)
 
+    def test_the_theorem_is_that_on_several_materials(self):
+        for method, theorem in (("embedded", "MaterialDihedralBoundsInDegrees"),
+                                ("midpoint", "MaterialMidpointBoundsInDegrees"),
+                                ("paper", "DihedralBounds")):
+            run = self.run_certet("mesh", "a.nrrd", "-o", "a.vtu", "--method", method, "--json",
+                                  "run.json")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            report = json.loads((self.folder / "run.json").read_text())
+            self.assertTrue(report["theorem"].startswith(theorem), report["theorem"])
+            self.assertIn("theorem " + report["theorem"], run.stdout)
+            check = self.run_certet("check", "a.vtu", "--run", "run.json")
+            self.assertEqual(check.returncode, 0, check.stderr)
+            self.assertIn("within theorem " + theorem, check.stdout)
+        # Of one label it is the one on a solid.
+        report = self.mesh("a.nrrd", "-o", "a.vtu", "--labels", "2")
+        self.assertEqual(report["theorem"], "SettledBoundsInDegrees")
+
     def test_the_surface_of_a_region_is_closed_around_it(self):
         report = self.mesh("a.nrrd", "-o", "a.vtu")
         for region in report["regions"]:

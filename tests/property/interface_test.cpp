@@ -78,6 +78,8 @@ std::map<std::int32_t, int> pieces_of(const Mesh& mesh) {
 }
 
 std::string shape_fault(const Mesh& mesh) {
+  const exact::AngleRange& range =
+      mesh.method == Method::midpoint ? exact::midpoint_range : exact::angles_range;
   std::set<std::uint32_t> used;
   for (const auto& tet : tets_of(mesh)) {
     used.insert(tet.begin(), tet.end());
@@ -85,7 +87,7 @@ std::string shape_fault(const Mesh& mesh) {
                              mesh.points[tet[3]]};
     if (exact::six_volume(corners) <= 0) return "a tetrahedron is not positive";
     for (const exact::Dihedral& angle : exact::dihedrals(corners))
-      if (!exact::angles_range.contains(angle)) return "an angle is out of range";
+      if (!range.contains(angle)) return "an angle is out of range";
   }
   return used.size() == mesh.points.size() ? "" : "a point belongs to no tetrahedron";
 }

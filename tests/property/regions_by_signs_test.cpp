@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 #include "materials.hpp"
@@ -75,6 +76,31 @@ std::vector<LabelledTet> labelled(const Stuffing& stuffing) {
   }
   std::ranges::sort(all);
   return all;
+}
+
+/// Points that no tetrahedron has.
+std::size_t idle_points(const Stuffing& stuffing) {
+  const plain::Mesh mesh = emitted(stuffing);
+  std::set<std::uint64_t> used;
+  for (const auto& tet : mesh.tets) used.insert(tet.begin(), tet.end());
+  return mesh.points.size() - used.size();
+}
+
+/// Whatever stays, nothing is lost, and nothing is made.
+TEST(RegionsBySigns, WhatStaysAndTheRestAreTheWhole) {
+  for (int n = 0; n < 24; ++n)
+    for (const KeepRule rule : {KeepRule(KeepLargest{2}), KeepRule(KeepPercolating{2})}) {
+      auto [domain, stuffing] = region_case(n);
+      const std::vector<LabelledTet> before = labelled(stuffing);
+      Context context;
+      const Stuffing rest = stuffing.keep(rule, context);
+      std::vector<LabelledTet> after = labelled(stuffing);
+      const std::vector<LabelledTet> others = labelled(rest);
+      after.insert(after.end(), others.begin(), others.end());
+      std::ranges::sort(after);
+      ASSERT_TRUE(after == before) << n;
+      ASSERT_EQ(idle_points(stuffing) + idle_points(rest), 0U) << n;
+    }
 }
 
 TEST(RegionsBySigns, TheLargestStaysAndTheRestIsDropped) {

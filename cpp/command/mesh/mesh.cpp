@@ -1,3 +1,4 @@
+#include <bit>
 #include <cstdio>
 #include <iterator>
 #include <limits>
@@ -64,12 +65,17 @@ void check_outputs(const MeshOptions& options) {
                                         " allowed; choose a larger --size or fewer --target-tets");
 }
 
-/// The engine holds a sign in two bits for two points in each cell, twice while
-/// it warps, and the numbers of every row.
-void check_lattice(const PlacedSource& source, std::uint64_t limit) {
+/// The engine holds a sign in two bits for two points in each cell and, where it cuts
+/// materials apart, the digits of their numbers, both twice while it warps, and the
+/// numbers of every row.
+void check_lattice(const PlacedSource& source, Method method, std::uint64_t limit) {
   const auto& cells = source.lattice.cells;
   const double rows = static_cast<double>(cells[1]) * cells[2];
-  const double needed = rows * (static_cast<double>(cells[0]) + 32) +
+  const std::size_t labels = source.domain->labels().size();
+  const double digits = facts(method).interfaces && labels > 1
+                            ? static_cast<double>(std::bit_width(labels))
+                            : 0;
+  const double needed = rows * (static_cast<double>(cells[0]) * (1 + digits / 2) + 32) +
                         static_cast<double>(source.bytes);
   if (needed > static_cast<double>(limit))
     refuse_memory("a lattice of " + std::to_string(cells[0]) + " x " +
@@ -93,7 +99,7 @@ Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report) {
 
 [[noreturn]] void refuse_angles(const MeshReport& report) {
   const Quality& lattice = report.written.lattice;
-  const AngleBounds& bounds = facts(report.used).bounds;
+  const AngleBounds bounds = bounds_of(report);
   const bool in_lattice = within(lattice, bounds, shown_rounding);
   const Quality& quality = in_lattice ? report.written.world : lattice;
   throw Error(ErrorCode::check_failed,
@@ -143,7 +149,7 @@ KeepingSize::CountAt count_for_search(const MeshOptions& options, const Source& 
   return [&options, &source, limit, &context](double size,
                                               SearchBudget& budget) -> std::optional<Counted> {
     PlacedSource placed = source.place(size);
-    check_lattice(placed, limit);
+    check_lattice(placed, options.method, limit);
     if (!budget.pay_for(placed)) return std::nullopt;
     Stuffing stuffing(*placed.domain, placed.lattice, options.method, context);
     if (static_cast<double>(stuffing.tet_count()) > most_searched_tets) return std::nullopt;
@@ -219,7 +225,7 @@ Counted count(const MeshOptions& options, const Source& source, Context& context
   report.read_seconds += reading.seconds();
   const auto count_at = [&](double size) {
     PlacedSource placed = source.place(size);
-    check_lattice(placed, report.memory_limit);
+    check_lattice(placed, options.method, report.memory_limit);
     Stuffing stuffing(*placed.domain, placed.lattice, options.method, context);
     return Counted{std::move(placed), std::move(stuffing)};
   };
@@ -247,6 +253,7 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
   report.size = source.frame.size;
   if (options.origin == OutputOrigin::lattice) report.output_origin = source.frame.origin;
   report.used = stuffing.method();
+  report.cut_apart = stuffing.has_interfaces();
   report.inverted_tets = stuffing.inverted_tets();
   report.warp = stuffing.warp_figures();
   report.points = stuffing.point_count();

@@ -11,7 +11,7 @@ namespace {
 std::string hexadecimal(std::uint64_t number) { return fmt::format("0x{:016x}", number); }
 
 Json guarantee(const MeshReport& report) {
-  const AngleBounds& bounds = facts(report.used).bounds;
+  const AngleBounds bounds = bounds_of(report);
   Json json{{"asked", name(report.asked)},
             {"used", name(report.used)},
             {"theorem", bounds.theorem},
@@ -128,7 +128,7 @@ std::string json(const MeshReport& report) {
                        {"kept", report.dropped.kept},
                        {"tets", report.dropped.tets},
                        {"volume", report.dropped.volume}};
-  json["theorem"] = facts(report.used).bounds.theorem;
+  json["theorem"] = bounds_of(report).theorem;
   json["guarantee"] = guarantee(report);
   json["seconds"] = seconds(report);
   json["warnings"] = report.warnings;

@@ -43,6 +43,7 @@ struct MeshReport {
   std::uint64_t target_tets = 0;  ///< 0: the size was not searched for
   int tries = 1;
   Method asked{}, used{};
+  bool cut_apart = false;  ///< whether several materials are
   std::uint64_t inverted_tets = 0;
   WarpFigures warp;
 
@@ -62,6 +63,11 @@ struct MeshReport {
 
 /// How the mesh that was measured stands to its theorem.
 Standing standing(const MeshReport& report);
+
+/// The theorem that covers it.
+inline AngleBounds bounds_of(const MeshReport& report) {
+  return certet::bounds_of(report.used, report.cut_apart);
+}
 
 /// For people.
 std::string table(const MeshReport& report);

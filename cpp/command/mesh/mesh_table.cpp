@@ -11,9 +11,12 @@ namespace {
 void add_method(Lines& lines, const MeshReport& report) {
   const MethodFacts& method = facts(report.used);
   lines.add(report.dry_run ? "bounds" : "proven", "{:.3f}° to {:.3f}°, theorem {}{}",
-            method.bounds.min_dihedral, method.bounds.max_dihedral, method.bounds.theorem,
+            method.bounds.min_dihedral, method.bounds.max_dihedral, bounds_of(report).theorem,
             report.dry_run ? "; no angle was measured" : "");
-  lines.add("method", "{}: {}{}", method.name, method.sentence,
+  // What is proved of one solid besides its angles is not of several.
+  lines.add("method", "{}: {}{}", method.name,
+            report.cut_apart ? "labels are cut apart, each by the rule for one solid"
+                             : method.sentence,
             report.used == report.asked
                 ? ""
                 : fmt::format(" ({} inverted {} dropped tetrahedra)", name(report.asked),

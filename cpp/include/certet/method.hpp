@@ -35,7 +35,7 @@ enum class Method : std::uint8_t {
 /// What a theorem promises of a mesh, in degrees.
 struct AngleBounds {
   double min_dihedral, max_dihedral;
-  std::string_view theorem;  ///< its name in coq/Certificate.v
+  std::string_view theorem;  ///< its name in coq/Certificate.v, or on a page that it exports
 };
 
 /// What a method does, and what its theorem promises.
@@ -71,6 +71,16 @@ constexpr const MethodFacts& facts(Method method) {
   return methods[static_cast<std::size_t>(method)];
 }
 constexpr std::string_view name(Method method) { return facts(method).name; }
+
+/// The theorem on angles that covers a mesh and, where materials are cut apart in it, speaks
+/// of any number of them; the bounds are the same.
+constexpr AngleBounds bounds_of(Method method, bool cut_apart) {
+  AngleBounds bounds = facts(method).bounds;
+  if (cut_apart)
+    bounds.theorem = method == Method::midpoint ? "MaterialMidpointBoundsInDegrees"
+                                                : "MaterialDihedralBoundsInDegrees";
+  return bounds;
+}
 
 /// The method of a name.
 constexpr std::optional<Method> method_named(std::string_view name) {

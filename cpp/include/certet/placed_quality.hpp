@@ -57,8 +57,11 @@ std::uint64_t count_coincident(std::span<const Point3> points);
 /// Measures a whole mesh.  `world` are its points in the world.
 PlacedQuality measure_placed(const Mesh& mesh, std::span<const Point3> world);
 
+/// The theorem that covers a mesh: that on several materials where its labels are cut apart.
+AngleBounds bounds_of(const Mesh& mesh);
+
 /// The dihedral angles (degrees) and the volume of a mesh, in exact coordinates and in
-/// world units; `standing_of` compares them with `facts(mesh.method).bounds`.
+/// world units; `standing_of` compares them with `bounds_of(mesh)`.
 /// \throws Error `too_large` (out of memory).
 PlacedQuality quality(const Mesh& mesh);
 

@@ -109,7 +109,7 @@ class Stuffing {
   /// \throws Error `cancelled`, `too_large` (out of memory, or 2^32 runs).
   [[nodiscard]] Pieces pieces(const Frame& frame, Context& context) const;
 
-  /// Tells which tetrahedra of a layer share a face with each other, or with which of the
+  /// Of a mesh without interfaces: tells which tetrahedra of a layer share a face with each other, or with which of the
   /// next layer: each pair once, in no order that means anything.
   void visit_faces_within(std::int32_t layer, const VisitTetPairs& visit) const;
   void visit_faces_between(std::int32_t layer, const VisitTetPairs& visit) const;

@@ -40,6 +40,13 @@ bool excused(const PlacedQuality& placed, const AngleBounds& bounds) {
 
 }  // namespace
 
+AngleBounds bounds_of(const Mesh& mesh) {
+  const auto& labels = mesh.labels;
+  const bool several =
+      std::ranges::adjacent_find(labels, std::ranges::not_equal_to()) != labels.end();
+  return bounds_of(mesh.method, several && facts(mesh.method).interfaces);
+}
+
 Standing standing_of(const PlacedQuality& placed, const AngleBounds& bounds) {
   if (placed.lattice.tets != placed.world.tets ||
       !within(placed.lattice, bounds, lattice_error))
