@@ -1152,8 +1152,9 @@ Proof. exact TwoSidesFillProof.OtherSidePlaced. Qed.
 
     Read [Topology/VoxelSpec.v]: which voxel a lattice point lies in, and how it is
     sampled.  [VoxelSigns] is extracted, and by default the library takes the same
-    samples.  Where all points in the image are inside, odd ones too, as with the
-    other methods, this is not proved. *)
+    samples of one label, at sizes up to the spacing.  Where all points in the image
+    are inside, odd ones too, as of several labels and with the other methods, this
+    is not proved. *)
 
 (** If no voxel is narrower than the lattice's long edge, wherever the lattice lies,
     the pieces of the samples by edges are the pieces of the image by faces, *)

@@ -7,8 +7,8 @@
 
 namespace certet::core {
 
-/// The lattice of a mesh in two: what stays, and the rest.  No edge joins the two: what is
-/// around either is as it was.
+/// The lattice of a mesh in two: what stays, and the rest.  No face joins the two: the
+/// tetrahedra of either are as they were.
 struct SplitLattice {
   WarpedLattice kept, rest;
 };

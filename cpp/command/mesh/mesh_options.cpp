@@ -104,9 +104,9 @@ tets, volume}, dihedral
 theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
 cut, warp, count, pieces, emit, measure, write, total}, memory {limit, needed, least,
 peak}, warnings, and for images regions [{label, voxels, tets, name where the file or
---label-names has one, volume, voxel_volume, pieces (by faces), and with --label-pieces or of
-one label pieces_by_vertices; without, pieces is of the samples, and told where the image's are:
-image_pieces {by_corners, by_faces}}], with --smooth: smoothing
+--label-names has one, volume, voxel_volume, pieces (by faces) and pieces_by_vertices; of several
+labels with --method paper by --label-pieces alone, else pieces is of the samples, and told
+where the image's are: image_pieces {by_corners, by_faces}}], with --smooth: smoothing
 {sigma, voxel_volume, mesh_volume, change}.  Lengths are in world units, angles in degrees, memory in bytes; the
 histogram has 36 bins of 5 degrees, counted before coordinates are rounded; rounding
 is what the doubles of the world can turn an angle by; output.origin is where in the

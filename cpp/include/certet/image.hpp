@@ -129,8 +129,8 @@ struct ImageLattice {
 /// are not 0.  What a point is made of is the label of the voxel it lies in; the
 /// materials are the labels that the image has of the chosen ones, ascending.
 ///
-/// A tetrahedron has the label of the voxel nearest to its centroid or, where that
-/// one was not chosen, of the chosen voxel at the corner nearest to it.
+/// By the paper's methods a tetrahedron has the label of the voxel nearest to its centroid
+/// or, where that one was not chosen, of the chosen voxel at the corner nearest to it.
 /// \throws Error `bad_option` (size, margin), `bad_input` (voxels that are not
 /// whole numbers, or chosen labels beyond 32 bits), `empty_domain`, `too_large`.
 std::unique_ptr<PlacedDomain> label_domain(std::shared_ptr<const Image> image,

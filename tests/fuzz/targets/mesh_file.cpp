@@ -2,6 +2,7 @@
 // convert` begins with.
 
 #include "certet/check.hpp"
+#include "certet/count_pieces.hpp"
 #include "certet/formats.hpp"
 #include "reader.hpp"
 #include "targets.hpp"
@@ -19,6 +20,7 @@ void mesh_file(Bytes bytes) {
       throw Finding("there are labels, but not one for each tetrahedron");
     const std::span<const certet::Tet<std::uint64_t>> tets(mesh.tets);
     certet::check(mesh.points, tets, context);
+    certet::count_pieces(mesh.points, tets, mesh.labels, context);
     certet::survey(mesh.points.size(), tets, mesh.labels, context);
     certet::checksum(mesh);
   });
