@@ -1,15 +1,11 @@
 (** * What a vertex finds when its link is a strict disk *)
 
 From Coq Require Import List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec Angles.Cases.Isometry.
-From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
-From Certet Require Import Embedding.SettleSpec.
-From Certet Require Import Embedding.LeavingProof Embedding.LinkProof.
-From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.LeavingProof
+  Embedding.LinkProof Embedding.EdgeRank Embedding.GreedyProof.
 Import ListNotations.
 
 Lemma NeverNext v : ~ Adjacent v v.

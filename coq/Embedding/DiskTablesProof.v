@@ -1,11 +1,10 @@
 (** * The strict disk by tables is the strict disk *)
 
 From Coq Require Import List Bool Arith Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Angles.Cases.Isometry.
-From Certet Require Import Embedding.DiskRule Embedding.DiskTables.
-From Certet Require Import Embedding.LinkProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Embedding.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.DiskTables
+  Embedding.LinkProof.
 Import ListNotations.
 
 Lemma AtGather {A} (f : Direction -> A) d : At (Gather f) d = f d.

@@ -12,14 +12,11 @@
     the third. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol Stencil.SymbolProof.
-From Certet Require Import Stencil.CompatibilityChecker Stencil.TriangleSpec.
-From Certet Require Import Warp.Cut Warp.Warp.
-From Certet Require Import Stuffing.Stuffing Stuffing.NameProof.
-From Certet Require Import Angles.AnglesSpec Embedding.EmbeddingSpec.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.SymbolProof
+  Stencil.CompatibilityChecker Stuffing.NameProof.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -6,21 +6,14 @@
     corners, and the parts are more than that. *)
 
 From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.NeighborSpec.
-From Certet Require Import Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.TriangleSpec.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Cases.AdmissibleProof.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.Rounding.
-From Certet Require Import Embedding.LatticeEmbedsProof Embedding.EdgeRank.
-From Certet Require Import Embedding.WarpedLatticeProof Embedding.MeshEmbedsProof.
-From Certet Require Import Embedding.GreedyProof.
-From Certet Require Import Embedding.LevelProof Embedding.LatticeVolumeProof.
-From Certet Require Import Embedding.StarProof.
-From Certet Require Import Embedding.FillingProof Embedding.ApproachProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Angles.Cases.AdmissibleProof Embedding.Rounding
+  Embedding.LatticeEmbedsProof Embedding.EdgeRank Embedding.WarpedLatticeProof
+  Embedding.MeshEmbedsProof Embedding.GreedyProof Embedding.LevelProof
+  Embedding.LatticeVolumeProof Embedding.StarProof Embedding.FillingProof
+  Embedding.ApproachProof.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -6,17 +6,12 @@
     little enough, if their volumes are positive; so there was none. *)
 
 From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.NeighborSpec.
-From Certet Require Import Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Embedding.EmbeddingSpec.
-From Certet Require Import Embedding.LatticeEmbedsProof.
-From Certet Require Import Embedding.WarpedLatticeProof.
-From Certet Require Import Embedding.GreedyProof Embedding.MeshEmbedsProof.
-From Certet Require Import Embedding.MeshApartProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Embedding.LatticeEmbedsProof
+  Embedding.WarpedLatticeProof Embedding.GreedyProof Embedding.MeshEmbedsProof
+  Embedding.MeshApartProof.
 Open Scope Z_scope.
 
 (** ** A point's weights from volumes *)

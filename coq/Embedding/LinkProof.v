@@ -1,10 +1,8 @@
 (** * The link of a vertex: what its checks tell *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Angles.Cases.Isometry.
-From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
-From Certet Require Import Embedding.LeavingProof.
+From Certet Require Import Lattice.Definitions Embedding.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.LeavingProof.
 Import ListNotations.
 
 Lemma AdjacentMutual u v : Adjacent u v -> Adjacent v u.

@@ -5,11 +5,9 @@
     around the few points near the origin and moved. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Stuffing.MeshSpec.
-From Certet Require Import Angles.AnglesSpec Angles.Cases.Isometry.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.EdgeRank.
+From Certet Require Import Lattice.Definitions Stuffing.Definitions
+  Angles.Definitions Embedding.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.EdgeRank.
 Import ListNotations.
 Open Scope Z_scope.
 

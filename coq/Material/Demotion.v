@@ -9,12 +9,9 @@
     ends of their edges. *)
 
 From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Embedding.WarpOrClamp.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
+  Material.Definitions.
 Import ListNotations.
 Open Scope Z_scope.
 

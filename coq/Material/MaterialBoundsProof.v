@@ -5,26 +5,15 @@
     and the fill. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing Stuffing.Domain.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Forms.CheckerProof.
-From Certet Require Import Angles.Cases.Configurations.
-From Certet Require Import Angles.Cases.SymmetryProof.
-From Certet Require Import Angles.Cases.ReductionProof.
-From Certet Require Import Angles.Cases.AdmissibleProof.
-From Certet Require Import Angles.Jobs.AnglesFewSurface.
-From Certet Require Import Angles.Jobs.AnglesManySurface.
-From Certet Require Import Angles.Jobs.EmbeddingFewSurface.
-From Certet Require Import Angles.Jobs.EmbeddingManySurface.
-From Certet Require Import Angles.Jobs.MidpointFixed.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.MaterialSpec.
-From Certet Require Import Material.MaterialConfigurations.
-From Certet Require Import Material.MaterialReductionProof.
-From Certet Require Import Material.MaterialWithinProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Material.Definitions.
+From Certet Require Import Angles.Forms.CheckerProof Angles.Cases.Configurations
+  Angles.Cases.SymmetryProof Angles.Cases.ReductionProof
+  Angles.Cases.AdmissibleProof Angles.Jobs.AnglesFewSurface
+  Angles.Jobs.AnglesManySurface Angles.Jobs.EmbeddingFewSurface
+  Angles.Jobs.EmbeddingManySurface Angles.Jobs.MidpointFixed
+  Material.MaterialConfigurations Material.MaterialReductionProof
+  Material.MaterialWithinProof.
 Import ListNotations.
 Open Scope Z_scope.
 

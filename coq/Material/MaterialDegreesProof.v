@@ -1,16 +1,10 @@
 (** * The angles of several materials, in degrees *)
 
 From Coq Require Import ZArith Reals List Lra.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing Stuffing.Domain.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
-From Certet Require Import Angles.Degrees.DegreesProof.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.MaterialSpec Material.Demotion.
-From Certet Require Import Material.MaterialBoundsProof.
-From Certet Require Import Material.MaterialWarpProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Material.Definitions.
+From Certet Require Import Angles.DegreesSpec Angles.Degrees.DegreesProof
+  Material.Demotion Material.MaterialBoundsProof Material.MaterialWarpProof.
 
 Theorem MaterialDihedralBoundsInDegrees : forall before warping cut shared tid m t,
   AdmissibleMaterials before warping cut AngleThresholds (Corners tid) ->

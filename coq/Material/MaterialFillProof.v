@@ -5,16 +5,11 @@
     each pattern of materials their sum is that of the whole. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol Stencil.TriangleSpec.
-From Certet Require Import Stencil.TriangleChecker.
-From Certet Require Import Warp.Cut Warp.Warp.
-From Certet Require Import Stuffing.Stuffing Stuffing.NameProof Stuffing.MeshProof.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.Cases.Isometry.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.MaterialSpec Material.MaterialChecker.
-From Certet Require Import Material.MaterialNameProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Material.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.TriangleChecker
+  Stuffing.NameProof Stuffing.MeshProof Angles.Cases.Isometry
+  Material.MaterialChecker Material.MaterialNameProof.
 Import ListNotations.
 Open Scope Z_scope.
 

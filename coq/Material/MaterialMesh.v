@@ -5,11 +5,9 @@
     structured tetrahedron, and their positions. *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec Embedding.WarpOrClamp.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
 From Certet Require Import Material.MaterialTet.
 Open Scope Z_scope.
 

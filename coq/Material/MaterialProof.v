@@ -4,8 +4,7 @@
     them apart; the cuts that it asks for lie between different materials. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Material.MaterialTet.
+From Certet Require Import Stencil.Definitions Material.Definitions.
 Import ListNotations.
 Open Scope Z_scope.
 

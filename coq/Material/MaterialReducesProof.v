@@ -1,13 +1,10 @@
 (** * One material and the outside: today's stencils; and bad sets refused *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Lattice.Direction Warp.Cut Warp.Warp.
-From Certet Require Import Stuffing.Stuffing Angles.AnglesSpec.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.MaterialSpec Material.OtherMaterials.
-From Certet Require Import Material.MaterialProof Material.MaterialChecker.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Material.Definitions.
+From Certet Require Import Material.OtherMaterials Material.MaterialProof
+  Material.MaterialChecker.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -4,20 +4,13 @@
     placement of that material against the rest; or from the fill. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Forms.Checker Angles.Forms.EdgeProof.
-From Certet Require Import Angles.Forms.CheckerProof.
-From Certet Require Import Angles.Cases.Configurations Angles.Cases.Isometry.
-From Certet Require Import Angles.Cases.SymmetryProof.
-From Certet Require Import Angles.Cases.ReductionProof.
-From Certet Require Import Angles.Cases.AdmissibleProof.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.MaterialSpec Material.MaterialProof.
-From Certet Require Import Material.MaterialConfigurations.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Material.Definitions.
+From Certet Require Import Angles.Forms.Checker Angles.Forms.EdgeProof
+  Angles.Forms.CheckerProof Angles.Cases.Configurations Angles.Cases.Isometry
+  Angles.Cases.SymmetryProof Angles.Cases.ReductionProof
+  Angles.Cases.AdmissibleProof Material.MaterialProof
+  Material.MaterialConfigurations.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -1,11 +1,8 @@
 (** * What is meant by a mesh of materials that fits, fills, and is well shaped *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions.
 From Certet Require Import Material.MaterialTet Material.MaterialMesh.
 Import ListNotations.
 Open Scope Z_scope.

@@ -1,19 +1,12 @@
 (** * What warping leaves of several materials: proofs *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Warp.WarpProof.
-From Certet Require Import Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Cases.AdmissibleProof Angles.AngleTheorems.
-From Certet Require Import Embedding.WarpOrClamp Embedding.WarpOrClampProof.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.MaterialSpec.
-From Certet Require Import Material.MaterialProof.
-From Certet Require Import Material.MaterialBoundsProof.
-From Certet Require Import Material.MaterialReducesProof Material.Demotion.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
+  Material.Definitions.
+From Certet Require Import Warp.WarpProof Angles.Cases.AdmissibleProof
+  Angles.AngleTheorems Embedding.WarpOrClampProof Material.MaterialProof
+  Material.MaterialBoundsProof Material.MaterialReducesProof Material.Demotion.
 Import ListNotations.
 Open Scope Z_scope.
 

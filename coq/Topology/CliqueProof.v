@@ -5,13 +5,11 @@
     adjacent. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Angles.AnglesSpec Angles.Cases.Isometry.
-From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
-From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
-From Certet Require Import Embedding.MeshApartProof.
-From Certet Require Import Embedding.LinkProof Embedding.StarProof.
+From Certet Require Import Lattice.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.EdgeRank
+  Embedding.GreedyProof Embedding.MeshApartProof Embedding.LinkProof
+  Embedding.StarProof.
 Import ListNotations.
 Open Scope Z_scope.
 
