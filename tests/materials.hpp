@@ -13,6 +13,7 @@
 
 #include "certet/domain.hpp"
 #include "certet/lattice.hpp"
+#include "random_blocks.hpp"
 #include "seed.hpp"
 
 namespace materials {
@@ -82,11 +83,7 @@ template <class Random>
 std::string contradiction(Random& random, const certet::Domain& domain,
                           const certet::Lattice& lattice, int& decided) {
   constexpr int side = 4, last = 2 * side - 1;
-  const auto at = [&](std::int32_t from, std::int32_t count) {
-    return from + 2 * between(random, 0, count - side);
-  };
-  const Coord3 low{at(lattice.origin.x, lattice.cells[0]), at(lattice.origin.y, lattice.cells[1]),
-                   at(lattice.origin.z, lattice.cells[2])};
+  const Coord3 low = random_block(random, lattice, side);
   const std::optional<Material> whole =
       domain.material_of({low, low + Coord3{last, last, last}});
   if (whole) ++decided;
@@ -118,10 +115,7 @@ std::string contradiction(Random& random, const certet::Domain& domain,
 template <class Random>
 std::string first_contradiction(Random& random, const certet::Domain& domain,
                                 const certet::Lattice& lattice, int blocks, int& decided) {
-  for (int i = 0; i < blocks; ++i)
-    if (std::string found = contradiction(random, domain, lattice, decided); !found.empty())
-      return found;
-  return "";
+  return first_fault(blocks, [&] { return contradiction(random, domain, lattice, decided); });
 }
 
 }  // namespace materials
