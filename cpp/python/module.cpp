@@ -37,12 +37,12 @@ struct Shape {
 };
 
 /// `make` makes the shape; it runs, like all the rest, without Python's lock.
-std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape()>& make, const Options& options) {
+std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape(const Context&)>& make, const Options& options) {
   auto result = std::make_shared<PythonMesh>();
   Context context;
   context.threads = options.threads;
   run(context, [&] {
-    const Shape shape = make();
+    const Shape shape = make(context);
     result->mesh = mesh(*shape.domain, options.method, context);
     result->notes = shape.notes;
     result->world = world_points(result->mesh);
@@ -52,11 +52,26 @@ std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape()>& make, const Op
 
 using Direction = std::array<std::array<double, 3>, 3>;
 
+/// The voxels of an image as a shape; by default surfaces of labels are smooth where the
+/// method cuts labels apart.
+std::shared_ptr<const PlacedDomain> image_domain(Image image, std::vector<LabelRange> labels,
+                                                 std::optional<double> iso,
+                                                 std::optional<double> smooth,
+                                                 const ImageLattice& lattice,
+                                                 const Method method, const Context& context) {
+  if (iso) return level_domain(std::move(image), *iso, lattice);
+  if (!facts(method).interfaces && smooth.value_or(0) != 0)
+    throw Error(ErrorCode::bad_option, "smooth goes with the methods that cut labels apart");
+  if (smooth == 0.0 || !facts(method).interfaces)
+    return label_domain(std::move(image), std::move(labels), lattice);
+  return interface_domain(std::move(image), std::move(labels), lattice, {smooth}, context);
+}
+
 std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spacing,
                                        const Point3& origin, const Direction& direction,
                                        const std::vector<std::pair<std::int64_t, std::int64_t>>& labels,
-                                       std::optional<double> iso, double size, int margin,
-                                       const Options& options) {
+                                       std::optional<double> iso, std::optional<double> smooth,
+                                       double size, int margin, const Options& options) {
   Image image;
   image.name = "array";
   image.spacing = spacing;
@@ -67,10 +82,10 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
   ranges.reserve(labels.size());
   for (const auto& [first, last] : labels) ranges.push_back({first, last});
   return mesh_of(
-      [&] {
+      [&](const Context& context) {
         const ImageLattice lattice{size, margin, !facts(options.method).settles};
-        return Shape{iso ? level_domain(std::move(image), *iso, lattice)
-                         : label_domain(std::move(image), ranges, lattice)};
+        return Shape{image_domain(std::move(image), std::move(ranges), iso, smooth, lattice,
+                                  options.method, context)};
       },
       options);
 }
@@ -81,7 +96,9 @@ std::shared_ptr<PythonMesh> mesh_function(py::object function, const Point3& low
   // Kept here, under Python's lock, for it has to be let go of under it too.
   const PythonDomain domain(std::move(function), {low, high}, size, margin);
   return mesh_of(
-      [&] { return Shape{std::shared_ptr<const PlacedDomain>(std::shared_ptr<void>(), &domain)}; },
+      [&](const Context&) {
+        return Shape{std::shared_ptr<const PlacedDomain>(std::shared_ptr<void>(), &domain)};
+      },
       options);
 }
 
@@ -109,7 +126,7 @@ std::shared_ptr<PythonMesh> mesh_surface(
       surface.triangles[i][a] = static_cast<std::uint32_t>(index);
     }
   return mesh_of(
-      [&] {
+      [&](const Context&) {
         const SurfaceRepairs repairs = repair_surface(surface, {repair});
         const bool open = repairs.closed_holes.count != 0;
         if (open) refuse_unclear(surface);

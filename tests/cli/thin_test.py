@@ -76,9 +76,9 @@ class Thin(ProgramTest):
         self.assert_pieces(1)
 
     def test_flat_walls(self):
-        """A box of voxels has its walls where they are, but for edges and corners."""
+        """Not smoothed, a box of voxels has its walls where they are, but for edges and corners."""
         self.write((16, 16, 16), lambda *at: int(all(3 <= a < 13 for a in at)))
-        report = self.assert_pieces(1)
+        report = self.assert_pieces(1, "--smooth", "0")
         self.assertEqual(report["method"]["stayed"], 0)
         self.assertAlmostEqual(report["mesh"]["volume"], 1000, delta=2)
         walls = collections.Counter(max(abs(c - 7.5) for c in p)

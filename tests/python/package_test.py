@@ -122,6 +122,24 @@ class Images(unittest.TestCase):
         self.assertGreater(centres[mesh.labels == 7][:, 0].mean(), 14)
         self.assertLess(centres[mesh.labels == 1][:, 0].mean(), 9)
 
+    def test_smooth(self):
+        """Smooth by default; flat faces have three directions only."""
+        def flat_share(**options):
+            mesh = certet.mesh_image(ball(), **options)
+            inner = np.sort(np.concatenate([mesh.tets[:, [b for b in range(4) if b != a]]
+                                            for a in range(4)]), 1)
+            faces, count = np.unique(inner, axis=0, return_counts=True)
+            p = mesh.points[faces[count == 1]]
+            normals = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
+            normals /= np.linalg.norm(normals, axis=1)[:, None]
+            return (np.abs(normals).max(1) > 0.999).mean()
+        self.assertGreater(flat_share(smooth=0), 0.3)
+        self.assertLess(flat_share(), 0.1)
+        self.assertLess(flat_share(smooth=1.5), 0.1)
+        self.assertEqual(flat_share(method="angles"), flat_share(method="angles", smooth=0))
+        checksums = {certet.mesh_image(ball(), smooth=s).checksum for s in (None, 0, 0.7, 1.5)}
+        self.assertEqual(len(checksums), 4)
+
     def test_pieces(self):
         voxels = np.zeros((20, 12, 12), np.int16)
         voxels[2:6, 2:10, 2:10], voxels[6:9, 2:10, 2:10], voxels[13:17, 5:8, 5:8] = 3, 4, 4
@@ -187,7 +205,7 @@ class Images(unittest.TestCase):
         """Bounds that are attained are crossed by rounding alone, which is no fault; what
         doubles cannot hold is one."""
         def quality(origin, voxel):
-            return certet.mesh_image(ball(), cuts="midpoint", spacing=(voxel,) * 3,
+            return certet.mesh_image(ball(), cuts="midpoint", smooth=0, spacing=(voxel,) * 3,
                                      origin=(origin,) * 3).quality()
         rounded = quality(1e6, 0.01)
         self.assertLess(rounded.min_dihedral, 30 - 1e-6)
@@ -208,6 +226,10 @@ class Images(unittest.TestCase):
             (dict(array=ball(), margin=0), "margin"),
             (dict(array=ball(), labels=[1], iso=1), "exclude"),
             (dict(array=ball(), labels=[]), "empty"),
+            (dict(array=ball(), smooth=1, iso=1), "exclude"),
+            (dict(array=ball(), smooth=-1), "positive"),
+            (dict(array=ball(), smooth=5), "4 voxels"),
+            (dict(array=ball(), smooth=1, method="angles"), "cut labels apart"),
             (dict(array=ball(), cuts="middle"), "'midpoint'"),
             (dict(array=ball(), method="paper"), "embedded, angles, embedding, midpoint"),
             (dict(array=ball(), method="embedded", cuts="midpoint"), "one or the others"),

@@ -57,7 +57,7 @@ Json seconds(const MeshReport& report) {
 
 Json regions(const MeshReport& report) {
   Json all = Json::array();
-  for (const auto& [region, tets, volume, voxel_volume, pieces] : report.regions) {
+  for (const auto& [region, tets, volume, voxel_volume, change, pieces] : report.regions) {
     Json one{{"label", region.label}, {"voxels", region.voxels}};
     if (const auto name = report.names.find(region.label); name != report.names.end())
       one["name"] = name->second;
@@ -66,6 +66,7 @@ Json regions(const MeshReport& report) {
       one["volume"] = volume;
       one["voxel_volume"] = voxel_volume;
     }
+    if (change) one["change_percent"] = 100 * *change;
     if (pieces) {
       one["pieces"] = pieces->by_faces;
       one["pieces_by_vertices"] = pieces->by_vertices;
@@ -82,7 +83,8 @@ Json regions(const MeshReport& report) {
 
 Json smoothing(const MeshReport& report) {
   const Smoothing& smoothing = *report.smoothing;
-  Json json{{"sigma", smoothing.sigma}, {"voxel_volume", smoothing.voxel_volume}};
+  Json json{{"voxel_volume", smoothing.voxel_volume}};
+  if (smoothing.sigma) json["sigma"] = *smoothing.sigma;
   if (report.dry_run) return json;
   json["mesh_volume"] = report.written.world.volume;
   json["change"] = report.written.world.volume / smoothing.voxel_volume - 1;

@@ -40,15 +40,23 @@ volumes, or of several numbers per voxel, is read with --volume.  The segments o
 Slicer (.seg.nrrd) and of DICOM SEG are labels with the names that the file has;
 where they overlap the later one wins, which a note counts.
 
+Surfaces of labels, between two of them and to the outside, are smooth.  Each label has a
+field, its share of the voxels around, weighted by (1 4 6 4 1)/16 along every axis or, with
+--smooth SIGMA, by a Gaussian (SIGMA is at most 4 voxels along any axis); the greatest field
+wins.  Thin parts are smoothed less, a constant for each label gives its region about the
+volume of its voxels, and at the centre of a voxel its own label wins, so that no label is
+lost, and no piece of one.  --smooth 0 keeps the faces of voxels, with their steps.
+
 Labels that touch each other are cut where they meet, but not by --method paper, where
-each tetrahedron has the label at its centre.  Formats with named surfaces have one for
+each tetrahedron has the label at its centre, the surface follows the faces of voxels, and
+--smooth SIGMA smooths the outside alone.  Formats with named surfaces have one for
 each pair that touches, called after both.
 
 A label that the lattice is too coarse for is named in a warning, and so is one that
 has more or fewer pieces among the lattice's points than in the image, where voxels may
-touch at edges and corners or not.  That is looked at where --size is above the smallest
-voxel spacing, and with --smooth; not with --crop.  At the smallest spacing, without
---smooth, no label and no piece is lost.  With --iso the pieces are those of the mesh,
+touch at edges and corners or not.  That is looked at unless every voxel has a point of the
+lattice at its centre or, with --smooth 0, --size is at most the smallest voxel spacing, for
+then no label and no piece is lost; not with --crop.  With --iso the pieces are those of the mesh,
 and up to 12 sizes are tried, each a fifth smaller than the one before, for one that
 keeps them.
 
@@ -104,10 +112,10 @@ tets, volume}, dihedral
 theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
 cut, warp, count, pieces, emit, measure, write, total}, memory {limit, needed, least,
 peak}, warnings, and for images regions [{label, voxels, tets, name where the file or
---label-names has one, volume, voxel_volume, pieces (by faces) and pieces_by_vertices; of several
+--label-names has one, volume, voxel_volume, change_percent, pieces (by faces) and pieces_by_vertices; of several
 labels with --method paper by --label-pieces alone, else pieces is of the samples, and told
-where the image's are: image_pieces {by_corners, by_faces}}], with --smooth: smoothing
-{sigma, voxel_volume, mesh_volume, change}.  Lengths are in world units, angles in degrees, memory in bytes; the
+where the image's are: image_pieces {by_corners, by_faces}}], of labels that are smoothed:
+smoothing {sigma (left out where it is one voxel), voxel_volume, mesh_volume, change}.  Lengths are in world units, angles in degrees, memory in bytes; the
 histogram has 36 bins of 5 degrees, counted before coordinates are rounded; rounding
 is what the doubles of the world can turn an angle by; output.origin is where in the
 world the output has its 0; file_checksum is what `certet check` tells of a file with
@@ -138,7 +146,9 @@ void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
                   "Size of a voxel, in the place of what the image's file says")
       ->option_text("a,b,c");
   mesh.add_option("--smooth", raw.smooth,
-                  "Smooths labels by a Gaussian of this standard deviation, in world units")
+                  "How smooth the surfaces of labels are: the standard deviation of a Gaussian, "
+                  "in world units (default: one voxel; with --method paper 0); 0: they follow "
+                  "the faces of voxels")
       ->option_text("SIGMA");
   mesh.add_option("--crop", raw.crop,
                   "Box in world coordinates; of an image's solid, only what is in it is meshed")
@@ -281,13 +291,19 @@ double parse_nan(const MeshOptions& options, const std::string& text) {
   return value;
 }
 
+double parse_smooth(const std::string& text) {
+  const double value = parse_number("--smooth", text);
+  if (value < 0) refuse("--smooth takes a positive number or 0, not '" + text + "'");
+  return value;
+}
+
 MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   check_source(options, raw);
   read_size(options, raw);
   options.method = chosen(raw.method);
   if (!raw.iso.empty()) options.iso = parse_number("--iso", raw.iso);
   if (!raw.labels.empty()) options.labels = parse_labels(raw.labels);
-  if (!raw.smooth.empty()) options.smooth = positive("--smooth", raw.smooth);
+  if (!raw.smooth.empty()) options.smooth = parse_smooth(raw.smooth);
   if (!raw.crop.empty()) options.crop = parse_bounds(raw.crop, "--crop");
   if (!raw.volume.empty()) options.image.volume = parse_whole("--volume", raw.volume);
   if (!raw.nan.empty()) options.nan = parse_nan(options, raw.nan);

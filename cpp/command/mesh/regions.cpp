@@ -37,7 +37,7 @@ RegionWatch::RegionWatch(const Source& source, const PlacedSource& placed,
                          : regions_of_labels(*solid.image, solid.labels);
   tets_.resize(regions_.size());
   volumes_.resize(regions_.size());
-  if (solid.cropped || (size_ <= finest_ && !solid.smoothed)) return;
+  if (solid.cropped || placed.keeps_voxels) return;
   count_pieces(*solid.image, solid.level, *placed.domain, regions_, context);
   counted_pieces_ = true;
 }
@@ -69,11 +69,16 @@ void RegionWatch::see(const Pieces& pieces, std::span<const RegionPieces> region
 
 std::vector<MeshedRegion> RegionWatch::regions(std::uint64_t all_tets) const {
   std::vector<MeshedRegion> result;
+  const bool whole = source_.voxels && !source_.voxels->level && !source_.voxels->cropped &&
+                     !dropped_;
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto& spacing = source_.voxels->image->spacing;
     const double voxel = spacing[0] * spacing[1] * spacing[2];
-    result.push_back({regions_[r], source_.voxels->level ? all_tets : tets_[r], volumes_[r],
-                      voxel * static_cast<double>(regions_[r].voxels), pieces_[r]});
+    MeshedRegion one{regions_[r], source_.voxels->level ? all_tets : tets_[r], volumes_[r],
+                     voxel * static_cast<double>(regions_[r].voxels)};
+    if (whole && one.volume > 0) one.change = one.volume / one.voxel_volume - 1;
+    one.pieces = pieces_[r];
+    result.push_back(one);
   }
   return result;
 }
@@ -89,7 +94,8 @@ std::string RegionWatch::lost(std::size_t which) {
                                  region.voxels);
   if (dropped_) return text + ", of which pieces were dropped";
   if (source_.voxels->cropped) return text + ", as far as it is cropped";
-  if (source_.voxels->smoothed) return text + "; a smaller --smooth may keep it";
+  if (source_.voxels->surfaces == LabelSurfaces::smoothed)
+    return text + "; a smaller --smooth may keep it";
   find_certain_size(*source_.voxels->image, source_.voxels->level, regions_, which);
   return text + "; --size " + at_most(region.certain_size) + " or less keeps it";
 }
@@ -106,7 +112,8 @@ std::string RegionWatch::other_pieces(std::size_t which, const SizeFor& size_for
       "{} has {} in the mesh, {}{} in the image", named(region, source_.voxels->level.has_value()),
       region.lattice_pieces == 1 ? "1 piece" : fmt::format("{} pieces", region.lattice_pieces),
       exact ? "" : fmt::format("{} to ", region.pieces_by_corners), region.pieces_by_faces);
-  if (source_.voxels->smoothed) return text + "; a smaller --smooth may keep them";
+  if (source_.voxels->surfaces == LabelSurfaces::smoothed)
+    return text + "; a smaller --smooth may keep them";
   if (source_.voxels->level) return text + "; " + size_for(region);
   return text + fmt::format("; --size {:.6g} or less keeps them", finest_);
 }

@@ -20,6 +20,8 @@ struct MeshedRegion {
   std::uint64_t tets = 0;
   double volume = 0;        ///< of the mesh, in world units
   double voxel_volume = 0;  ///< of its voxels
+  std::optional<double> change = {};  ///< by how much of that one `volume` differs, where all
+                                      ///< of a label was to be meshed
   std::optional<PieceCount> pieces = {};  ///< of the mesh, if they were counted
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "certet/error.hpp"
@@ -88,9 +89,15 @@ double chosen_volume(const Image& image, const std::vector<LabelRange>& labels) 
   return static_cast<double>(voxels) * image.spacing[0] * image.spacing[1] * image.spacing[2];
 }
 
+/// Where no voxel is narrower than a long edge, each has a point of the lattice.
+bool has_all_voxels(const Image& image, double size) {
+  return size <= *std::ranges::min_element(image.spacing);
+}
+
+/// The outside alone, as one solid's.
 Source from_smoothed(const std::shared_ptr<const Image>& image, const MeshOptions& options) {
   const auto smoothed = std::make_shared<const Image>(
-      smoothed_labels(*image, options.labels, options.smooth, options.threads));
+      smoothed_labels(*image, options.labels, *options.smooth, options.threads));
   const auto place = [image, smoothed, options](double size) {
     return placed_image(
         smoothed_domain(image, options.labels, smoothed, {size, options.margin}), options);
@@ -109,9 +116,34 @@ Source from_voxels(const std::shared_ptr<const Image>& image, const MeshOptions&
                                                    : label_domain(image, options.labels, lattice),
                                        options);
     source.volume = volume;
+    source.keeps_voxels = has_all_voxels(*image, source.frame.size);
     return source;
   };
   return {options.iso ? "level" : "labels", image->name, place, image->notes};
+}
+
+Source from_interfaces(const std::shared_ptr<const Image>& image, const MeshOptions& options,
+                       const Context& context) {
+  const double volume = chosen_volume(*image, options.labels);
+  const auto place = [image, options, volume, &context](double size) {
+    auto domain = interface_domain(image, options.labels, {size, options.margin},
+                                   {options.smooth}, context);
+    const bool keeps_voxels = domain->keeps_voxels();
+    PlacedSource source = placed_image(std::move(domain), options);
+    if (!options.crop) source.volume = volume;
+    source.keeps_voxels = keeps_voxels;
+    return source;
+  };
+  Source source{"labels", image->name, place, image->notes};
+  source.smoothing = Smoothing{options.smooth, volume};
+  return source;
+}
+
+/// By default surfaces are smooth where the method cuts labels apart.
+LabelSurfaces surfaces_of(const MeshOptions& options) {
+  if (options.iso || options.smooth == 0.0) return LabelSurfaces::flat;
+  if (facts(options.method).interfaces) return LabelSurfaces::interfaces;
+  return options.smooth ? LabelSurfaces::smoothed : LabelSurfaces::flat;
 }
 
 /// As the options want it: labels, or values of which none is NaN where that is so.
@@ -125,13 +157,21 @@ Image wanted_image(const MeshOptions& options, std::uint64_t max_bytes) {
   return options.iso ? std::move(image) : with_labels(std::move(image));
 }
 
-Source from_image(const MeshOptions& options, std::uint64_t max_bytes) {
+Source from_image(const MeshOptions& options, std::uint64_t max_bytes, const Context& context) {
   const auto image = std::make_shared<const Image>(wanted_image(options, max_bytes));
-  Source source =
-      options.smooth != 0 ? from_smoothed(image, options) : from_voxels(image, options);
+  const LabelSurfaces surfaces = surfaces_of(options);
+  const auto opened = [&] {
+    switch (surfaces) {
+      case LabelSurfaces::interfaces: return from_interfaces(image, options, context);
+      case LabelSurfaces::smoothed: return from_smoothed(image, options);
+      case LabelSurfaces::flat: break;
+    }
+    return from_voxels(image, options);
+  };
+  Source source = opened();
   if (!options.iso) source.names = image->names;
-  source.voxels = SolidVoxels{image, options.labels, options.iso, options.smooth != 0,
-                              options.crop.has_value()};
+  source.voxels =
+      SolidVoxels{image, options.labels, options.iso, surfaces, options.crop.has_value()};
   return source;
 }
 
@@ -142,7 +182,7 @@ Source open_source(const MeshOptions& options, std::uint64_t max_bytes, const Co
   if (!options.shape.empty()) return from_shape(options);
   if (is_surface_file(options.input)) return from_surface(options, context);
   if (is_volume_file(options.input)) return from_volume(options);
-  return from_image(options, max_bytes);
+  return from_image(options, max_bytes, context);
 }
 
 }  // namespace certet::command

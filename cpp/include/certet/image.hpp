@@ -176,6 +176,10 @@ struct RegionVolume {
 /// Solids of an image whose labels meet in smooth surfaces.
 class InterfaceDomain : public PlacedDomain {
  public:
+  /// Whether the lattice has a point at the centre of every voxel, so that no label is lost,
+  /// and no piece of one.
+  [[nodiscard]] virtual bool keeps_voxels() const = 0;
+
   /// Of the chosen labels, ascending, counted at 64 points of every cell between voxel
   /// centres.  \throws Error `cancelled`.
   [[nodiscard]] virtual std::vector<RegionVolume> volumes(const Context& context = {}) const = 0;
@@ -276,6 +280,12 @@ inline std::unique_ptr<PlacedDomain> label_domain(Image image,
 inline std::unique_ptr<PlacedDomain> level_domain(Image image, double level,
                                                  const ImageLattice& lattice = {}) {
   return level_domain(std::make_shared<const Image>(std::move(image)), level, lattice);
+}
+inline std::unique_ptr<InterfaceDomain> interface_domain(
+    Image image, std::vector<LabelRange> labels = {}, const ImageLattice& lattice = {},
+    const InterfaceSmoothing& smoothing = {}, const Context& context = {}) {
+  return interface_domain(std::make_shared<const Image>(std::move(image)), std::move(labels),
+                          lattice, smoothing, context);
 }
 
 }  // namespace certet

@@ -271,6 +271,7 @@ def mesh_image(
     direction: ArrayLike | None = None,
     labels: Iterable[int | tuple[int, int]] | None = None,
     iso: float | None = None,
+    smooth: float | None = None,
     size: float | None = None,
     margin: int = 2,
     method: Method | None = None,
@@ -290,6 +291,9 @@ def mesh_image(
     direction : shape (3, 3), orthonormal; a left-handed one is welcome (default: identity)
     labels : labels and pairs (first, last) of them that make the solid (default: all but 0)
     iso : the level; then `labels` must be None
+    smooth : of labels: the standard deviation, in world units, by which the surfaces between
+        them and to the outside are smoothed, at most 4 voxels along any axis (default: one
+        voxel); 0: they follow the faces of voxels, as always with the paper's rule
     size : the long edge of the lattice, in world units (default: the smallest spacing)
     margin : cells of the lattice around the solid, at least 1
     method : "embedded" (default: dihedral angles from 10.77 to 164.76 degrees, no tetrahedra
@@ -311,9 +315,12 @@ def mesh_image(
     ranges = [(r, r) if np.isscalar(r) else tuple(r) for r in labels or ()]
     if labels is not None and not ranges:
         raise ValueError("labels is empty: no voxel is chosen")
+    if smooth is not None and iso is not None:
+        raise ValueError("smooth and iso exclude each other")
     axes = np.eye(3) if direction is None else np.asarray(direction, float)
     return Mesh(_certet.mesh_image(np.asarray(array), _three(spacing), _three(origin),
-                                   axes.tolist(), ranges, iso, _size(size), margin,
+                                   axes.tolist(), ranges, iso,
+                                   None if smooth is None else float(smooth), _size(size), margin,
                                    _options(method, cuts, guarantee, threads)))
 
 

@@ -56,6 +56,7 @@ def mesh_image(
     direction: Sequence[_Point],
     labels: Sequence[tuple[int, int]],
     iso: float | None,
+    smooth: float | None,
     size: float,
     margin: int,
     options: Options,

@@ -31,6 +31,8 @@ class FieldsDomain final : public InterfaceDomain {
         frame_(placement.axis),
         fields_(image_, rules, context),
         labelling_(fields_, centres),
+        keeps_voxels_(!rules.force),
+        one_per_voxel_(centres == Centres::unjoined),
         along_x_(placement.lattice.origin.x, placement.lattice.cells[0],
                  [this](double x) { return frame_.along(0, x); }) {}
 
@@ -109,6 +111,11 @@ class FieldsDomain final : public InterfaceDomain {
     });
   }
 
+  [[nodiscard]] bool keeps_voxels() const override { return keeps_voxels_; }
+
+  /// Then even points are the voxels: `VoxelPiecesKept` of the certificate.
+  [[nodiscard]] bool even_points_tell_pieces() const override { return one_per_voxel_; }
+
   [[nodiscard]] std::vector<RegionVolume> volumes(const Context& context) const override {
     const auto counts = region_volumes(fields_, image_.size(), context);
     std::vector<RegionVolume> volumes;
@@ -130,6 +137,7 @@ class FieldsDomain final : public InterfaceDomain {
   FieldFrame frame_;
   NodeFields fields_;
   Labelling labelling_;
+  bool keeps_voxels_, one_per_voxel_;
   AxisTable<std::int64_t> along_x_;  ///< in nodes
 };
 
@@ -141,7 +149,7 @@ double points_per_voxel(double spacing, double size) {
 }
 
 void refuse_sigma(const Image& image, double sigma) {
-  if (!(sigma > 0) || !std::isfinite(sigma))
+  if (!(sigma > 0 && std::isfinite(sigma)))
     throw Error(ErrorCode::bad_option, "the smoothing must be a positive number");
   const double finest = *std::ranges::min_element(image.spacing);
   if (sigma > greatest_sigma * finest)
