@@ -283,19 +283,32 @@ Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context) {
   });
 }
 
+namespace {
+
+void refuse_empty(const Stuffing& stuffing) {
+  if (stuffing.tet_count() == 0)
+    throw Error(ErrorCode::empty_domain, "nothing is inside at this size, so there is no mesh");
+}
+
+}  // namespace
+
 Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame, Method method,
            Context& context) {
   const Stuffing stuffing(domain, lattice, method, context);
-  if (stuffing.tet_count() == 0)
-    throw Error(ErrorCode::empty_domain, "nothing is inside at this size, so there is no mesh");
+  refuse_empty(stuffing);
   return emit(stuffing, frame, context);
 }
 
-Mesh mesh(const PlacedDomain& domain, Method method, Context& context) {
-  Mesh mesh = stuff(domain, domain.lattice(), domain.frame(), method, context);
+Mesh mesh(const PlacedDomain& domain, const Stuffing& stuffing, Context& context) {
+  refuse_empty(stuffing);
+  Mesh mesh = emit(stuffing, domain.frame(), context);
   mesh.names = domain.names();
   mesh.border.assign(domain.border().begin(), domain.border().end());
   return mesh;
+}
+
+Mesh mesh(const PlacedDomain& domain, Method method, Context& context) {
+  return mesh(domain, Stuffing(domain, domain.lattice(), method, context), context);
 }
 
 Mesh mesh(const PlacedDomain& domain, Method method) {

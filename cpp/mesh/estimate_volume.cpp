@@ -83,6 +83,71 @@ class EvenPoints {
   std::array<double, 3> at_{0.5, 0.5, 0.5};
 };
 
+/// Asks about the points of several blocks at once, for a call may cost more than a point.
+class SampledBlocks {
+ public:
+  SampledBlocks(const Domain& domain, const Division& division, std::uint64_t each)
+      : domain_(domain), division_(division), each_(each) {}
+
+  void add(const Block& block) {
+    for (std::uint64_t n = 0; n < each_; ++n) {
+      const auto& share = even_.next();
+      std::array<std::int32_t, 3> whole{}, rest{};
+      for (std::size_t a = 0; a < 3; ++a) {
+        whole[a] = static_cast<std::int32_t>(share[a] * block.side);
+        rest[a] = static_cast<std::int32_t>((share[a] * block.side - whole[a]) * steps);
+      }
+      const Coord3 point = block.low + Coord3{whole[0], whole[1], whole[2]};
+      if (division_.holds(point))
+        points_.push_back(steps * point + Coord3{rest[0], rest[1], rest[2]});
+    }
+    pending_.push_back({block.side, points_.size()});
+    if (points_.size() >= enough) ask();
+  }
+
+  struct Sums {
+    double volume = 0, variance = 0;  ///< in lattice units
+  };
+  Sums finish() {
+    ask();
+    return sums_;
+  }
+
+ private:
+  static constexpr std::size_t enough = 4096;
+
+  struct Pending {
+    std::int32_t side;
+    std::size_t end;  ///< of its points
+  };
+
+  void ask() {
+    signs_.resize(points_.size());
+    domain_.at(points_, signs_);
+    std::size_t begin = 0;
+    for (const Pending& block : pending_) {
+      double found = 0;
+      for (; begin < block.end; ++begin)
+        found += signs_[begin] == Sign::plus ? 1 : signs_[begin] == Sign::on_surface ? 0.5 : 0;
+      const double share = found / static_cast<double>(each_);
+      const double whole = std::pow(static_cast<double>(block.side), 3);
+      sums_.volume += share * whole;
+      sums_.variance += share * (1 - share) / static_cast<double>(each_) * whole * whole;
+    }
+    points_.clear();
+    pending_.clear();
+  }
+
+  const Domain& domain_;
+  const Division& division_;
+  std::uint64_t each_;
+  EvenPoints even_;
+  std::vector<Coord3> points_;
+  std::vector<Sign> signs_;
+  std::vector<Pending> pending_;
+  Sums sums_;
+};
+
 }  // namespace
 
 VolumeEstimate estimate_volume(const Domain& domain, const Lattice& lattice, const Frame& frame,
@@ -90,35 +155,14 @@ VolumeEstimate estimate_volume(const Domain& domain, const Lattice& lattice, con
   const Division division(domain, lattice);
   const auto blocks = static_cast<std::uint64_t>(division.mixed().size());
   const std::uint64_t each = blocks == 0 ? 0 : std::clamp<std::uint64_t>(samples / blocks, 8, 4096);
-  std::vector<Coord3> points;
-  std::vector<Sign> signs;
-  EvenPoints even;
-  double inside = division.inside(), variance = 0;
+  SampledBlocks sampled(domain, division, each);
   for (const Block& block : division.mixed()) {
     stop_if_cancelled(context);
-    points.clear();
-    for (std::uint64_t n = 0; n < each; ++n) {
-      const auto& share = even.next();
-      std::array<std::int32_t, 3> whole{}, rest{};
-      for (std::size_t a = 0; a < 3; ++a) {
-        whole[a] = static_cast<std::int32_t>(share[a] * block.side);
-        rest[a] = static_cast<std::int32_t>((share[a] * block.side - whole[a]) * steps);
-      }
-      const Coord3 point = block.low + Coord3{whole[0], whole[1], whole[2]};
-      if (division.holds(point)) points.push_back(steps * point + Coord3{rest[0], rest[1], rest[2]});
-    }
-    signs.resize(points.size());
-    domain.at(points, signs);
-    double found = 0;
-    for (const Sign sign : signs)
-      found += sign == Sign::plus ? 1 : sign == Sign::on_surface ? 0.5 : 0;
-    const double share = found / static_cast<double>(each);
-    const double whole = std::pow(static_cast<double>(block.side), 3);
-    inside += share * whole;
-    variance += share * (1 - share) / static_cast<double>(each) * whole * whole;
+    sampled.add(block);
   }
+  const auto [volume, variance] = sampled.finish();
   const double unit = std::pow(frame.size / 2, 3);
-  return {inside * unit, std::sqrt(variance) * unit};
+  return {(division.inside() + volume) * unit, std::sqrt(variance) * unit};
 }
 
 }  // namespace certet

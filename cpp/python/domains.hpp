@@ -7,7 +7,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <utility>
 
 #include "certet/bounded_function.hpp"
 
@@ -17,12 +16,13 @@ namespace py = pybind11;
 
 /// Where a Python function of points is negative, within bounds that cut it off.  It is called with arrays of
 /// shape (n, 3) in world coordinates, by one thread at a time, and gives n
-/// numbers.  What it raises ends the run.
+/// numbers.  What it raises ends the run.  The function must live as long as the domain, which
+/// may be made and destroyed without Python's lock.
 class PythonDomain final : public PlacedDomain {
  public:
   /// `size` and `margin` are those of `lattice_around`.  \throws Error as that one.
-  PythonDomain(py::object function, const Bounds& bounds, double size, std::int32_t margin)
-      : function_(std::move(function)),
+  PythonDomain(const py::object& function, const Bounds& bounds, double size, std::int32_t margin)
+      : function_(function),
         bounds_(bounds),
         around_(lattice_around(bounds, size, margin)),
         border_{BorderBox::along_frame(around_.frame, bounds.low, bounds.high)} {}
@@ -39,7 +39,7 @@ class PythonDomain final : public PlacedDomain {
   template <class Position>
   void call(const Position& position, std::span<Sign> out) const;
 
-  py::object function_;
+  const py::object& function_;
   Bounds bounds_;
   PlacedLattice around_;
   std::array<BorderBox, 1> border_;

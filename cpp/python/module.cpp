@@ -12,6 +12,7 @@
 #include "certet/checksum.hpp"
 #include "certet/error.hpp"
 #include "certet/image.hpp"
+#include "certet/kept.hpp"
 #include "certet/method.hpp"
 #include "certet/placed_quality.hpp"
 #include "certet/stuffing.hpp"
@@ -30,21 +31,34 @@ struct Options {
   int threads = 0;
 };
 
-/// A shape, and what is doubtful about it.
+/// A shape that can be put on lattices of several sizes, and what is doubtful about it.
 struct Shape {
-  std::shared_ptr<const PlacedDomain> domain;
+  SizedShape sized;
   std::vector<std::string> notes = {};
 };
 
+/// Counts a mesh and makes it, and looks for what it has not kept.
+void fill(const Shape& shape, double size, const Options& options, Context& context,
+          PythonMesh& result) {
+  const std::unique_ptr<PlacedDomain> domain = shape.sized.place(size);
+  const Stuffing stuffing(*domain, domain->lattice(), options.method, context);
+  result.mesh = mesh(*domain, stuffing, context);
+  result.warp = stuffing.warp_figures();
+  result.notes = shape.notes;
+  const MeshedShape meshed{*domain, stuffing.method(), stuffing.tet_count(),
+                           volume_of(stuffing, domain->frame(), context),
+                           stuffing.pieces(domain->frame(), context).whole};
+  result.losses = sentences_on(find_losses(shape.sized, meshed, context), shape.sized, "size=");
+}
+
 /// `make` makes the shape; it runs, like all the rest, without Python's lock.
-std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape(const Context&)>& make, const Options& options) {
+std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape(const Context&)>& make, double size,
+                                    const Options& options) {
   auto result = std::make_shared<PythonMesh>();
   Context context;
   context.threads = options.threads;
   run(context, [&] {
-    const Shape shape = make(context);
-    result->mesh = mesh(*shape.domain, options.method, context);
-    result->notes = shape.notes;
+    fill(make(context), size, options, context, *result);
     result->world = world_points(result->mesh);
   });
   return result;
@@ -54,17 +68,17 @@ using Direction = std::array<std::array<double, 3>, 3>;
 
 /// The voxels of an image as a shape; by default surfaces of labels are smooth where the
 /// method cuts labels apart.
-std::shared_ptr<const PlacedDomain> image_domain(Image image, std::vector<LabelRange> labels,
-                                                 std::optional<double> iso,
-                                                 std::optional<double> smooth,
-                                                 const ImageLattice& lattice,
-                                                 const Method method, const Context& context) {
-  if (iso) return level_domain(std::move(image), *iso, lattice);
+std::unique_ptr<PlacedDomain> image_domain(const std::shared_ptr<const Image>& image,
+                                           const std::vector<LabelRange>& labels,
+                                           std::optional<double> iso,
+                                           std::optional<double> smooth,
+                                           const ImageLattice& lattice, Method method,
+                                           const Context& context) {
+  if (iso) return level_domain(image, *iso, lattice);
   if (!facts(method).interfaces && smooth.value_or(0) != 0)
     throw Error(ErrorCode::bad_option, "smooth goes with the methods that cut labels apart");
-  if (smooth == 0.0 || !facts(method).interfaces)
-    return label_domain(std::move(image), std::move(labels), lattice);
-  return interface_domain(std::move(image), std::move(labels), lattice, {smooth}, context);
+  if (smooth == 0.0 || !facts(method).interfaces) return label_domain(image, labels, lattice);
+  return interface_domain(image, labels, lattice, {smooth}, context);
 }
 
 std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spacing,
@@ -81,25 +95,36 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
   std::vector<LabelRange> ranges;
   ranges.reserve(labels.size());
   for (const auto& [first, last] : labels) ranges.push_back({first, last});
+  const auto shared = std::make_shared<const Image>(std::move(image));
   return mesh_of(
       [&](const Context& context) {
-        const ImageLattice lattice{size, margin, !facts(options.method).settles};
-        return Shape{image_domain(std::move(image), std::move(ranges), iso, smooth, lattice,
-                                  options.method, context)};
+        const auto place = [=, &context](double at) {
+          const ImageLattice lattice{at, margin, !facts(options.method).settles};
+          return image_domain(shared, ranges, iso, smooth, lattice, options.method, context);
+        };
+        Shape shape{{shared->name, place}};
+        if (iso)
+          shape.sized.pieces = [&](Context& own) { return pieces_above(*shared, *iso, own); };
+        else
+          shape.sized.volume = volume_of_labels(*shared, ranges);
+        return shape;
       },
-      options);
+      size, options);
 }
 
-std::shared_ptr<PythonMesh> mesh_function(py::object function, const Point3& low,
+std::shared_ptr<PythonMesh> mesh_function(const py::object& function, const Point3& low,
                                           const Point3& high, double size, int margin,
                                           const Options& options) {
-  // Kept here, under Python's lock, for it has to be let go of under it too.
-  const PythonDomain domain(std::move(function), {low, high}, size, margin);
+  const auto place = [&](double at) {
+    return std::make_unique<PythonDomain>(function, Bounds{low, high}, at, margin);
+  };
   return mesh_of(
       [&](const Context&) {
-        return Shape{std::shared_ptr<const PlacedDomain>(std::shared_ptr<void>(), &domain)};
+        Shape shape{{"function", place}};
+        shape.sized.pieces = [](Context&) { return std::nullopt; };
+        return shape;
       },
-      options);
+      size, options);
 }
 
 std::shared_ptr<PythonMesh> mesh_surface(
@@ -132,11 +157,20 @@ std::shared_ptr<PythonMesh> mesh_surface(
         if (open) refuse_unclear(surface);
         else if (!is_closed(surface))
           refuse_open(surface, inspect(surface), repair ? "" : "repair=True closes what is open");
-        const SurfaceLattice lattice{size, margin};
-        return Shape{open ? open_surface_domain(surface, lattice) : surface_domain(surface, lattice),
-                     sentences_on(repairs)};
+        const auto place = [&surface, margin, open](double at) {
+          const SurfaceLattice lattice{at, margin};
+          return open ? open_surface_domain(surface, lattice) : surface_domain(surface, lattice);
+        };
+        const SurfaceMeasures measures = measure(surface);
+        Shape shape{{surface.name, place}, sentences_on(repairs)};
+        if (!open) shape.sized.volume = measures.volume;
+        shape.sized.thin = measures.thin;
+        shape.sized.pieces = [&surface](Context& context) {
+          return pieces_of(surface, inspect(surface, context), context);
+        };
+        return shape;
       },
-      options);
+      size, options);
 }
 
 py::dict quality_of(const PythonMesh& mesh) {
@@ -157,6 +191,21 @@ py::dict quality_of(const PythonMesh& mesh) {
   result["proven_min"] = bounds.min_dihedral;
   result["proven_max"] = bounds.max_dihedral;
   result["holds"] = standing_of(placed, bounds) == Standing::within;
+  return result;
+}
+
+py::dict warp_of(const PythonMesh& mesh) {
+  const ShiftLengths edges = shift_in_edges(mesh.warp);
+  const ShiftLengths world = shift_in_world(mesh.warp, mesh.mesh.frame.size);
+  py::dict result;
+  result["violated"] = mesh.warp.violated;
+  result["stayed"] = mesh.warp.stayed;
+  result["shortened"] = mesh.warp.shortened;
+  result["clamped_cuts"] = world.cuts;
+  result["greatest"] = world.greatest;
+  result["rms"] = world.rms;
+  result["greatest_edges"] = edges.greatest;
+  result["rms_edges"] = edges.rms;
   return result;
 }
 
@@ -236,6 +285,8 @@ PYBIND11_MODULE(_certet, module) {
       .def_property_readonly("method", [](const PythonMesh& mesh) {
         return std::string(name(mesh.mesh.method));
       })
+      .def_property_readonly("warp", warp_of)
+      .def_property_readonly("losses", [](const PythonMesh& mesh) { return mesh.losses; })
       .def_property_readonly("notes", [](const PythonMesh& mesh) { return mesh.notes; })
       .def("checksum", checksum_of)
       .def("quality", quality_of);

@@ -2,15 +2,16 @@
 #include <cstdio>
 #include <iterator>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "certet/error.hpp"
+#include "certet/kept.hpp"
 #include "certet/label_names.hpp"
 #include "commands.hpp"
-#include "kept_volume.hpp"
 #include "memory.hpp"
 #include "mesh_options.hpp"
 #include "mesh_report.hpp"
@@ -143,49 +144,53 @@ MeshSize announce(const MeshOptions& options, const LabelNames& names, const Cou
   return size;
 }
 
-/// Counts at the sizes that a search tries.
-KeepingSize::CountAt count_for_search(const MeshOptions& options, const Source& source,
-                                      std::uint64_t limit, Context& context) {
-  return [&options, &source, limit, &context](double size,
-                                              SearchBudget& budget) -> std::optional<Counted> {
+/// For searches, which go on by sizes that memory allows.
+SizedShape sized(const MeshOptions& options, const Source& source,
+                 const std::optional<double>& volume, std::uint64_t limit) {
+  const auto place = [&options, &source, limit](double size) {
     PlacedSource placed = source.place(size);
     check_lattice(placed, options.method, limit);
-    if (!budget.pay_for(placed)) return std::nullopt;
-    Stuffing stuffing(*placed.domain, placed.lattice, options.method, context);
-    if (static_cast<double>(stuffing.tet_count()) > most_searched_tets) return std::nullopt;
-    return Counted{std::move(placed), std::move(stuffing)};
+    return std::move(placed.domain);
   };
+  return {source.name, place, volume, source.thin, source.pieces};
 }
 
-/// Looks for a size that keeps a solid.
-KeepingSize keeping_size(const MeshOptions& options, const Source& source, std::uint64_t limit,
-                         Context& context) {
-  return {count_for_search(options, source, limit, context), source.thin, context};
+[[noreturn]] void refuse_empty(const MeshOptions& options, const Source& source,
+                               const Counted& counted, std::uint64_t limit, Context& context) {
+  const SizedShape shape = sized(options, source, counted.source.volume, limit);
+  const double size = counted.source.frame.size;
+  const KeepingSizes sizes = find_volume_size(shape, size, options.method, context);
+  throw Error(ErrorCode::empty_domain,
+              fmt::format("nothing of '{}' is inside at size {:.6g}, so there is no mesh; {}",
+                          source.name, size, advice_on_volume(sizes, shape, "--size ")));
 }
 
-[[noreturn]] void refuse_empty(const MeshOptions& options, const Source& source, double size,
-                               std::uint64_t limit, Context& context) {
-  std::string sentence =
-      fmt::format("nothing of '{}' is inside at size {:.6g}, so there is no mesh", source.name, size);
-  KeepingSize search = keeping_size(options, source, limit, context);
-  const std::optional<KeptSize> kept = search.find(size);
-  sentence += "; " + advice(kept, search.finest(), source.thin);
-  throw Error(ErrorCode::empty_domain, sentence);
-}
-
-/// Whether a mesh that has been measured has the volume of its solid.  What becomes of
-/// the single labels of an image, `RegionWatch` tells.
-void check_volume(const MeshOptions& options, const Source& source, const Counted& counted,
+/// Whether a mesh that has been measured has the volume of its solid, and its pieces, if
+/// none were dropped.  What becomes of the voxels of an image, `RegionWatch` tells.
+void check_losses(const MeshOptions& options, const Source& source, const Counted& counted,
                   Context& context, MeshReport& report) {
-  const SolidVolume solid = volume_of(counted.source, context);
-  const double mesh = report.written.world.volume + report.dropped.volume;
-  if (!(solid.volume > 0) || solid.may_be(mesh)) return;
-  KeepingSize search = keeping_size(options, source, report.memory_limit, context);
-  const std::optional<KeptSize> kept = search.find(report.size);
-  report.warnings.push_back(
-      fmt::format("the mesh has {:.1f} % of the volume of '{}', {:.6g} of {}{:.6g}; {}",
-                  100 * mesh / solid.volume, source.name, mesh, solid.exact ? "" : "about ",
-                  solid.volume, advice(kept, search.finest(), source.thin)));
+  const SizedShape shape = sized(options, source, counted.source.volume, report.memory_limit);
+  MeshedShape mesh{*counted.source.domain, report.used, report.tets,
+                   report.written.world.volume + report.dropped.volume};
+  if (report.dropped.pieces == 0) mesh.pieces = report.pieces.whole;
+  const std::vector<std::string> sentences =
+      sentences_on(find_losses(shape, mesh, context), shape, "--size ");
+  report.warnings.insert(report.warnings.end(), sentences.begin(), sentences.end());
+}
+
+/// A size at which regions of the image have their pieces, and their solid its volume.
+KeepingSizes size_for_pieces(const MeshOptions& options, const Source& source,
+                             const Counted& counted, std::span<const ImageRegion> regions,
+                             const MeshReport& report, Context& context) {
+  const SizedShape shape = sized(options, source, counted.source.volume, report.memory_limit);
+  const auto keeps = [&](const CountedShape& tried, TriedSize&) {
+    const Frame& frame = tried.domain->frame();
+    return keeps_pieces(*source.voxels, regions, *tried.domain,
+                        tried.stuffing.pieces(frame, context), context) &&
+           volume_of(shape, *tried.domain, context)
+               .may_be(volume_of(tried.stuffing, frame, context));
+  };
+  return find_keeping_size(shape, {report.size, report.tets}, options.method, keeps, context);
 }
 
 void write(const MeshOptions& options, const Source& from, const Counted& counted,
@@ -202,7 +207,7 @@ void write(const MeshOptions& options, const Source& from, const Counted& counte
                               size.survey == nullptr ? none : size.survey->materials,
                               options.label_pieces);
   check_written(report);
-  check_volume(options, from, counted, context, report);
+  check_losses(options, from, counted, context, report);
   const Stopwatch finishing;
   writer.finish();
   report.written.write_seconds += finishing.seconds();
@@ -273,7 +278,7 @@ void drop_pieces(const MeshOptions& options, Counted& counted, Context& context,
   report.keep = options.keep_text;
   report.dropped.tets = rest.tet_count();
   report.dropped.pieces = rest.pieces(source.frame, context).whole.by_faces;
-  report.dropped.volume = measured_volume(rest, source.frame, context);
+  report.dropped.volume = volume_of(rest, source.frame, context);
   if (rest.tet_count() > 0 && stuffing.tet_count() == 0)
     throw Error(ErrorCode::empty_domain,
                 fmt::format("none of the {} pieces of '{}' is kept by --keep {}",
@@ -316,7 +321,7 @@ MeshReport run(const MeshOptions& options, Context& context) {
   report.pieces_seconds = looking.seconds();
   describe(options, counted, progress, report);
   if (report.tets == 0)
-    refuse_empty(options, source, report.size, report.memory_limit, context);
+    refuse_empty(options, source, counted, report.memory_limit, context);
   const MeshSize size = announce(options, names, counted, context);
   report.output_bytes = file_bytes(options.format, size);
   const Slabs slabs = plan(counted, size, report);
@@ -327,9 +332,8 @@ MeshReport run(const MeshOptions& options, Context& context) {
   watch.see(report.pieces,
             report.pieces.regions.empty() ? report.written.region_pieces : report.pieces.regions,
             report.dropped.pieces > 0);
-  const auto size_for = [&](const ImageRegion& region) {
-    return size_for_pieces(count_for_search(options, source, report.memory_limit, context),
-                           report.size, region, context);
+  const auto size_for = [&](std::span<const ImageRegion> regions) {
+    return size_for_pieces(options, source, counted, regions, report, context);
   };
   describe(watch, size_for, report);
   report.total_seconds = clock.seconds();

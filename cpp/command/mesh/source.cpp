@@ -24,12 +24,17 @@ PlacedSource placed(std::unique_ptr<PlacedDomain> domain) {
   return source;
 }
 
+/// Of what has no pieces that can be counted but on a lattice.
+std::optional<PieceBounds> unknown_pieces(Context&) { return std::nullopt; }
+
 Source from_formula(const MeshOptions& options) {
   const auto place = [formula = options.formula, bounds = options.bounds.value(),
                       margin = options.margin](double size) {
     return placed(std::make_unique<FormulaDomain>(formula, bounds, size, margin));
   };
-  return {"formula", options.formula, place};
+  Source source{"formula", options.formula, place};
+  source.pieces = unknown_pieces;
+  return source;
 }
 
 Source from_shape(const MeshOptions& options) {
@@ -41,7 +46,11 @@ Source from_shape(const MeshOptions& options) {
     source.volume = volume;
     return source;
   };
-  return {"shape", options.shape, place};
+  Source source{"shape", options.shape, place};
+  source.pieces = [options](Context&) {
+    return ShapeDomain(options.shape, options.bounds, 0, options.margin).pieces();
+  };
+  return source;
 }
 
 Source from_surface(const MeshOptions& options, const Context& context) {
@@ -60,6 +69,9 @@ Source from_surface(const MeshOptions& options, const Context& context) {
   if (own_choice && !checked.size_note.empty()) checked.notes.push_back(checked.size_note);
   Source source{"surface", surface->name, place, std::move(checked.notes)};
   source.thin = checked.measures.thin;
+  source.pieces = [surface, defects = checked.defects](Context& context) {
+    return pieces_of(*surface, defects, context);
+  };
   return source;
 }
 
@@ -69,7 +81,9 @@ Source from_volume(const MeshOptions& options) {
                       margin = options.margin](double size) {
     return placed(volume_domain(volume, iso, {size, margin}));
   };
-  return {"volume", options.input.string(), place};
+  Source source{"volume", options.input.string(), place};
+  source.pieces = unknown_pieces;
+  return source;
 }
 
 Image read(const MeshOptions& options, std::uint64_t max_bytes) {
@@ -81,12 +95,6 @@ Image read(const MeshOptions& options, std::uint64_t max_bytes) {
 PlacedSource placed_image(std::unique_ptr<PlacedDomain> domain, const MeshOptions& options) {
   return placed(options.crop ? cropped_domain(std::move(domain), *options.crop)
                              : std::move(domain));
-}
-
-double chosen_volume(const Image& image, const std::vector<LabelRange>& labels) {
-  std::uint64_t voxels = 0;
-  for (const ImageRegion& region : regions_of_labels(image, labels)) voxels += region.voxels;
-  return static_cast<double>(voxels) * image.spacing[0] * image.spacing[1] * image.spacing[2];
 }
 
 /// Where no voxel is narrower than a long edge, each has a point of the lattice.
@@ -103,20 +111,20 @@ Source from_smoothed(const std::shared_ptr<const Image>& image, const MeshOption
         smoothed_domain(image, options.labels, smoothed, {size, options.margin}), options);
   };
   Source source{"labels", image->name, place, image->notes};
-  source.smoothing = Smoothing{options.smooth, chosen_volume(*image, options.labels)};
+  source.smoothing = Smoothing{options.smooth, volume_of_labels(*image, options.labels)};
   return source;
 }
 
 Source from_voxels(const std::shared_ptr<const Image>& image, const MeshOptions& options) {
   std::optional<double> volume;
-  if (!options.iso && !options.crop) volume = chosen_volume(*image, options.labels);
+  if (!options.iso && !options.crop) volume = volume_of_labels(*image, options.labels);
   const auto place = [image, options, volume](double size) {
     const ImageLattice lattice{size, options.margin, !facts(options.method).settles};
     PlacedSource source = placed_image(options.iso ? level_domain(image, *options.iso, lattice)
                                                    : label_domain(image, options.labels, lattice),
                                        options);
     source.volume = volume;
-    source.keeps_voxels = has_all_voxels(*image, source.frame.size);
+    source.keeps_voxels = !options.iso && has_all_voxels(*image, source.frame.size);
     return source;
   };
   return {options.iso ? "level" : "labels", image->name, place, image->notes};
@@ -124,7 +132,7 @@ Source from_voxels(const std::shared_ptr<const Image>& image, const MeshOptions&
 
 Source from_interfaces(const std::shared_ptr<const Image>& image, const MeshOptions& options,
                        const Context& context) {
-  const double volume = chosen_volume(*image, options.labels);
+  const double volume = volume_of_labels(*image, options.labels);
   const auto place = [image, options, volume, &context](double size) {
     auto domain = interface_domain(image, options.labels, {size, options.margin},
                                    {options.smooth}, context);

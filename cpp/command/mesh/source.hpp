@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "certet/kept.hpp"
 #include "certet/write_mesh.hpp"
 #include "mesh_options.hpp"
 
@@ -59,6 +60,7 @@ struct Source {
   std::optional<SolidVoxels> voxels = {};
   std::optional<Smoothing> smoothing = {};
   double thin = 0;  ///< how thick its thin parts are, in world units; 0: not known
+  KnownPieces pieces = {};  ///< as `SizedShape` has them; of images `RegionWatch` tells
 };
 
 /// Reads the image, surface, volume, formula or shape.  \throws Error, `cancelled` too.

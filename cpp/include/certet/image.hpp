@@ -20,6 +20,7 @@
 #include "certet/context.hpp"
 #include "certet/placed_domain.hpp"
 #include "certet/labels.hpp"
+#include "certet/pieces.hpp"
 
 namespace certet {
 
@@ -256,6 +257,13 @@ struct ImageRegion {
 std::vector<ImageRegion> regions_of_labels(const Image& image, std::vector<LabelRange> labels);
 /// One region: the voxels above the level.
 std::vector<ImageRegion> regions_of_level(const Image& image, double level);
+
+/// World units cubed, of all chosen voxels.
+double volume_of_labels(const Image& image, const std::vector<LabelRange>& labels);
+/// The pieces above a level, between voxels too: those of the voxels by corners and by faces,
+/// since every point above the level is joined to a voxel that is, and neighbours by their
+/// face are joined.  \throws Error `cancelled`.
+PieceBounds pieces_above(const Image& image, double level, const Context& context = {});
 
 /// Counts pieces and points.  Where the domain is one of labels and its size is at
 /// most the smallest spacing, nothing can be lost: every voxel has a point of the

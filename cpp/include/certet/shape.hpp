@@ -10,6 +10,7 @@
 
 #include "certet/bounds.hpp"
 #include "certet/lattice.hpp"
+#include "certet/pieces.hpp"
 #include "certet/placed_domain.hpp"
 
 namespace certet {
@@ -43,6 +44,10 @@ class ShapeDomain final : public PlacedDomain {
   /// In world units cubed, where there is a formula: for all but the gyroid, unless
   /// bounds cut the solid off.
   [[nodiscard]] std::optional<double> volume() const { return volume_; }
+  /// How many it has, where that is known: one where there is a formula for the volume.
+  [[nodiscard]] std::optional<PieceBounds> pieces() const {
+    return volume_ ? std::optional(PieceBounds{1, 1}) : std::nullopt;
+  }
 
   void row(Coord3 first, std::span<Sign> out) const override { solid_->row(first, out); }
   void at(std::span<const Coord3> positions, std::span<Sign> out) const override {

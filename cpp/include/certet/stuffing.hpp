@@ -143,6 +143,9 @@ class Stuffing {
 Mesh mesh(const PlacedDomain& domain, Method method, Context& context);
 Mesh mesh(const PlacedDomain& domain, Method method = Method::embedded);
 
+/// The same of a mesh of the domain that has been counted already.  \throws Error as `emit`.
+Mesh mesh(const PlacedDomain& domain, const Stuffing& stuffing, Context& context);
+
 /// The whole mesh in memory, of a domain that does not know where it lies.  \throws Error as `Stuffing` and `emit`, and `empty_domain`.
 Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame,
            Method method, Context& context);

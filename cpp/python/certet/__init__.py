@@ -14,6 +14,8 @@ mesh that is too large a `MemoryError`.
 from __future__ import annotations
 
 import os
+import sys
+import warnings
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, Literal, NamedTuple
 
@@ -22,7 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _certet
 
-__all__ = ["CheckReport", "FileMesh", "Mesh", "Pieces", "Quality", "check", "mesh", "mesh_function",
+__all__ = ["CheckReport", "FileMesh", "LossWarning", "Mesh", "Pieces", "Quality", "Warp", "check", "mesh", "mesh_function",
            "mesh_image", "mesh_surface", "quality", "read", "write"]
 __version__: str = _certet.version
 
@@ -79,6 +81,33 @@ class Pieces(NamedTuple):
     """Shape (n, 3), n at most 8: the middles of the first such edges, in world units."""
     vertex_places: NDArray[np.float64]
     """Shape (n, 3), n at most 8: the first such vertices, in world units."""
+
+
+class Warp(NamedTuple):
+    """What became of the vertices that the surface passes too close to; all 0 but by the method
+    "embedded"."""
+
+    violated: int
+    """So many there were."""
+    stayed: int
+    """So many did not move, so that no piece is lost or joined; cuts moved away from them."""
+    shortened: int
+    """So many moved less than to the surface."""
+    clamped_cuts: int
+    """The cuts that were moved; how far is told of these alone."""
+    greatest: float
+    """World units."""
+    rms: float
+    """World units."""
+    greatest_edges: float
+    """In lengths of the cut's edge."""
+    rms_edges: float
+    """In lengths of the cut's edge."""
+
+
+class LossWarning(UserWarning):
+    """A mesh has not the pieces of its shape, or a volume that differs by a fiftieth or more; the
+    sentence says a size that keeps them, which was tried, if one was found."""
 
 
 class FileMesh:
@@ -181,6 +210,16 @@ class Mesh:
     def notes(self) -> list[str]:
         """What was done to a surface so that it bounds a solid, a sentence each."""
         return list(self._inner.notes)
+
+    @property
+    def losses(self) -> list[str]:
+        """What the mesh has not kept of its shape, a sentence each; a `LossWarning` told them."""
+        return list(self._inner.losses)
+
+    @property
+    def warp(self) -> Warp:
+        """How many vertices stayed, and how far that moved the surface."""
+        return Warp(**self._inner.warp)
 
     @property
     def checksum(self) -> int:
@@ -318,10 +357,10 @@ def mesh_image(
     if smooth is not None and iso is not None:
         raise ValueError("smooth and iso exclude each other")
     axes = np.eye(3) if direction is None else np.asarray(direction, float)
-    return Mesh(_certet.mesh_image(np.asarray(array), _three(spacing), _three(origin),
-                                   axes.tolist(), ranges, iso,
-                                   None if smooth is None else float(smooth), _size(size), margin,
-                                   _options(method, cuts, guarantee, threads)))
+    return _told(_certet.mesh_image(np.asarray(array), _three(spacing), _three(origin),
+                                    axes.tolist(), ranges, iso,
+                                    None if smooth is None else float(smooth), _size(size), margin,
+                                    _options(method, cuts, guarantee, threads)))
 
 
 def mesh_function(
@@ -351,7 +390,7 @@ def mesh_function(
     ValueError, MemoryError : as `mesh_image`
     """
     low, high = bounds
-    return Mesh(_certet.mesh_function(f, _three(low), _three(high), _size(size), margin,
+    return _told(_certet.mesh_function(f, _three(low), _three(high), _size(size), margin,
                                       _options(method, cuts, guarantee, threads)))
 
 
@@ -388,9 +427,19 @@ def mesh_surface(
         number does not tell inside from outside
     MemoryError : as `mesh_image`
     """
-    return Mesh(_certet.mesh_surface(np.asarray(points, float), np.asarray(triangles, np.int64),
+    return _told(_certet.mesh_surface(np.asarray(points, float), np.asarray(triangles, np.int64),
                                      _size(size), margin, repair,
                                      _options(method, cuts, guarantee, threads)))
+
+
+def _told(inner: _certet.Mesh) -> Mesh:
+    """The mesh, after warnings of what it has not kept, which point at the user's line."""
+    level, frame = 2, sys._getframe(1)
+    while frame.f_back and frame.f_globals.get("__name__") == __name__:
+        level, frame = level + 1, frame.f_back
+    for sentence in inner.losses:
+        warnings.warn(sentence, LossWarning, stacklevel=level)
+    return Mesh(inner)
 
 
 def _quality(found: dict[str, Any]) -> Quality:
