@@ -240,9 +240,9 @@ class PiecesOfSurfaces(Pieces):
     def test_parts_that_overlap_are_compared_on_lattices(self):
         source = self.write(surfaces.cube((0, 0, 0), (2, 2, 2)),
                             surfaces.cube((1, 1, 1), (3, 3, 3.1)),
-                            surfaces.octahedron((2.6, 0.6, 0.6), 0.07))
+                            surfaces.octahedron((2.6, 0.6, 0.6), 0.1))
         told = self.assert_pieces(1, 2, *source)
-        self.assertIn("samples on a lattice of half the size", told)
+        self.assertRegex(told, "its samples at size .* and so have its samples at half of it")
 
     def test_open_ones(self):
         """Holes of an open surface are closed; a box and one without a lid."""
@@ -257,7 +257,7 @@ class PiecesOfFormulas(Pieces):
     def test_small_ball(self):
         told = self.assert_pieces(1, 2, "--expr", self.BALLS, "--bounds", "-1.2,-1.2,-1.2,1.8,1.2,1.2",
                                   "--size", "0.15")
-        self.assertIn("samples on a lattice of half the size", told)
+        self.assertRegex(told, "its samples at size .* and so have its samples at half of it")
 
     def test_resolved_ones_are_not_told(self):
         for size in ("0.05", "0.03"):
@@ -287,13 +287,13 @@ class PiecesOfImages(Pieces):
             return int(corner or all(8 <= a < 16 for a in (i, j, k)))
         self.SIZE = (24, 24, 24)
         self.write(value, "B")
-        self.assert_pieces(5, 9, "a.nrrd", "--smooth", "1", "--size", "4")
+        self.assert_pieces(5, 9, "a.nrrd", "--method", "paper", "--smooth", "1", "--size", "4")
 
     def test_what_smoothing_joins_no_size_keeps(self):
         self.write(lambda i, j, k: int(2 <= i < 18 and 2 <= j < 18 and k in range(3, 9)
-                                       or 5 < i < 12 and 5 < j < 12 and k in range(10, 16)), "B")
-        report = self.mesh("a.nrrd", "--smooth", "2", "--size", "1", "-o", "a.vtu")
-        told, = [w for w in report["warnings"] if "pieces" in w]
+                                       or 5 < i < 12 and 5 < j < 12 and k in range(11, 16)), "B")
+        report = self.mesh("a.nrrd", "--method", "paper", "--smooth", "2", "--size", "1", "-o", "a.vtu")
+        told, = [w for w in report["warnings"] if "piece" in w]
         self.assertRegex(told, "1 piece in the mesh, 2 in the image; no size was found that keeps "
                                "them, down to .*; a smaller --smooth may keep them")
 

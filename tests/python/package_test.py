@@ -3,6 +3,7 @@
 import gc
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -10,6 +11,7 @@ import tempfile
 import threading
 import time
 import unittest
+import warnings
 
 import certet
 import numpy as np
@@ -33,6 +35,47 @@ def ball(n=24, radius=9.0):
 def volumes(mesh):
     p = mesh.points[mesh.tets]
     return np.linalg.det(p[:, 1:] - p[:, :1]) / 6
+
+
+class Losses(unittest.TestCase):
+    def test_of_every_kind(self):
+        """A volume that the lattice does not hold, or pieces; both are as the command has them."""
+        peak = np.zeros((12, 12, 12))
+        peak[3:8, 3:8, 3:8] = 3
+        peak[10, 2, 2] = 1
+        shell = lambda p: np.abs(np.linalg.norm(p, axis=1) - 1) - 0.02
+        vessel = np.zeros((8, 8, 20), np.uint8)
+        vessel[4, 4, 2:18] = 1
+        for words, mesh in (
+                ("has 1 piece, and the shape 2; size=", lambda: certet.mesh(peak, iso=0.9)),
+                ("of the volume of 'function'", lambda: certet.mesh(
+                    shell, bounds=((-1.5,) * 3, (1.5,) * 3), size=0.3)),
+                ("of the volume of 'array', .* of 16;", lambda: certet.mesh(
+                    vessel, method="embedding", size=0.9))):
+            with self.subTest(words), self.assertWarnsRegex(certet.LossWarning, words):
+                mesh()
+
+    def test_none_where_all_is_kept(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for mesh in (certet.mesh(torus, bounds=BOX, size=0.1), certet.mesh(ball()),
+                         certet.mesh(ball().astype(float), iso=0.5)):
+                self.assertEqual(mesh.losses, [])
+
+    def test_what_became_of_vertices(self):
+        """As the JSON of the command has it."""
+        dots = np.zeros((14, 14, 14), np.uint8)
+        dots[3:12:4, 3:12:4, 3:12] = 1
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", certet.LossWarning)
+            warp = certet.mesh(dots, spacing=(1, 1.1, 1.2)).warp
+        self.assertGreater(warp.stayed, 0)
+        self.assertGreater(warp.violated, warp.stayed)
+        self.assertGreater(warp.clamped_cuts, 0)
+        self.assertLessEqual(0, warp.rms)
+        self.assertLessEqual(warp.rms, warp.greatest)
+        self.assertLess(warp.greatest_edges, 0.4)
+        self.assertEqual(set(certet.mesh(ball(), method="midpoint").warp), {0})
 
 
 class Functions(unittest.TestCase):
@@ -306,6 +349,20 @@ class Surfaces(unittest.TestCase):
     def test_default_size_follows_thin_parts(self):
         mesh = certet.mesh_surface(self.points * (1, 1, 0.04), self.triangles)
         self.assertAlmostEqual(mesh.size, 0.01, delta=1e-6)
+
+    def test_pieces_that_the_lattice_does_not_find_are_told(self):
+        """At the line that called, with a size that keeps them."""
+        points = np.concatenate([self.points, self.points * 0.05 + 1.33])
+        triangles = np.concatenate([self.triangles, self.triangles + len(self.points)])
+        for call in (certet.mesh_surface, lambda *a, **k: certet.mesh(a, **k)):
+            with self.assertWarnsRegex(certet.LossWarning, "1 piece, and the shape 2; size=") as told:
+                mesh = call(points, triangles, size=0.25)
+            self.assertEqual(pathlib.Path(told.filename).name, "package_test.py")
+            self.assertIn(str(told.warning), mesh.losses)
+        size = float(re.search("size=([0-9.e-]+)", mesh.losses[0])[1])
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertEqual(certet.mesh_surface(points, triangles, size=size).pieces().by_faces, 2)
 
     def test_refusals(self):
         for triangles, sentence in [(self.triangles[1:], "1 hole.*repair=True"), (self.triangles + 5, "point"),

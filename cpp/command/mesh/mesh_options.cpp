@@ -56,9 +56,9 @@ A label that the lattice is too coarse for is named in a warning, and so is one 
 has more or fewer pieces among the lattice's points than in the image, where voxels may
 touch at edges and corners or not.  That is looked at unless every voxel has a point of the
 lattice at its centre or, with --smooth 0, --size is at most the smallest voxel spacing, for
-then no label and no piece is lost; not with --crop.  With --iso the pieces are those of the mesh,
-and up to 12 sizes are tried, each a fifth smaller than the one before, for one that
-keeps them.
+then no label and no piece is lost; not with --crop.  With --iso the pieces are those of the
+mesh, at any size.  With --iso, and with --smooth and --method paper, a size is looked for that
+keeps them all, and the volume.
 
 The pieces of every mesh are counted, by faces and by vertices, and of several labels
 those of each; with --method paper the latter by --label-pieces alone, for it takes long.
@@ -82,12 +82,16 @@ solid behind a fiftieth of the surface is thin, the default size is a quarter of
 thickness, as far as about 4 million tetrahedra or 32 million cells of the lattice.
 
 The volume of the mesh is compared with that of the solid: of a closed surface and of
-all shapes but the gyroid the true one, of others an estimate.  Beyond 2 % a warning
-names a size that has been tried and keeps the volume; so does the sentence where
-nothing is inside.  At most 14 sizes are tried, each a third smaller than the one
-before, up to 10 million tetrahedra, and until 64 million cells that the surface may
-pass through, or 400 million in all, are spent; where none of them keeps the volume,
-that is said.
+all shapes but the gyroid the true one, of others an estimate.  So are its pieces: a
+closed surface has as many as outer shells, a shape one.  Of formulas, volumes, gyroids,
+shapes cut by --bounds, and surfaces that are open or pass through themselves, those are
+counted that the lattice's points have at a quarter of the size, or at half of it, where
+not so many cells would be sampled for it as the mesh has pairs of tetrahedra.  Beyond 2 %,
+or with other pieces, a warning names a size that has been tried and keeps both; the
+sentence where nothing is inside has one that keeps the volume.  At most 16 sizes are
+tried, each a fifth smaller than the one before, later a third, up to 10 million
+tetrahedra, and until 64 million cells that the surface may pass through, or 400 million
+in all, are spent; where none of them does, that is said.
 
 A solid far from the origin of the world may be finer than the numbers of a file are
 apart there.  A mesh that they cannot hold is not written (status 6): in .stl, of

@@ -47,7 +47,8 @@ struct SizedShape {
   std::optional<double> volume = {};  ///< world units cubed, where it is known exactly
   double thin = 0;                    ///< how thick its thin parts are; 0: not known
   /// Where it is empty, pieces are not compared.  Where it gives nothing, they are with
-  /// those that a lattice of half the size finds, if there are not too many points to ask.
+  /// those that a lattice of a quarter of the size finds, or of half of it, where that is not
+  /// too much to sample beside the mesh.
   KnownPieces pieces = {};
 };
 

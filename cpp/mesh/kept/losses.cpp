@@ -7,11 +7,6 @@
 namespace certet {
 namespace {
 
-using core::finer_by;
-
-/// Sampling a point takes about as long as making a tetrahedron does, at most, so that
-/// looking takes a part of the time that the mesh takes.
-constexpr double sampled_cells_per_tet = 0.5, least_sampled_cells = 5e4;
 /// Where a size is looked for.
 constexpr double most_searched_cells = 1.6e7;
 
@@ -42,14 +37,12 @@ class Comparison {
       if (!may_be(*known_, *mesh_.pieces)) losses_.pieces = OtherPieces{*mesh_.pieces, *known_};
       return;
     }
-    const double size = mesh_.domain.frame().size / finer_by;
-    const double most = std::max(
-        sampled_cells_per_tet * static_cast<double>(mesh_.tets), least_sampled_cells);
-    const std::optional<std::uint64_t> finer =
-        core::pieces_at(shape_, size, mesh_.method, most, context_);
-    compares_pieces_ = finer.has_value();
-    if (finer && !may_be({*finer, *finer}, *mesh_.pieces))
-      losses_.pieces = OtherPieces{*mesh_.pieces, {*finer, *finer}, size};
+    finer_ = core::finer_pieces(shape_, mesh_, context_);
+    compares_pieces_ = finer_.has_value();
+    if (!finer_) return;
+    const PieceBounds finer{finer_->pieces, finer_->pieces};
+    if (!may_be(finer, *mesh_.pieces))
+      losses_.pieces = OtherPieces{*mesh_.pieces, finer, finer_->size};
   }
 
   bool keeps(const CountedShape& counted, TriedSize& tried) {
@@ -70,9 +63,10 @@ class Comparison {
     const PieceCount mesh = counted.stuffing.pieces(frame, context_).whole;
     tried.pieces = mesh.by_faces;
     if (known_) return may_be(*known_, mesh);
-    const std::optional<std::uint64_t> finer =
-        core::pieces_at(shape_, frame.size / finer_by, mesh_.method, most_searched_cells, context_);
-    return finer && may_be({*finer, *finer}, mesh);
+    // Where finer samples had others, a size below theirs may have others again.
+    if (mesh.by_faces != finer_->pieces && frame.size > finer_->size) return false;
+    return core::pieces_at(shape_, frame.size / 2, mesh_.method, most_searched_cells, context_) ==
+           mesh.by_faces;
   }
 
   const SizedShape& shape_;
@@ -80,6 +74,7 @@ class Comparison {
   Context& context_;
   bool compares_pieces_ = false;
   std::optional<PieceBounds> known_;
+  std::optional<core::FinerPieces> finer_;  ///< where they are not known
   Losses losses_;
 };
 

@@ -40,11 +40,11 @@ std::string on_volume(const Losses& losses, const SizedShape& shape, std::string
          advice_on_volume(losses.sizes, shape, size);
 }
 
-/// Of pieces on two lattices, which are the same at a size.
-std::string advice_on_both(const KeepingSizes& sizes, std::string_view size) {
+/// Of pieces that are known on lattices alone.
+std::string advice_on_samples(const KeepingSizes& sizes, std::string_view size) {
   if (!sizes.kept) return advice_on_pieces(sizes, size);
-  return "at " + std::string(size) + digits(sizes.kept->size, 6) + " both have " +
-         std::to_string(sizes.kept->pieces);
+  return std::string(size) + digits(sizes.kept->size, 6) + " has " +
+         std::to_string(sizes.kept->pieces) + ", and so have its samples at half of it";
 }
 
 std::string on_pieces(const Losses& losses, const SizedShape& shape, std::string_view size) {
@@ -53,11 +53,11 @@ std::string on_pieces(const Losses& losses, const SizedShape& shape, std::string
   const std::string bounds = least == most ? "" : std::to_string(least) + " to ";
   return "the mesh of '" + shape.name + "' has " + pieces(other.mesh.by_faces) +
          (other.finer_size == 0 ? ", and the shape " + bounds + std::to_string(most)
-                                : ", and its samples on a lattice of half the size have " +
-                                      std::to_string(most)) +
+                                : ", and its samples at size " + digits(other.finer_size, 4) +
+                                      " have " + std::to_string(most)) +
          "; " +
          (other.finer_size == 0 ? advice_on_pieces(losses.sizes, size)
-                                : advice_on_both(losses.sizes, size));
+                                : advice_on_samples(losses.sizes, size));
 }
 
 }  // namespace
