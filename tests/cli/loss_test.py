@@ -287,7 +287,7 @@ class PiecesOfImages(Pieces):
             return int(corner or all(8 <= a < 16 for a in (i, j, k)))
         self.SIZE = (24, 24, 24)
         self.write(value, "B")
-        self.assert_pieces(5, 9, "a.nrrd", "--method", "paper", "--smooth", "1", "--size", "4")
+        self.assert_pieces(1, 9, "a.nrrd", "--method", "paper", "--smooth", "1", "--size", "4")
 
     def test_what_smoothing_joins_no_size_keeps(self):
         self.write(lambda i, j, k: int(2 <= i < 18 and 2 <= j < 18 and k in range(3, 9)

@@ -120,17 +120,19 @@ std::string RegionWatch::lost(std::size_t which) {
 }
 
 bool RegionWatch::keeps(std::size_t which) const {
-  return source_.voxels->level ? may_be(bounds_of(regions_[which]), whole_)
-                               : regions_[which].keeps_pieces();
+  const std::optional<PieceCount>& mesh = pieces_[which];
+  return mesh ? may_be(bounds_of(regions_[which]), *mesh) : regions_[which].keeps_pieces();
 }
 
 std::string RegionWatch::other_pieces(std::size_t which) const {
   const ImageRegion& region = regions_[which];
   const bool exact = region.pieces_by_corners == region.pieces_by_faces;
+  const std::optional<PieceCount>& mesh = pieces_[which];
+  const std::uint64_t pieces = mesh ? mesh->by_faces : region.lattice_pieces;
   return fmt::format(
-      "{} has {} in the mesh, {}{} in the image; ",
-      named(region, source_.voxels->level.has_value()),
-      region.lattice_pieces == 1 ? "1 piece" : fmt::format("{} pieces", region.lattice_pieces),
+      "{} has {} {}, {}{} in the image; ", named(region, source_.voxels->level.has_value()),
+      pieces == 1 ? "1 piece" : fmt::format("{} pieces", pieces),
+      mesh ? "in the mesh" : "among the lattice's points",
       exact ? "" : fmt::format("{} to ", region.pieces_by_corners), region.pieces_by_faces);
 }
 
