@@ -8,20 +8,10 @@
 #include "certet/domain.hpp"
 #include "certet/lattice.hpp"
 #include "link.hpp"
+#include "vertex_index.hpp"
 #include "violations.hpp"
 
 namespace certet::core {
-
-/// A vertex of the lattice.
-struct VertexIndex {
-  Grid grid;
-  std::int32_t i, j, k;
-  /// Its neighbour in a direction.
-  [[nodiscard]] VertexIndex next(std::size_t direction) const {
-    const VertexRef to = neighbor(grid, direction);
-    return {to.grid, i + to.shift.x, j + to.shift.y, k + to.shift.z};
-  }
-};
 
 /// What samples of several materials tell of violated vertices.
 ///
@@ -56,7 +46,6 @@ class MaterialLinks {
   [[nodiscard]] Material material(const VertexIndex& v) const {
     return materials_->at(v.grid, v.i, v.j, v.k);
   }
-  [[nodiscard]] Coord3 place(const VertexIndex& v, const Displacement& move) const;
 
   const MaterialPlanes* materials_;
   const Violations& violations_;

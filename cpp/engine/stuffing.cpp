@@ -12,7 +12,6 @@
 #include "emit.hpp"
 #include "keep.hpp"
 #include "piece_count.hpp"
-#include "region_pieces.hpp"
 #include "sample.hpp"
 #include "shared_faces.hpp"
 #include "settle.hpp"
@@ -202,9 +201,7 @@ void Stuffing::materials_of(std::span<const TetCorners> tets, std::span<Material
 Pieces Stuffing::pieces(const Frame& frame, Context& context) const {
   return within_memory([&] {
     const State& s = *state_;
-    return has_interfaces()
-               ? count_region_pieces(s.warped, s.lattice, labels(), tet_count(), frame, context)
-               : count_pieces(s.warped, s.lattice, tet_count(), frame, context);
+    return count_pieces(s.warped, s.lattice, labels(), tet_count(), frame, context);
   });
 }
 
@@ -226,9 +223,7 @@ Stuffing Stuffing::keep(const KeepRule& rule, Context& context) {
       return std::make_unique<State>(State{old.domain, old.lattice, std::move(warped),
                                            std::move(numbers), old.method, old.inverted_tets});
     };
-    auto [kept, rest] = has_interfaces()
-                            ? split_regions(old.warped, old.lattice, rule, context)
-                            : split_runs(old.warped, old.lattice, rule, context);
+    auto [kept, rest] = split(old.warped, old.lattice, rule, context);
     auto state = state_of(std::move(kept));
     Stuffing dropped(state_of(std::move(rest)));
     state_ = std::move(state);

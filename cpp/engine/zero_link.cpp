@@ -1,12 +1,41 @@
 #include "zero_link.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <utility>
 
 #include "disjoint_sets.hpp"
 #include "row_ranks.hpp"
 
 namespace certet::core {
 namespace {
+
+LinkSet ring(int d) { return link_ring[static_cast<std::size_t>(d)]; }
+LinkSet bit(int d) { return LinkSet{1} << d; }
+
+template <std::size_t count>
+LinkSet set_of(const std::array<std::uint8_t, count>& neighbours) {
+  LinkSet set = 0;
+  for (const std::uint8_t d : neighbours) set |= LinkSet{1} << d;
+  return set;
+}
+
+/// Those of the bare edges whose sides are both minus.
+std::uint32_t pinched_edges(const ZeroLink& link) {
+  std::uint32_t pinched = link.bare;
+  for_each_bit(link.bare, [&](int e) {
+    if ((link.zero & set_of(long_link_edges[static_cast<std::size_t>(e)].sides)) != 0)
+      pinched &= ~(std::uint32_t{1} << e);
+  });
+  return pinched;
+}
+
+bool has_triangle(LinkSet set) {
+  return std::ranges::any_of(link_triangles, [set](const auto& triangle) {
+    const LinkSet corners = set_of(triangle);
+    return (set & corners) == corners;
+  });
+}
 
 /// Where the surface cuts the link: arcs between zero neighbours and cuts of its edges.
 class LinkCurves {
@@ -22,7 +51,7 @@ class LinkCurves {
     curves_.join(from, to);
   }
 
-  [[nodiscard]] int arcs_at(int zero) const { return arcs_[node(zero, zero)]; }
+  [[nodiscard]] int arcs_at(std::uint32_t node) const { return arcs_[node]; }
 
   /// Whether all arcs make one closed curve, or there are none.
   [[nodiscard]] bool are_one() {
@@ -41,59 +70,79 @@ class LinkCurves {
   std::array<int, node_count> arcs_{};
 };
 
-LinkSet ring(int d) { return link_ring[static_cast<std::size_t>(d)]; }
-LinkSet bit(int d) { return LinkSet{1} << d; }
-
-/// Within a triangle of the link, which has plus and minus corners.
-void add_arc(const std::array<int, 3>& corners, LinkSet plus, LinkSet zero, LinkCurves& curves) {
-  std::array<std::uint32_t, 2> ends{};
-  std::size_t found = 0;
-  for (std::size_t n = 0; n < 3; ++n) {
-    const int a = corners[n];
-    const int b = corners[(n + 1) % 3];
-    if ((zero & bit(a)) != 0) ends[found++] = LinkCurves::node(a, a);
-    const LinkSet signs = bit(a) | bit(b);
-    if ((zero & signs) == 0 && (plus & signs) != 0 && (plus & signs) != signs)
-      ends[found++] = LinkCurves::node(a, b);
-  }
-  curves.add(ends[0], ends[1]);
-}
-
-void add_triangles(LinkSet plus, LinkSet zero, LinkCurves& curves) {
-  for (int a = 0; a < direction_count; ++a)
-    for_each_bit(ring(a) & ~below(a + 1), [&](int b) {
-      for_each_bit(ring(a) & ring(b) & ~below(b + 1), [&](int c) {
-        const LinkSet corners = bit(a) | bit(b) | bit(c);
-        if ((plus & corners) != 0 && (corners & ~(plus | zero)) != 0)
-          add_arc({a, b, c}, plus, zero, curves);
-      });
+/// The surface in the triangles of a link.
+class LinkSurface {
+ public:
+  explicit LinkSurface(const ZeroLink& link) : link_(link) {
+    found_.overfull_cuts = pinched_edges(link);
+    for (const auto& triangle : link_triangles) {
+      const LinkSet corners = set_of(triangle);
+      if ((link.plus & corners) != 0 && (link.minus() & corners) != 0) add_arc(triangle);
+    }
+    for_each_bit(link.zero, [&](int a) {
+      for_each_bit(link.zero & ring(a) & ~below(a + 1), [&](int b) { add_face(a, b); });
     });
-}
+  }
+
+  LinkFindings findings() {
+    for_each_bit(link_.zero, [&](int d) {
+      if (curves_.arcs_at(LinkCurves::node(d, d)) > 2) found_.overfull_edges |= bit(d);
+    });
+    found_.one_fan = curves_.are_one();
+    return std::move(found_);
+  }
+
+ private:
+  /// Within a triangle that has plus and minus corners.
+  void add_arc(const std::array<std::uint8_t, 3>& triangle) {
+    std::array<std::uint32_t, 2> ends{};
+    std::size_t found = 0;
+    for (std::size_t n = 0; n < 3; ++n) {
+      const int a = triangle[n];
+      const int b = triangle[(n + 1) % 3];
+      if ((link_.zero & bit(a)) != 0) ends[found++] = LinkCurves::node(a, a);
+      const LinkSet edge = bit(a) | bit(b);
+      if ((link_.plus & edge) != 0 && (link_.minus() & edge) != 0)
+        ends[found++] = LinkCurves::node(a, b);
+    }
+    for_each_bit(found_.overfull_cuts, [&](int e) {
+      const LinkEdge& edge = long_link_edges[static_cast<std::size_t>(e)];
+      if (set_of(edge.ends) != (set_of(triangle) & link_.plus)) return;
+      const std::uint32_t cut = LinkCurves::node(edge.ends[0], edge.ends[1]);
+      curves_.add(std::exchange(ends[0], cut), cut);
+    });
+    curves_.add(ends[0], ends[1]);
+  }
+
+  /// The face of the vertex and two zero neighbours: of the surface if the mesh has one
+  /// side of it.
+  void add_face(int a, int b) {
+    std::array<LinkMember, 2> members{};
+    std::size_t count = 0;
+    for_each_bit(ring(a) & ring(b) & link_.plus,
+                 [&](int d) { members[count++] = static_cast<LinkMember>(d); });
+    for_each_bit(link_.filled, [&](int t) {
+      const LinkSet edge = bit(a) | bit(b);
+      if ((set_of(link_triangles[static_cast<std::size_t>(t)]) & edge) == edge)
+        members[count++] = static_cast<LinkMember>(direction_count + t);
+    });
+    if (count == 2) found_.across_faces.push_back(members);
+    if (count == 1) curves_.add(LinkCurves::node(a, a), LinkCurves::node(b, b));
+  }
+
+  const ZeroLink& link_;
+  LinkCurves curves_;
+  LinkFindings found_;
+};
 
 }  // namespace
 
-LinkFindings look_around(LinkSet plus, LinkSet zero) {
-  LinkFindings found;
-  if (is_strict_disk(plus, zero)) return found;
-  LinkCurves curves;
-  add_triangles(plus, zero, curves);
-  // Faces of three zero vertices: of the surface if the mesh has one side of them.
-  for_each_bit(zero, [&](int a) {
-    for_each_bit(zero & ring(a) & ~below(a + 1), [&](int b) {
-      const LinkSet sides = ring(a) & ring(b);
-      const LinkSet filled = sides & plus;
-      if (filled == sides)
-        found.across_faces.push_back({static_cast<std::uint8_t>(std::countr_zero(sides)),
-                                      static_cast<std::uint8_t>(std::bit_width(sides) - 1)});
-      else if (filled != 0)
-        curves.add(LinkCurves::node(a, a), LinkCurves::node(b, b));
-    });
-  });
-  for_each_bit(zero, [&](int d) {
-    if (curves.arcs_at(d) > 2) found.overfull_edges |= bit(d);
-  });
-  found.one_fan = curves.are_one();
-  return found;
+bool is_simple(const ZeroLink& link) {
+  if (link.filled != 0 || link.bare != 0) return false;
+  if (is_strict_disk(link.plus, link.zero)) return true;
+  return link.minus() == 0 && is_connected(link.plus) && !has_triangle(link.zero);
 }
+
+LinkFindings look_around(const ZeroLink& link) { return LinkSurface(link).findings(); }
 
 }  // namespace certet::core
