@@ -133,9 +133,9 @@ Source from_voxels(const std::shared_ptr<const Image>& image, const MeshOptions&
 Source from_interfaces(const std::shared_ptr<const Image>& image, const MeshOptions& options,
                        const Context& context) {
   const double volume = volume_of_labels(*image, options.labels);
-  const auto place = [image, options, volume, &context](double size) {
-    auto domain = interface_domain(image, options.labels, {size, options.margin},
-                                   {options.smooth}, context);
+  const auto fields = label_fields(image, options.labels, {options.smooth}, context);
+  const auto place = [fields, options, volume](double size) {
+    auto domain = interface_domain(fields, {size, options.margin});
     const bool keeps_voxels = domain->keeps_voxels();
     PlacedSource source = placed_image(std::move(domain), options);
     if (!options.crop) source.volume = volume;

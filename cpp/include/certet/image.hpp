@@ -193,6 +193,16 @@ struct InterfaceSmoothing {
   std::optional<double> sigma = {};
 };
 
+/// The fields of an image's labels, which `interface_domain` says more of.  They are the same
+/// for every lattice.
+class LabelFields;
+
+/// \throws Error as `interface_domain`, but for what the lattice is refused for.
+std::shared_ptr<const LabelFields> label_fields(std::shared_ptr<const Image> image,
+                                                std::vector<LabelRange> labels,
+                                                const InterfaceSmoothing& smoothing = {},
+                                                const Context& context = {});
+
 /// Every chosen label is a material, and regions meet where smoothed labels are equally
 /// strong: each label has a field u, its share of the voxels around a voxel's centre,
 /// weighted by (1 4 6 4 1)/16 along every axis, and trilinear in between; beyond the image
@@ -204,7 +214,8 @@ struct InterfaceSmoothing {
 ///     their label;
 ///   - a constant is added to each label's field by which its region has about the volume of
 ///     its voxels;
-///   - the field of a voxel's own label is raised at its centre where it is not the greatest.
+///   - the field of a voxel's own label is raised at its centre where it is not the greatest
+///     or, near voxels that lie in no such block, not the greatest by a quarter.
 ///
 /// Where the size is the spacing, or a whole fraction of it, along every axis, even points
 /// of the lattice lie at voxel centres.  Each of those has its voxel's label, and between
@@ -230,6 +241,10 @@ std::unique_ptr<InterfaceDomain> interface_domain(std::shared_ptr<const Image> i
                                                  const ImageLattice& lattice,
                                                  const InterfaceSmoothing& smoothing = {},
                                                  const Context& context = {});
+
+/// The same of fields that there are already.
+std::unique_ptr<InterfaceDomain> interface_domain(std::shared_ptr<const LabelFields> fields,
+                                                 const ImageLattice& lattice);
 
 /// One label in an image, and what a lattice finds of it.  A piece is what hangs
 /// together: voxels by their faces, or by faces, edges and corners; points of the

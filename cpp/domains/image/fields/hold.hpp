@@ -16,7 +16,9 @@ using Constants = std::vector<std::int32_t>;
 
 /// `out` has a value for each of the block's.  Where the own label's value o is not
 /// above the best other value q (0 at least), values u become (1-m) u, and that of the
-/// own label m more, with m = min(1, 4 (q-o) + 16/16384): it is then above all others.
+/// own label m more, with m = min(1, 4 (q-o) + 16/16384): it is then above all others.  Near
+/// thin voxels m is so great, too, that it is a quarter above them: without that a constant
+/// that raises a thin label would take its hold away, and some of its volume.
 /// A value of 0 says that the label is not near, and stays so.
 void raise_and_hold(const BlockView& block, const Constants& constants, bool hold,
                     std::span<std::int32_t> out);
