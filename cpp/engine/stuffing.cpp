@@ -22,6 +22,12 @@ namespace {
 
 using namespace core;
 
+/// Faces are told by the one surface of a mesh.
+void refuse_interfaces(const Stuffing& stuffing) {
+  if (stuffing.has_interfaces())
+    throw Error(ErrorCode::bad_option, "the faces of a mesh that has interfaces are not told");
+}
+
 /// The lattice is checked once, here; every coordinate that the engine computes
 /// afterwards is in range: `DoorSuffices` of the certificate.
 void check_range(const Lattice& lattice) {
@@ -206,10 +212,12 @@ Pieces Stuffing::pieces(const Frame& frame, Context& context) const {
 }
 
 void Stuffing::visit_faces_within(std::int32_t layer, const VisitTetPairs& visit) const {
+  refuse_interfaces(*this);
   LayerTets(state_->warped.planes, layer).visit_within(visit);
 }
 
 void Stuffing::visit_faces_between(std::int32_t layer, const VisitTetPairs& visit) const {
+  refuse_interfaces(*this);
   const SignPlanes& planes = state_->warped.planes;
   if (layer + 1 < layers())
     LayerTets(planes, layer).visit_between(LayerTets(planes, layer + 1), visit);

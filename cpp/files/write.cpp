@@ -7,8 +7,6 @@
 #include "certet/error.hpp"
 #include "certet/formats.hpp"
 #include "certet/placed_quality.hpp"
-#include "engine/border.hpp"
-#include "mesh/boundary.hpp"
 
 namespace certet {
 namespace {
@@ -32,19 +30,6 @@ void write_tets(MeshWriter& writer, std::span<const Tet<Index>> tets,
     writer.tets(tets.subspan(begin, count), labels.empty() ? labels : labels.subspan(begin, count));
   }
   stop_if_cancelled(context);
-}
-
-template <class Index>
-Survey survey_of(const Mesh& mesh, std::span<const Tet<Index>> tets, Context& context) {
-  Survey found = survey(mesh.points.size(), tets, mesh.labels, context);
-  name_regions(found, mesh.names);
-  if (!facts(mesh.method).interfaces) found.interfaces.clear();
-  const Cuts cuts = facts(mesh.method).cuts;
-  const auto doubtful = core::put_on_border(found.boundary, [&](std::uint64_t point) {
-    return core::is_on_border(mesh.points[static_cast<std::size_t>(point)], mesh.border, cuts);
-  });
-  core::put_on_border(found, doubtful);
-  return found;
 }
 
 /// What `certet mesh` refuses to write is not written here either.
@@ -73,7 +58,7 @@ void write(const Mesh& mesh, const std::filesystem::path& file, Format format, C
         const std::span<const Tet<Index>> tets = buffer;
         MeshSize size{mesh.points.size(), tets.size(), !mesh.labels.empty()};
         if (needs_survey(format))
-          size.survey = std::make_shared<const Survey>(survey_of(mesh, tets, context));
+          size.survey = std::make_shared<const Survey>(survey(mesh, context));
         const std::unique_ptr<MeshWriter> writer = open_writer(file, format, size);
         writer->points(world);
         write_tets<Index>(*writer, tets, mesh.labels, context);
@@ -99,14 +84,7 @@ void write(const FileMesh& mesh, const std::filesystem::path& file, Format forma
         throw Error(ErrorCode::bad_input, "cannot write '" + file.string() +
                                               "': a tetrahedron names a point that is not there");
   MeshSize size{mesh.points.size(), mesh.tets.size(), !mesh.labels.empty()};
-  if (needs_survey(format)) {
-    auto found = std::make_shared<Survey>(
-        survey(mesh.points.size(), std::span<const Tet<std::uint64_t>>(mesh.tets), mesh.labels,
-               context));
-    set_border(*found, mesh.border);
-    name_regions(*found, mesh.names);
-    size.survey = std::move(found);
-  }
+  if (needs_survey(format)) size.survey = std::make_shared<const Survey>(survey(mesh, context));
   const std::unique_ptr<MeshWriter> writer = open_writer(file, format, size);
   writer->points(mesh.points);
   write_tets<std::uint64_t>(*writer, mesh.tets, mesh.labels, context);
@@ -116,6 +94,14 @@ void write(const FileMesh& mesh, const std::filesystem::path& file, Format forma
 void write(const FileMesh& mesh, const std::filesystem::path& file) {
   Context context;
   write(mesh, file, format_told_by(file), context);
+}
+
+Survey survey(const FileMesh& mesh, Context& context) {
+  Survey found = survey(mesh.points.size(), std::span<const Tet<std::uint64_t>>(mesh.tets),
+                        mesh.labels, context);
+  set_border(found, mesh.border);
+  name_regions(found, mesh.names);
+  return found;
 }
 
 CheckReport check(const FileMesh& mesh, Context& context) {

@@ -19,6 +19,7 @@
 #include "certet/surface.hpp"
 #include "domains.hpp"
 #include "files.hpp"
+#include "interfaces.hpp"
 #include "pieces.hpp"
 #include "python_mesh.hpp"
 #include "run.hpp"
@@ -287,10 +288,12 @@ PYBIND11_MODULE(_certet, module) {
       })
       .def_property_readonly("warp", warp_of)
       .def_property_readonly("losses", [](const PythonMesh& mesh) { return mesh.losses; })
+      .def_property_readonly("names", [](const PythonMesh& mesh) { return mesh.mesh.names; })
       .def_property_readonly("notes", [](const PythonMesh& mesh) { return mesh.notes; })
       .def("checksum", checksum_of)
       .def("quality", quality_of);
   declare_files(module);
+  declare_interfaces(module);
   declare_pieces(module);
   module.def("mesh_image", mesh_image);
   module.def("mesh_function", mesh_function);

@@ -24,6 +24,8 @@ class Regions {
   [[nodiscard]] const std::vector<MeasuredRegion>& all() const { return regions_; }
   /// The place of a tetrahedron's region among all.
   [[nodiscard]] std::size_t place(const FileMesh& mesh, std::uint64_t tet) const;
+  /// The place of a label among all.
+  [[nodiscard]] std::size_t place(std::int32_t label) const { return find(label); }
 
  private:
   [[nodiscard]] std::size_t find(std::int32_t label) const;

@@ -78,6 +78,80 @@ class Losses(unittest.TestCase):
         self.assertEqual(set(certet.mesh(ball(), method="midpoint").warp), {0})
 
 
+def three_materials():
+    """A ball, one in it, and one through its surface."""
+    labels = ball().astype(np.int16)
+    grid = np.indices(labels.shape)
+    for label, centre, radius in ((2, (9, 11, 11), 4.0), (7, (18, 12, 11), 4.5)):
+        at = grid - np.reshape(centre, (3, 1, 1, 1))
+        labels[(at**2).sum(0) < radius**2] = label
+    return labels
+
+
+def area_of(corners):
+    a, b, c = np.moveaxis(corners, 1, 0)
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2
+
+
+class Interfaces(unittest.TestCase):
+    def setUp(self):
+        self.mesh = certet.mesh(three_materials(), spacing=(1, 1.5, 1.25))
+
+    def faces_between(self, one, other):
+        """The faces that tetrahedra of two labels share, each by its points."""
+        mesh = self.mesh
+        faces = [{frozenset(row) for corners in ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1))
+                  for row in mesh.tets[mesh.labels == label][:, corners].tolist()}
+                 for label in (one, other)]
+        return faces[0] & faces[1]
+
+    def test_are_what_labels_share(self):
+        found = self.mesh.interfaces()
+        self.assertEqual([i.labels for i in found], [(1, 2), (1, 7), (2, 7)])
+        for interface in found:
+            self.assertEqual(interface.names, tuple(map(str, interface.labels)))
+            self.assertEqual(interface.triangles.shape[1:], (3,))
+            self.assertTrue(np.issubdtype(interface.triangles.dtype, np.integer))
+            self.assertFalse(interface.triangles.flags.owndata)
+            shared = self.faces_between(*interface.labels)
+            self.assertEqual({frozenset(t) for t in interface.triangles.tolist()}, shared)
+            self.assertEqual(len(interface.triangles), len(shared))
+            corners = self.mesh.points[interface.triangles]
+            self.assertAlmostEqual(area_of(corners), interface.area, places=9)
+
+    def test_are_seen_from_the_greater_label(self):
+        """The surface of label 2, put together, encloses its volume."""
+        found = {i.labels: i.triangles for i in certet.interfaces(self.mesh)}
+        around = np.concatenate([found[1, 2][:, ::-1], found[2, 7]])
+        corners = self.mesh.points[around]
+        enclosed = np.linalg.det(corners - corners[0, 0]).sum() / 6
+        own = volumes(self.mesh)[self.mesh.labels == 2].sum()
+        self.assertAlmostEqual(enclosed, own, places=6)
+
+    def test_outlive_the_mesh(self):
+        found = self.mesh.interfaces()
+        before = [i.triangles.copy() for i in found]
+        self.mesh = None
+        gc.collect()
+        for interface, copy in zip(found, before):
+            self.assertTrue(np.array_equal(interface.triangles, copy))
+
+    def test_of_a_file_are_the_same(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("a.vtu", "a.mesh"):
+                file = pathlib.Path(folder) / name
+                certet.write(self.mesh, file)
+                for here, there in zip(self.mesh.interfaces(), certet.read(file).interfaces()):
+                    self.assertEqual(here.labels, there.labels)
+                    self.assertTrue(np.array_equal(here.triangles, there.triangles))
+                    self.assertAlmostEqual(here.area, there.area, places=9)
+
+    def test_are_none_without_labels_that_touch(self):
+        self.assertEqual(certet.mesh(ball()).interfaces(), [])
+        self.assertEqual(certet.mesh(three_materials(), method="angles").interfaces(), [])
+        self.assertEqual(certet.mesh_function(torus, BOX, 0.2).interfaces(), [])
+
+
 class Functions(unittest.TestCase):
     def test_torus(self):
         mesh = certet.mesh_function(torus, BOX, 0.1)

@@ -19,14 +19,15 @@ namespace {
 
 constexpr const char* convert_notes = R"(
 Labels are kept, and their names and the patches of the boundary where the formats
-have them (.vtu has neither); the boundary is found anew.
+have them (.vtu has neither); the boundary is found anew, and so are the interfaces, where
+two labels touch, which go out beside it.
 
 All formats but .stl have coordinates of double precision.  A boundary that single
 precision cannot hold is not written (status 6): where points would fall together, or
 triangles lose their area or turn by more than 4.5 degrees.
 
 Keys of the JSON: certet, command, input, output {file, format, bytes, origin}, mesh
-{points, tets, regions, boundary_faces, checksum}, seconds.)";
+{points, tets, regions, boundary_faces, interfaces, interface_faces, checksum}, seconds.)";
 
 /// What the user asks of `certet convert`.
 struct ConvertOptions {
@@ -38,7 +39,8 @@ struct ConvertOptions {
 /// What is known at the end.
 struct ConvertReport {
   std::string input, output, format;
-  std::uint64_t bytes = 0, points = 0, tets = 0, regions = 0, boundary_faces = 0, checksum = 0;
+  std::uint64_t bytes = 0, points = 0, tets = 0, regions = 0, boundary_faces = 0, interfaces = 0, interface_faces = 0,
+                checksum = 0;
   Point3 output_origin{};  ///< in the input: where the coordinates of the output have their 0
   double seconds = 0;
 };
@@ -53,6 +55,9 @@ std::string table(const ConvertReport& report) {
   lines.add("mesh", "{} points, {} tetrahedra, {} regions, {} boundary faces",
             grouped(report.points), grouped(report.tets), grouped(report.regions),
             grouped(report.boundary_faces));
+  if (report.interfaces > 0)
+    lines.add("", "{} interfaces of {} triangles", grouped(report.interfaces),
+              grouped(report.interface_faces));
   lines.add("checksum", "0x{:016x}", report.checksum);
   lines.add("seconds", "{:.2f}", report.seconds);
   return std::move(lines).text();
@@ -70,6 +75,8 @@ std::string json(const ConvertReport& report) {
                   {"tets", report.tets},
                   {"regions", report.regions},
                   {"boundary_faces", report.boundary_faces},
+                  {"interfaces", report.interfaces},
+                  {"interface_faces", report.interface_faces},
                   {"checksum", fmt::format("0x{:016x}", report.checksum)}};
   json["seconds"] = report.seconds;
   return print(json);
@@ -128,10 +135,9 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
   check_indices(options, mesh);
   const Point3 moved_to = options.origin == "0" ? move_to_zero(mesh) : Point3{};
   if (!options.label_names.empty()) mesh.names = read_label_names(options.label_names);
-  auto found = std::make_shared<Survey>(survey(mesh.points.size(), mesh.tets, mesh.labels, context));
-  set_border(*found, std::move(mesh.border));
-  name_regions(*found, mesh.names);
+  const auto found = std::make_shared<Survey>(survey(mesh, context));
   const std::uint64_t boundary_faces = found->boundary.size();
+  const std::uint64_t interfaces = found->interfaces.size(), faces = face_count(*found);
   choose_surface(options.surface, mesh.names, *found);
   stop_if_cancelled(context);
   const MeshSize size{mesh.points.size(), mesh.tets.size(), !mesh.labels.empty(), found};
@@ -143,6 +149,8 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
   report.tets = size.tets;
   report.regions = found->regions.size();
   report.boundary_faces = boundary_faces;
+  report.interfaces = interfaces;
+  report.interface_faces = faces - boundary_faces;
   report.checksum = checksum(mesh);
   report.output_origin = moved_to;
   report.seconds = clock.seconds();
@@ -165,7 +173,7 @@ Run declare_convert(CLI::App& app) {
       ->option_text("IN");
   app.add_option("output", options->output,
                  "Mesh: .vtu, .mesh, .meshb, .msh, .inp, .feb, .node (with .ele, .face); its "
-                 "boundary: .stl, .ply")
+                 "surfaces: .vtp, .stl, .ply")
       ->required()
       ->option_text("OUT");
   app.add_option("--format", options->format, format_names() + " (default: by the extension)")

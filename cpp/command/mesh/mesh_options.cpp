@@ -210,7 +210,7 @@ void declare_lattice(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
 void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("-o,--output", options.output,
                   "Mesh: .vtu, .mesh, .meshb, .msh, .inp, .feb, .node (with .ele, .face); "
-                  "its boundary: .stl, .ply")
+                  "its surfaces: .vtp, .stl, .ply")
       ->option_text("OUT");
   mesh.add_option("--format", raw.format, format_names() + " (default: by the extension)")
       ->option_text("F");

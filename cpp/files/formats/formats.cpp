@@ -36,6 +36,7 @@ constexpr Entry registry[] = {
     {Format::febio, "feb", {".feb"}, true, open_febio, febio_bytes, nullptr},
     {Format::tetgen, "tetgen", {".node", ".ele", ".face"}, true, open_tetgen, tetgen_bytes,
      nullptr},
+    {Format::vtp, "vtp", {".vtp"}, true, open_vtp, vtp_bytes, nullptr},
     {Format::stl, "stl", {".stl"}, true, open_stl, stl_bytes, nullptr},
     {Format::ply, "ply", {".ply"}, true, open_ply, ply_bytes, nullptr},
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <optional>
+#include <string>
 #include <utility>
 
 #include "certet/survey.hpp"
@@ -43,14 +43,12 @@ class GmshReader {
   void read_element_block_22(std::int32_t type, std::uint64_t count, std::uint64_t tags);
   void take_tet(std::uint64_t tag, std::int32_t label);
   void check_type(std::int32_t type) const;
-  [[nodiscard]] bool is_border(std::int32_t type, std::int32_t group) const {
-    return type == gmsh_triangle && border_group_ == group;
-  }
   std::int32_t read_entity(std::uint64_t coordinates);
 
   void order_points();
   void order_tets();
   void finish_labels();
+  void finish_surfaces();
   [[nodiscard]] std::uint64_t index_of(std::uint64_t tag) const;
 
   /// Numbers as the file has them: in words or in binary.
@@ -82,7 +80,8 @@ class GmshReader {
   bool binary_ = false, version_22_ = false;
   bool has_nodes_ = false, has_elements_ = false;
   std::map<std::int32_t, std::int32_t> group_of_volume_, group_of_surface_;
-  std::optional<std::int32_t> border_group_;  ///< of surfaces
+  std::map<std::int32_t, std::string> surface_names_;  ///< of groups
+  std::map<std::int32_t, std::vector<std::array<std::uint64_t, 3>>> surfaces_;
   std::vector<std::uint64_t> point_tags_, tet_tags_;
   FileMesh mesh_;
 };
@@ -105,6 +104,7 @@ FileMesh GmshReader::read() {
   if (!has_nodes_ || !has_elements_) file_.fail("it has no nodes or no elements");
   order_points();
   order_tets();
+  finish_surfaces();
   finish_labels();
   return std::move(mesh_);
 }
@@ -123,7 +123,7 @@ void GmshReader::read_format() {
   cursor_.skip_past("$EndMeshFormat");
 }
 
-/// Always in words; those of volumes are kept, and which surfaces are the border.
+/// Always in words; those of volumes and of surfaces are kept.
 void GmshReader::read_names() {
   const auto count =
       cursor_.checked(cursor_.number<std::uint64_t>("a number"), 6, "physical names");
@@ -135,8 +135,7 @@ void GmshReader::read_names() {
     if (begin == line.npos || end == begin) file_.fail("it has a physical name without quotes");
     const std::string_view name = line.substr(begin + 1, end - begin - 1);
     if (dimension == 3) mesh_.names[tag] = name;
-    if (dimension == 2 && name == patch_names[static_cast<std::size_t>(Patch::border)])
-      border_group_ = tag;
+    if (dimension == 2) surface_names_[tag] = name;
   }
 }
 
@@ -234,8 +233,8 @@ void GmshReader::read_elements() {
       if (type == gmsh_tetrahedron) {
         take_tet(tag, label);
         for (std::uint64_t& point : mesh_.tets.back()) point = size();
-      } else if (is_border(type, label)) {
-        for (std::uint64_t& point : mesh_.border.emplace_back()) point = size();
+      } else if (type == gmsh_triangle) {
+        for (std::uint64_t& point : surfaces_[label].emplace_back()) point = size();
       } else {
         for (int c = 0; c < corners; ++c) size();
       }
@@ -279,13 +278,13 @@ void GmshReader::read_element_block_22(std::int32_t type, std::uint64_t count,
       const std::int32_t tag = integer();
       if (t < 2 && label == 0) label = tag;
     }
-    const bool border = is_border(type, label);
     if (type == gmsh_tetrahedron) take_tet(number, label);
-    if (border) mesh_.border.emplace_back();
+    std::array<std::uint64_t, 3>* const face =
+        type == gmsh_triangle ? &surfaces_[label].emplace_back() : nullptr;
     for (int c = 0; c < corners_of[static_cast<std::size_t>(type)]; ++c) {
       const std::uint64_t point = tag_22();
       if (type == gmsh_tetrahedron) mesh_.tets.back()[static_cast<std::size_t>(c)] = point;
-      if (border) mesh_.border.back()[static_cast<std::size_t>(c)] = point;
+      if (face != nullptr) (*face)[static_cast<std::size_t>(c)] = point;
     }
   }
 }
@@ -340,8 +339,18 @@ void GmshReader::order_tets() {
   }
   for (Tet<std::uint64_t>& tet : mesh_.tets)
     for (std::uint64_t& point : tet) point = index_of(point);
-  for (auto& face : mesh_.border)
-    for (std::uint64_t& point : face) point = index_of(point);
+}
+
+void GmshReader::finish_surfaces() {
+  for (auto& [group, faces] : surfaces_) {
+    for (auto& face : faces)
+      for (std::uint64_t& point : face) point = index_of(point);
+    const auto name = surface_names_.find(group);
+    FileSurface surface{group, name == surface_names_.end() ? "" : name->second, std::move(faces)};
+    if (surface.name == patch_names[static_cast<std::size_t>(Patch::border)])
+      mesh_.border = surface.faces;
+    mesh_.surfaces.push_back(std::move(surface));
+  }
 }
 
 void GmshReader::finish_labels() {

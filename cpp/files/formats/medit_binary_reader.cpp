@@ -69,7 +69,7 @@ FileMesh MeditBinaryReader::read() {
     cursor_.go_to(next);
   }
   if (!has_points_ || !has_tets_) file_.fail("it has no vertices or no tetrahedra");
-  mesh_.border = patches_.take(mesh_);
+  patches_.give(mesh_);
   return std::move(mesh_);
 }
 

@@ -42,7 +42,7 @@ class MeditReader {
     }
     if (!has_points || !has_tets) file_.fail("it has no vertices or no tetrahedra");
     if (!words_.word().empty()) file_.fail("it goes on behind its end");
-    mesh_.border = patches_.take(mesh_);
+    patches_.give(mesh_);
     return std::move(mesh_);
   }
 

@@ -52,7 +52,7 @@ std::unique_ptr<MeshWriter> open_ply(const std::filesystem::path& file, const Me
 
 std::uint64_t ply_bytes(const MeshSize& size) {
   // A closed surface has about half as many points as triangles.
-  const std::uint64_t faces = size.survey == nullptr ? 0 : size.survey->boundary.size();
+  const std::uint64_t faces = survey_of(size).boundary.size();
   return 200 + 13 * faces + faces / 2 * sizeof(Point3);
 }
 

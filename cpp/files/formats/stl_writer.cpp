@@ -57,7 +57,7 @@ std::unique_ptr<MeshWriter> open_stl(const std::filesystem::path& file, const Me
 }
 
 std::uint64_t stl_bytes(const MeshSize& size) {
-  return 84 + 50 * (size.survey == nullptr ? 0 : size.survey->boundary.size());
+  return 84 + 50 * survey_of(size).boundary.size();
 }
 
 }  // namespace certet::formats

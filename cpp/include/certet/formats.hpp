@@ -28,14 +28,15 @@ enum class Format {
   abaqus,        ///< Abaqus input: nodes, elements and sets (.inp)
   febio,         ///< FEBio 4.0: the mesh alone (.feb)
   tetgen,        ///< three files: .node, .ele and .face
-  stl,           ///< the boundary alone, binary (.stl)
-  ply,           ///< the boundary alone, binary (.ply)
+  vtp,           ///< VTK XML surfaces: the boundary and all interfaces, raw (.vtp)
+  stl,           ///< the boundary or a chosen surface alone, binary (.stl)
+  ply,           ///< the same, binary (.ply)
 };
 
 /// The format that a file name's extension stands for.
 std::optional<Format> format_of(const std::filesystem::path& file);
 /// The format of a name: vtu, vtu-zlib, medit, meditb, msh, msh22, inp, feb,
-/// tetgen, stl, ply.
+/// tetgen, vtp, stl, ply.
 std::optional<Format> format_named(std::string_view name);
 std::string_view name(Format format);
 /// All names, for sentences.
@@ -91,6 +92,13 @@ std::unique_ptr<MeshWriter> open_writer(const std::filesystem::path& file, Forma
 /// The exact size in bytes for binary formats, an estimate for others.
 std::uint64_t file_bytes(Format format, const MeshSize& size);
 
+/// Triangles that a file holds together, under a number and, where the format has them, a name.
+struct FileSurface {
+  std::int64_t number = 0;
+  std::string name = {};
+  std::vector<std::array<std::uint64_t, 3>> faces = {};  ///< as the file turns them
+};
+
 /// A mesh as a file holds it.
 struct FileMesh {
   std::vector<Point3> points;
@@ -100,7 +108,40 @@ struct FileMesh {
   LabelNames names;                  ///< where the format has them
   /// The points of faces of the patch `border`, in any order; where the format has them.
   std::vector<std::array<std::uint64_t, 3>> border;
+  /// All triangles of .mesh, .meshb and .msh files, by growing numbers: the patches, the
+  /// interfaces, or whatever the writer meant by them.
+  std::vector<FileSurface> surfaces = {};
 };
+
+/// The regions, the boundary and the interfaces of what a file held, found anew, with the names
+/// and the border that it told.
+/// \throws Error `cancelled`.
+Survey survey(const FileMesh& mesh, Context& context);
+
+/// How the triangles that a file holds compare with what its tetrahedra say.
+struct SurfaceReport {
+  std::int64_t number = 0;
+  std::string name;
+  std::uint64_t triangles = 0;
+  std::uint64_t outer = 0;      ///< on the boundary
+  std::uint64_t between = 0;    ///< between two labels
+  std::uint64_t elsewhere = 0;  ///< neither; within one label, or no face of the mesh
+  /// The interface that it is, by its name or number: then `missing` triangles of that are not
+  /// in it, and `wrong` ones in it lie elsewhere.
+  std::optional<std::array<std::int32_t, 2>> interface = std::nullopt;
+  std::uint64_t missing = 0, wrong = 0;
+};
+
+/// What `compare_surfaces` found.
+struct SurfaceComparison {
+  std::vector<SurfaceReport> surfaces;  ///< as the file has them
+  std::vector<std::string> failures;    ///< one sentence for each broken one
+};
+
+/// Compares them.  A surface is taken for an interface where it has the name that our writers
+/// would give it or, in a file without names, the number, and most triangles agree; other
+/// programs' surfaces may be anything, and are told of alone.  `found` is the survey of the mesh.
+SurfaceComparison compare_surfaces(const FileMesh& mesh, const Survey& found);
 
 /// Reads .vtu, .mesh, .meshb and .msh files, by their extension.  Looks at
 /// everything but whether the indices are those of points: that is the task of

@@ -109,8 +109,9 @@ class Stuffing {
   /// \throws Error `cancelled`, `too_large` (out of memory, or 2^32 runs).
   [[nodiscard]] Pieces pieces(const Frame& frame, Context& context) const;
 
-  /// Of a mesh without interfaces: tells which tetrahedra of a layer share a face with each other, or with which of the
-  /// next layer: each pair once, in no order that means anything.
+  /// Tells which tetrahedra of a layer share a face with each other, or with which of the next
+  /// layer: each pair once, in no order that means anything.
+  /// \throws Error `bad_option` of a mesh that has interfaces, of which `pieces` tells all.
   void visit_faces_within(std::int32_t layer, const VisitTetPairs& visit) const;
   void visit_faces_between(std::int32_t layer, const VisitTetPairs& visit) const;
 

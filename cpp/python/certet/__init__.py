@@ -6,8 +6,8 @@
     certet.write(mesh, "brain.vtu")
 
 `mesh` makes one of voxels, of a function that is negative inside, or of closed triangles; so do
-`mesh_image`, `mesh_function` and `mesh_surface`, each for one of these.  `write`, `read`, `check`
-and `quality` do what they say.  They run on all cores without Python's lock; Ctrl-C stops them.  What they refuse is a `ValueError` with one sentence, a lattice or
+`mesh_image`, `mesh_function` and `mesh_surface`, each for one of these.  `write`, `read`, `check`,
+`interfaces` and `quality` do what they say.  They run on all cores without Python's lock; Ctrl-C stops them.  What they refuse is a `ValueError` with one sentence, a lattice or
 mesh that is too large a `MemoryError`.
 """
 
@@ -24,8 +24,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _certet
 
-__all__ = ["CheckReport", "FileMesh", "LossWarning", "Mesh", "Pieces", "Quality", "Warp", "check", "mesh", "mesh_function",
-           "mesh_image", "mesh_surface", "quality", "read", "write"]
+__all__ = ["CheckReport", "FileMesh", "Interface", "LossWarning", "Mesh", "Pieces", "Quality", "Warp",
+           "check", "interfaces", "mesh", "mesh_function", "mesh_image", "mesh_surface", "quality",
+           "read", "write"]
 __version__: str = _certet.version
 
 Cuts = Literal["bisect", "midpoint"]
@@ -110,6 +111,20 @@ class LossWarning(UserWarning):
     sentence says a size that keeps them, which was tried, if one was found."""
 
 
+class Interface(NamedTuple):
+    """Where the tetrahedra of two labels touch."""
+
+    labels: tuple[int, int]
+    """The lesser first."""
+    names: tuple[str, str]
+    """Those of the labels; a label without a name is called by its number."""
+    triangles: NDArray[np.uint64]
+    """Shape (n, 3): numbers of points of the mesh, anticlockwise seen from the second label's
+    side.  `mesh.points[triangles]` has their corners, shape (n, 3, 3)."""
+    area: float
+    """In world units squared."""
+
+
 class FileMesh:
     """A mesh as a file holds it.  Its arrays share the memory of the mesh and keep it alive."""
 
@@ -139,6 +154,11 @@ class FileMesh:
     def quality(self) -> Quality:
         """Measures every tetrahedron, in the file's coordinates."""
         return _quality(self._inner.quality())
+
+    def interfaces(self) -> list[Interface]:
+        """Where labels touch, by growing labels: one for each pair of them.  The arrays share
+        memory that is theirs alone."""
+        return _interfaces(self._inner)
 
     def pieces(self) -> Pieces:
         """Counts the pieces, by faces and by vertices, of the whole and of each label."""
@@ -207,6 +227,11 @@ class Mesh:
         return self.method
 
     @property
+    def names(self) -> dict[int, str]:
+        """What labels are called, where the shape tells; none of an array."""
+        return self._inner.names
+
+    @property
     def notes(self) -> list[str]:
         """What was done to a surface so that it bounds a solid, a sentence each."""
         return list(self._inner.notes)
@@ -229,6 +254,12 @@ class Mesh:
     def quality(self) -> Quality:
         """Measures every tetrahedron, in exact and in world coordinates."""
         return _quality(self._inner.quality())
+
+    def interfaces(self) -> list[Interface]:
+        """Where labels touch, by growing labels: one for each pair of them.  The arrays share
+        memory that is theirs alone.  Empty where the method does
+        not cut labels apart (the paper's)"""
+        return _interfaces(self._inner)
 
     def pieces(self) -> Pieces:
         """Counts the pieces, by faces and by vertices, of the whole and of each label."""
@@ -295,6 +326,11 @@ def check(mesh: Mesh | FileMesh) -> CheckReport:
     """Verifies a mesh anew, from its points and tetrahedra alone: conforming, closed, positive,
     every point used, finite and by itself."""
     return CheckReport(**_certet.check(mesh._inner))
+
+
+def interfaces(mesh: Mesh | FileMesh) -> list[Interface]:
+    """Where labels touch; `mesh.interfaces()` is the same."""
+    return mesh.interfaces()
 
 
 def quality(mesh: Mesh | FileMesh) -> Quality:
@@ -451,6 +487,13 @@ def _pieces(mesh: _certet.Mesh | _certet.FileMesh) -> Pieces:
     places = {key: np.asarray(found[key], float).reshape(-1, 3)
               for key in ("edge_places", "vertex_places")}
     return Pieces(**{**found, **places})
+
+
+def _interfaces(mesh: _certet.Mesh | _certet.FileMesh) -> list[Interface]:
+    names = mesh.names
+    return [Interface(labels, (names.get(labels[0], str(labels[0])),
+                               names.get(labels[1], str(labels[1]))), triangles, area)
+            for labels, triangles, area in _certet.interfaces(mesh)]
 
 
 def _three(numbers: Sequence[float]) -> tuple[float, float, float]:

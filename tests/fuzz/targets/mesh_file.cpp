@@ -2,7 +2,7 @@
 // convert` begins with.
 
 #include "certet/check.hpp"
-#include "certet/count_pieces.hpp"
+#include "certet/examine.hpp"
 #include "reader.hpp"
 #include "targets.hpp"
 
@@ -14,8 +14,8 @@ void mesh_file(Bytes bytes) {
       throw Finding("there are labels, but not one for each tetrahedron");
     const std::span<const certet::Tet<std::uint64_t>> tets(mesh.tets);
     certet::check(mesh.points, tets, context);
-    certet::count_pieces(mesh.points, tets, mesh.labels, context);
-    certet::survey(mesh.points.size(), tets, mesh.labels, context);
+    certet::examine(mesh.points, tets, mesh.labels, context);
+    certet::compare_surfaces(mesh, certet::survey(mesh, context));
     certet::checksum(mesh);
   });
 }
