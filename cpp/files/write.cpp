@@ -47,6 +47,10 @@ Survey survey_of(const Mesh& mesh, std::span<const Tet<Index>> tets, Context& co
   return found;
 }
 
+std::vector<std::string> losses_of(Format format, const MeshSize& size) {
+  return size.survey == nullptr ? std::vector<std::string>() : label_losses(format, *size.survey);
+}
+
 /// What `certet mesh` refuses to write is not written here either.
 void refuse_unsound(const Mesh& mesh, std::span<const Point3> world,
                     const std::filesystem::path& file) {
@@ -65,10 +69,11 @@ void refuse_unsound(const Mesh& mesh, std::span<const Point3> world,
 
 }  // namespace
 
-void write(const Mesh& mesh, const std::filesystem::path& file, Format format, Context& context) {
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file, Format format,
+                               Context& context) {
   const Buffer<Point3> world = world_points(mesh);
   refuse_unsound(mesh, world, file);
-  std::visit(
+  return std::visit(
       [&]<class Index>(const Buffer<Tet<Index>>& buffer) {
         const std::span<const Tet<Index>> tets = buffer;
         MeshSize size{mesh.points.size(), tets.size(), !mesh.labels.empty()};
@@ -78,21 +83,23 @@ void write(const Mesh& mesh, const std::filesystem::path& file, Format format, C
         writer->points(world);
         write_tets<Index>(*writer, tets, mesh.labels, context);
         writer->finish();
+        return losses_of(format, size);
       },
       mesh.tets);
 }
 
-void write(const Mesh& mesh, const std::filesystem::path& file, Context& context) {
-  write(mesh, file, format_told_by(file), context);
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file,
+                               Context& context) {
+  return write(mesh, file, format_told_by(file), context);
 }
 
-void write(const Mesh& mesh, const std::filesystem::path& file) {
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file) {
   Context context;
-  write(mesh, file, context);
+  return write(mesh, file, context);
 }
 
-void write(const FileMesh& mesh, const std::filesystem::path& file, Format format,
-           Context& context) {
+std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path& file,
+                               Format format, Context& context) {
   for (const Tet<std::uint64_t>& tet : mesh.tets)
     for (const std::uint64_t point : tet)
       if (point >= mesh.points.size())
@@ -111,11 +118,12 @@ void write(const FileMesh& mesh, const std::filesystem::path& file, Format forma
   writer->points(mesh.points);
   write_tets<std::uint64_t>(*writer, mesh.tets, mesh.labels, context);
   writer->finish();
+  return losses_of(format, size);
 }
 
-void write(const FileMesh& mesh, const std::filesystem::path& file) {
+std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path& file) {
   Context context;
-  write(mesh, file, format_told_by(file), context);
+  return write(mesh, file, format_told_by(file), context);
 }
 
 CheckReport check(const FileMesh& mesh, Context& context) {

@@ -19,14 +19,16 @@ namespace {
 
 constexpr const char* convert_notes = R"(
 Labels are kept, and their names and the patches of the boundary where the formats
-have them (.vtu has neither); the boundary is found anew.
+have them (.vtu has neither); the boundary is found anew.  Groups of .msh have positive
+numbers: other labels have the next that are free there, which a warning tells, and a
+comment in the file, by which they are read back.
 
 All formats but .stl have coordinates of double precision.  A boundary that single
 precision cannot hold is not written (status 6): where points would fall together, or
 triangles lose their area or turn by more than 4.5 degrees.
 
 Keys of the JSON: certet, command, input, output {file, format, bytes, origin}, mesh
-{points, tets, regions, boundary_faces, checksum}, seconds.)";
+{points, tets, regions, boundary_faces, checksum}, seconds, warnings.)";
 
 /// What the user asks of `certet convert`.
 struct ConvertOptions {
@@ -40,6 +42,7 @@ struct ConvertReport {
   std::string input, output, format;
   std::uint64_t bytes = 0, points = 0, tets = 0, regions = 0, boundary_faces = 0, checksum = 0;
   Point3 output_origin{};  ///< in the input: where the coordinates of the output have their 0
+  std::vector<std::string> warnings;
   double seconds = 0;
 };
 
@@ -53,6 +56,7 @@ std::string table(const ConvertReport& report) {
   lines.add("mesh", "{} points, {} tetrahedra, {} regions, {} boundary faces",
             grouped(report.points), grouped(report.tets), grouped(report.regions),
             grouped(report.boundary_faces));
+  for (const std::string& warning : report.warnings) lines.add("warning", "{}", warning);
   lines.add("checksum", "0x{:016x}", report.checksum);
   lines.add("seconds", "{:.2f}", report.seconds);
   return std::move(lines).text();
@@ -72,6 +76,7 @@ std::string json(const ConvertReport& report) {
                   {"boundary_faces", report.boundary_faces},
                   {"checksum", fmt::format("0x{:016x}", report.checksum)}};
   json["seconds"] = report.seconds;
+  json["warnings"] = report.warnings;
   return print(json);
 }
 
@@ -145,6 +150,7 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
   report.boundary_faces = boundary_faces;
   report.checksum = checksum(mesh);
   report.output_origin = moved_to;
+  report.warnings = label_losses(format, *found);
   report.seconds = clock.seconds();
   return report;
 }
@@ -152,7 +158,9 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
 Status convert(const ConvertOptions& options) {
   Context context;
   const Signals signals(context);
-  tell(run(options, context), options.json);
+  const ConvertReport report = run(options, context);
+  warn(report.warnings);
+  tell(report, options.json);
   return Status::ok;
 }
 

@@ -91,12 +91,16 @@ std::unique_ptr<MeshWriter> open_writer(const std::filesystem::path& file, Forma
 /// The exact size in bytes for binary formats, an estimate for others.
 std::uint64_t file_bytes(Format format, const MeshSize& size);
 
+/// What a format cannot hold of a mesh's labels and what became of it, a sentence each.
+/// Gmsh's groups have positive numbers: all other labels have the next that are free there, and
+/// a comment by which `read` gives them back.
+std::vector<std::string> label_losses(Format format, const Survey& survey);
+
 /// A mesh as a file holds it.
 struct FileMesh {
   std::vector<Point3> points;
   std::vector<Tet<std::uint64_t>> tets;
-  std::vector<std::int32_t> labels;  ///< empty, or one for each tetrahedron; zeros
-                                     ///< alone are none in formats that must have some
+  std::vector<std::int32_t> labels;  ///< empty, or one for each tetrahedron
   LabelNames names;                  ///< where the format has them
   /// The points of faces of the patch `border`, in any order; where the format has them.
   std::vector<std::array<std::uint64_t, 3>> border;
@@ -115,15 +119,18 @@ FileMesh read(const std::filesystem::path& file, const Context& context = {});
 /// `open_writer` and `MeshWriter`, and where the doubles of the world cannot hold the
 /// mesh), `check_failed` (angles beyond the bounds of the mesh's method: a bug),
 /// `too_large`, `cancelled`.
-void write(const Mesh& mesh, const std::filesystem::path& file, Format format, Context& context);
-void write(const Mesh& mesh, const std::filesystem::path& file, Context& context);
-void write(const Mesh& mesh, const std::filesystem::path& file);
+/// \returns the `label_losses`.
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file, Format format,
+                               Context& context);
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file,
+                               Context& context);
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file);
 
 /// The same of what a file held, as it is: its angles are not checked.
 /// \throws Error `bad_input` besides, for tetrahedra that name points which are not there.
-void write(const FileMesh& mesh, const std::filesystem::path& file, Format format,
-           Context& context);
-void write(const FileMesh& mesh, const std::filesystem::path& file);
+std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path& file,
+                               Format format, Context& context);
+std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path& file);
 
 /// Verifies what a file held, as `check` of points and tetrahedra does.
 CheckReport check(const FileMesh& mesh, Context& context);

@@ -14,6 +14,7 @@ mesh that is too large a `MemoryError`.
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, Literal, NamedTuple
 
@@ -234,12 +235,14 @@ def write(mesh: Mesh | FileMesh, file: str | os.PathLike[str], format: str | Non
     ----------
     format : a name that `certet mesh --format` knows (default: by the extension)
 
+    Warns of labels that do not keep their numbers: in .msh those that are not positive.
+
     Raises
     ------
     ValueError : an unknown format, a file that cannot be written, a mesh that doubles cannot hold
         where it lies
     """
-    _certet.write(mesh._inner, file, format)
+    _warn(_certet.write(mesh._inner, file, format))
 
 
 def read(file: str | os.PathLike[str]) -> FileMesh:
@@ -395,6 +398,12 @@ def _pieces(mesh: _certet.Mesh | _certet.FileMesh) -> Pieces:
     places = {key: np.asarray(found[key], float).reshape(-1, 3)
               for key in ("edge_places", "vertex_places")}
     return Pieces(**{**found, **places})
+
+
+def _warn(sentences: Iterable[str]) -> None:
+    """Warns as from the line that called the function that calls this one."""
+    for sentence in sentences:
+        warnings.warn(sentence, stacklevel=3)
 
 
 def _three(numbers: Sequence[float]) -> tuple[float, float, float]:
