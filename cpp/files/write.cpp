@@ -106,6 +106,7 @@ std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path
         throw Error(ErrorCode::bad_input, "cannot write '" + file.string() +
                                               "': a tetrahedron names a point that is not there");
   MeshSize size{mesh.points.size(), mesh.tets.size(), !mesh.labels.empty()};
+  size.space = mesh.space;
   if (needs_survey(format)) {
     auto found = std::make_shared<Survey>(
         survey(mesh.points.size(), std::span<const Tet<std::uint64_t>>(mesh.tets), mesh.labels,

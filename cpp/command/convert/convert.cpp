@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "format_choice.hpp"
 #include "json.hpp"
+#include "option_values.hpp"
 #include "outputs.hpp"
 #include "report.hpp"
 #include "signals.hpp"
@@ -27,13 +28,13 @@ All formats but .stl have coordinates of double precision.  A boundary that sing
 precision cannot hold is not written (status 6): where points would fall together, or
 triangles lose their area or turn by more than 4.5 degrees.
 
-Keys of the JSON: certet, command, input, output {file, format, bytes, origin}, mesh
+Keys of the JSON: certet, command, input, output {file, format, bytes, origin, scale}, mesh
 {points, tets, regions, boundary_faces, checksum}, seconds, warnings.)";
 
 /// What the user asks of `certet convert`.
 struct ConvertOptions {
   std::filesystem::path input, output, label_names;
-  std::string format, json, origin, surface;
+  std::string format, json, origin, surface, scale;
   bool compress = false;
 };
 
@@ -42,7 +43,8 @@ struct ConvertReport {
   std::string input, output, format;
   std::uint64_t bytes = 0, points = 0, tets = 0, regions = 0, boundary_faces = 0, checksum = 0;
   Point3 output_origin{};  ///< in the input: where the coordinates of the output have their 0
-  std::vector<std::string> warnings;
+  double scale = 1;
+  std::vector<std::string> warnings = {};
   double seconds = 0;
 };
 
@@ -53,6 +55,7 @@ std::string table(const ConvertReport& report) {
   if (report.output_origin != Point3{})
     lines.add("origin", "0 in the output is ({:.17g}, {:.17g}, {:.17g}) in the input",
               report.output_origin[0], report.output_origin[1], report.output_origin[2]);
+  if (report.scale != 1) lines.add("scale", "{:.9g}, of all coordinates", report.scale);
   lines.add("mesh", "{} points, {} tetrahedra, {} regions, {} boundary faces",
             grouped(report.points), grouped(report.tets), grouped(report.regions),
             grouped(report.boundary_faces));
@@ -69,7 +72,7 @@ std::string json(const ConvertReport& report) {
   json["input"] = report.input;
   json["output"] = {
       {"file", report.output}, {"format", report.format}, {"bytes", report.bytes},
-      {"origin", report.output_origin}};
+      {"origin", report.output_origin}, {"scale", report.scale}};
   json["mesh"] = {{"points", report.points},
                   {"tets", report.tets},
                   {"regions", report.regions},
@@ -131,7 +134,9 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
   check_files(options, format);
   FileMesh mesh = certet::read(options.input, context);
   check_indices(options, mesh);
+  const double factor = options.scale.empty() ? 1 : parse_positive("--scale", options.scale);
   const Point3 moved_to = options.origin == "0" ? move_to_zero(mesh) : Point3{};
+  scale(mesh, factor);
   if (!options.label_names.empty()) mesh.names = read_label_names(options.label_names);
   auto found = std::make_shared<Survey>(survey(mesh.points.size(), mesh.tets, mesh.labels, context));
   set_border(*found, std::move(mesh.border));
@@ -139,7 +144,8 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
   const std::uint64_t boundary_faces = found->boundary.size();
   choose_surface(options.surface, mesh.names, *found);
   stop_if_cancelled(context);
-  const MeshSize size{mesh.points.size(), mesh.tets.size(), !mesh.labels.empty(), found};
+  const MeshSize size{mesh.points.size(), mesh.tets.size(), !mesh.labels.empty(), found,
+                      mesh.space};
   write(options, format, mesh, size, context);
   ConvertReport report{options.input.string(), options.output.string(), std::string(name(format))};
   for (const std::filesystem::path& file : files_of(options.output, format))
@@ -150,6 +156,7 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
   report.boundary_faces = boundary_faces;
   report.checksum = checksum(mesh);
   report.output_origin = moved_to;
+  report.scale = factor;
   report.warnings = label_losses(format, *found);
   report.seconds = clock.seconds();
   return report;
@@ -184,6 +191,9 @@ Run declare_convert(CLI::App& app) {
                  "than it is long is moved there, exactly, which table and JSON tell")
       ->check(CLI::IsMember({"world", "0"}))
       ->option_text("world|0");
+  app.add_option("--scale", options->scale,
+                 "Factor of all coordinates, like 0.001 from mm to m (after --origin)")
+      ->option_text("S");
   app.add_option("--label-names", options->label_names,
                  "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
       ->option_text("FILE");

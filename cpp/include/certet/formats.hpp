@@ -58,6 +58,9 @@ struct MeshSize {
   bool labels = false;  ///< whether tetrahedra have labels
   /// Where the format needs it; it must be the survey of the mesh that follows.
   std::shared_ptr<const Survey> survey = nullptr;
+  /// Which way the axes go in a patient, LPS or RAS, where that is known: .vtu, .stl and .ply
+  /// have it as a comment, SPACE=LPS, as 3D Slicer looks for it.
+  std::string space = {};
 };
 
 /// Writes a mesh piece by piece, so that it never needs to be in memory whole:
@@ -102,6 +105,7 @@ struct FileMesh {
   std::vector<Tet<std::uint64_t>> tets;
   std::vector<std::int32_t> labels;  ///< empty, or one for each tetrahedron
   LabelNames names;                  ///< where the format has them
+  std::string space = {};            ///< as `MeshSize` has it; where .vtu tells
   /// The points of faces of the patch `border`, in any order; where the format has them.
   std::vector<std::array<std::uint64_t, 3>> border;
 };
@@ -144,6 +148,13 @@ Quality quality(const FileMesh& mesh);
 /// long, the end that is nearer to 0 comes to 0.  \returns where the new 0 is in the old
 /// coordinates.
 Point3 move_to_zero(FileMesh& mesh);
+
+/// Multiplies all coordinates, from one unit of length to another.
+/// \throws Error `bad_option` for what is no positive number, `bad_input` where coordinates
+/// become infinite.
+void scale(FileMesh& mesh, double factor);
+/// The same of the frame of a mesh, whose points are whole numbers of steps.
+void scale(Mesh& mesh, double factor);
 
 /// A hash of the points, bit by bit, and the tetrahedra, but not of labels: the
 /// same for all files of one mesh, whatever their format.
