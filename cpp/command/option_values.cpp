@@ -58,6 +58,12 @@ double parse_number(const std::string& option, const std::string& text) {
   return *value;
 }
 
+double parse_positive(const std::string& option, const std::string& text) {
+  const double value = parse_number(option, text);
+  if (value <= 0) refuse(option + " takes a positive number, not '" + text + "'");
+  return value;
+}
+
 std::uint64_t parse_count(const std::string& option, const std::string& text) {
   const auto value = number_of<std::uint64_t>(text);
   if (!value || *value == 0)

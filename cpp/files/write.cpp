@@ -32,6 +32,10 @@ void write_tets(MeshWriter& writer, std::span<const Tet<Index>> tets,
   stop_if_cancelled(context);
 }
 
+std::vector<std::string> losses_of(Format format, const MeshSize& size) {
+  return size.survey == nullptr ? std::vector<std::string>() : label_losses(format, *size.survey);
+}
+
 /// What `certet mesh` refuses to write is not written here either.
 void refuse_unsound(const Mesh& mesh, std::span<const Point3> world,
                     const std::filesystem::path& file) {
@@ -50,10 +54,11 @@ void refuse_unsound(const Mesh& mesh, std::span<const Point3> world,
 
 }  // namespace
 
-void write(const Mesh& mesh, const std::filesystem::path& file, Format format, Context& context) {
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file, Format format,
+                               Context& context) {
   const Buffer<Point3> world = world_points(mesh);
   refuse_unsound(mesh, world, file);
-  std::visit(
+  return std::visit(
       [&]<class Index>(const Buffer<Tet<Index>>& buffer) {
         const std::span<const Tet<Index>> tets = buffer;
         MeshSize size{mesh.points.size(), tets.size(), !mesh.labels.empty()};
@@ -63,37 +68,41 @@ void write(const Mesh& mesh, const std::filesystem::path& file, Format format, C
         writer->points(world);
         write_tets<Index>(*writer, tets, mesh.labels, context);
         writer->finish();
+        return losses_of(format, size);
       },
       mesh.tets);
 }
 
-void write(const Mesh& mesh, const std::filesystem::path& file, Context& context) {
-  write(mesh, file, format_told_by(file), context);
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file,
+                               Context& context) {
+  return write(mesh, file, format_told_by(file), context);
 }
 
-void write(const Mesh& mesh, const std::filesystem::path& file) {
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file) {
   Context context;
-  write(mesh, file, context);
+  return write(mesh, file, context);
 }
 
-void write(const FileMesh& mesh, const std::filesystem::path& file, Format format,
-           Context& context) {
+std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path& file,
+                               Format format, Context& context) {
   for (const Tet<std::uint64_t>& tet : mesh.tets)
     for (const std::uint64_t point : tet)
       if (point >= mesh.points.size())
         throw Error(ErrorCode::bad_input, "cannot write '" + file.string() +
                                               "': a tetrahedron names a point that is not there");
   MeshSize size{mesh.points.size(), mesh.tets.size(), !mesh.labels.empty()};
+  size.space = mesh.space;
   if (needs_survey(format)) size.survey = std::make_shared<const Survey>(survey(mesh, context));
   const std::unique_ptr<MeshWriter> writer = open_writer(file, format, size);
   writer->points(mesh.points);
   write_tets<std::uint64_t>(*writer, mesh.tets, mesh.labels, context);
   writer->finish();
+  return losses_of(format, size);
 }
 
-void write(const FileMesh& mesh, const std::filesystem::path& file) {
+std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path& file) {
   Context context;
-  write(mesh, file, format_told_by(file), context);
+  return write(mesh, file, format_told_by(file), context);
 }
 
 Survey survey(const FileMesh& mesh, Context& context) {

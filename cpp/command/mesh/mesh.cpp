@@ -324,6 +324,7 @@ MeshReport run(const MeshOptions& options, Context& context) {
     refuse_empty(options, source, counted, report.memory_limit, context);
   const MeshSize size = announce(options, names, counted, context);
   report.output_bytes = file_bytes(options.format, size);
+  if (size.survey != nullptr) report.warnings = label_losses(options.format, *size.survey);
   const Slabs slabs = plan(counted, size, report);
   RegionWatch watch(source, counted.source, context);
   if (!options.dry_run)
@@ -346,8 +347,7 @@ Status mesh(const MeshOptions& options) {
   context.threads = options.threads;
   const Signals signals(context);
   const MeshReport report = run(options, context);
-  for (const std::string& warning : report.warnings)
-    std::fprintf(stderr, "certet: warning: %s\n", warning.c_str());
+  warn(report.warnings);
   tell(report, options.json);
   return Status::ok;
 }

@@ -16,7 +16,7 @@ class Gmsh22Writer final : public StreamedWriter {
   Gmsh22Writer(const std::filesystem::path& file, const MeshSize& size)
       : StreamedWriter(file, size), groups_(survey()), text_(file_, 0) {
     text_.append_text("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
-    text_.append_text(groups_.names_section());
+    text_.append_text(groups_.naming_sections());
     append(Line() << "$Nodes\n" << size.points << '\n');
   }
 

@@ -56,7 +56,7 @@ void add_entities(Bytes& bytes, const GmshGroups& groups, const Bounds& box) {
 Bytes header_of(const GmshGroups& groups, const Bounds& box) {
   Bytes bytes;
   bytes.text("$MeshFormat\n4.1 1 8\n").add(Int{1}).text("\n$EndMeshFormat\n");
-  bytes.text(groups.names_section());
+  bytes.text(groups.naming_sections());
   add_entities(bytes, groups, box);
   return bytes;
 }

@@ -37,7 +37,9 @@ class PlyWriter final : public SurfaceWriter {
   [[nodiscard]] std::string heading() const {
     const bool little = std::endian::native == std::endian::little;
     return std::string("ply\nformat binary_") + (little ? "little" : "big") +
-           "_endian 1.0\ncomment certet\nelement vertex " + std::to_string(kept().size()) +
+           "_endian 1.0\ncomment certet\n" +
+           (size_.space.empty() ? "" : "comment SPACE=" + size_.space + "\n") + "element vertex " +
+           std::to_string(kept().size()) +
            "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
            std::to_string(survey().boundary.size()) +
            "\nproperty list uchar int vertex_indices\nend_header\n";

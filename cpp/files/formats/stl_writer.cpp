@@ -26,7 +26,9 @@ class StlWriter final : public SurfaceWriter {
   void close() override {
     Section out(file_, 0);
     std::array<char, 80> heading{};
-    std::ranges::copy(std::string_view("certet"), heading.begin());
+    const std::string text = "certet" + (size_.space.empty() ? "" : " SPACE=" + size_.space);
+    std::ranges::copy_n(text.begin(), static_cast<std::ptrdiff_t>(std::min(text.size(), heading.size())),
+                        heading.begin());
     out.append_all(std::span<const char>(heading));
     const auto count = static_cast<std::uint32_t>(survey().boundary.size());
     out.append_all(std::span(&count, 1));

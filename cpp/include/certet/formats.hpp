@@ -59,6 +59,9 @@ struct MeshSize {
   bool labels = false;  ///< whether tetrahedra have labels
   /// Where the format needs it; it must be the survey of the mesh that follows.
   std::shared_ptr<const Survey> survey = nullptr;
+  /// Which way the axes go in a patient, LPS or RAS, where that is known: .vtu, .stl and .ply
+  /// have it as a comment, SPACE=LPS, as 3D Slicer looks for it.
+  std::string space = {};
 };
 
 /// Writes a mesh piece by piece, so that it never needs to be in memory whole:
@@ -92,6 +95,11 @@ std::unique_ptr<MeshWriter> open_writer(const std::filesystem::path& file, Forma
 /// The exact size in bytes for binary formats, an estimate for others.
 std::uint64_t file_bytes(Format format, const MeshSize& size);
 
+/// What a format cannot hold of a mesh's labels and what became of it, a sentence each.
+/// Gmsh's groups have positive numbers: all other labels have the next that are free there, and
+/// a comment by which `read` gives them back.
+std::vector<std::string> label_losses(Format format, const Survey& survey);
+
 /// Triangles that a file holds together, under a number and, where the format has them, a name.
 struct FileSurface {
   std::int64_t number = 0;
@@ -103,9 +111,9 @@ struct FileSurface {
 struct FileMesh {
   std::vector<Point3> points;
   std::vector<Tet<std::uint64_t>> tets;
-  std::vector<std::int32_t> labels;  ///< empty, or one for each tetrahedron; zeros
-                                     ///< alone are none in formats that must have some
+  std::vector<std::int32_t> labels;  ///< empty, or one for each tetrahedron
   LabelNames names;                  ///< where the format has them
+  std::string space = {};            ///< as `MeshSize` has it; where .vtu tells
   /// The points of faces of the patch `border`, in any order; where the format has them.
   std::vector<std::array<std::uint64_t, 3>> border;
   /// All triangles of .mesh, .meshb and .msh files, by growing numbers: the patches, the
@@ -156,15 +164,18 @@ FileMesh read(const std::filesystem::path& file, const Context& context = {});
 /// `open_writer` and `MeshWriter`, and where the doubles of the world cannot hold the
 /// mesh), `check_failed` (angles beyond the bounds of the mesh's method: a bug),
 /// `too_large`, `cancelled`.
-void write(const Mesh& mesh, const std::filesystem::path& file, Format format, Context& context);
-void write(const Mesh& mesh, const std::filesystem::path& file, Context& context);
-void write(const Mesh& mesh, const std::filesystem::path& file);
+/// \returns the `label_losses`.
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file, Format format,
+                               Context& context);
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file,
+                               Context& context);
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file);
 
 /// The same of what a file held, as it is: its angles are not checked.
 /// \throws Error `bad_input` besides, for tetrahedra that name points which are not there.
-void write(const FileMesh& mesh, const std::filesystem::path& file, Format format,
-           Context& context);
-void write(const FileMesh& mesh, const std::filesystem::path& file);
+std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path& file,
+                               Format format, Context& context);
+std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path& file);
 
 /// Verifies what a file held, as `check` of points and tetrahedra does.
 CheckReport check(const FileMesh& mesh, Context& context);
@@ -178,6 +189,13 @@ Quality quality(const FileMesh& mesh);
 /// long, the end that is nearer to 0 comes to 0.  \returns where the new 0 is in the old
 /// coordinates.
 Point3 move_to_zero(FileMesh& mesh);
+
+/// Multiplies all coordinates, from one unit of length to another.
+/// \throws Error `bad_option` for what is no positive number, `bad_input` where coordinates
+/// become infinite.
+void scale(FileMesh& mesh, double factor);
+/// The same of the frame of a mesh, whose points are whole numbers of steps.
+void scale(Mesh& mesh, double factor);
 
 /// A hash of the points, bit by bit, and the tetrahedra, but not of labels: the
 /// same for all files of one mesh, whatever their format.

@@ -304,12 +304,14 @@ def write(mesh: Mesh | FileMesh, file: str | os.PathLike[str], format: str | Non
     ----------
     format : a name that `certet mesh --format` knows (default: by the extension)
 
+    Warns of labels that do not keep their numbers: in .msh those that are not positive.
+
     Raises
     ------
     ValueError : an unknown format, a file that cannot be written, a mesh that doubles cannot hold
         where it lies
     """
-    _certet.write(mesh._inner, file, format)
+    _warn(_certet.write(mesh._inner, file, format))
 
 
 def read(file: str | os.PathLike[str]) -> FileMesh:
@@ -494,6 +496,12 @@ def _interfaces(mesh: _certet.Mesh | _certet.FileMesh) -> list[Interface]:
     return [Interface(labels, (names.get(labels[0], str(labels[0])),
                                names.get(labels[1], str(labels[1]))), triangles, area)
             for labels, triangles, area in _certet.interfaces(mesh)]
+
+
+def _warn(sentences: Iterable[str]) -> None:
+    """Warns as from the line that called the function that calls this one."""
+    for sentence in sentences:
+        warnings.warn(sentence, stacklevel=3)
 
 
 def _three(numbers: Sequence[float]) -> tuple[float, float, float]:
