@@ -79,7 +79,7 @@ std::uint64_t gmsh22_bytes(const MeshSize& size) {
   const SheetText text(survey, NameRule::quoted);
   const std::uint64_t number = digits_of(size.tets + text.faces);
   // The number, " 4 2", both tags, the points and the end of the line.
-  return 200 + GmshGroups(survey).names_section().size() + size.points * (digits + 60 + 4) +
+  return 200 + GmshGroups(survey).naming_sections().size() + size.points * (digits + 60 + 4) +
          size.tets * (number + 4 + 2 + 4 * (digits + 1) + 1) + 2 * text.label_digits +
          text.faces * (number + 4 + 2 + 3 * (digits + 1) + 1) + 2 * text.number_digits;
 }
