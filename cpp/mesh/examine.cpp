@@ -98,7 +98,7 @@ class Examiner {
     found_.pieces = std::move(faces.pieces);
     found_.survey.boundary = std::move(faces.outer);
     found_.survey.interfaces = core::interfaces_of(std::move(faces.between));
-    const core::AllSheetFaults faults = core::find_sheet_faults(found_.survey, points_, context_);
+    const core::AllSheetFaults faults = core::find_sheet_faults(found_.survey, faces.misoriented, points_, context_);
     found_.pieces.surface = faults.outer;
     if (!labels_.empty()) report_regions(qualities, faults.regions);
     report_interfaces(faults.interfaces);

@@ -49,6 +49,7 @@ class FaceSearch {
     const std::uint64_t step = points_ / face_rounds + 1;
     for (std::uint64_t begin = 0; begin < points_; begin += step)
       look_at(begin, std::min(begin + step, points_));
+    std::ranges::sort(found_.misoriented);
     found_.pieces = parts_.count(points_, order_);
     return std::move(found_);
   }
@@ -115,6 +116,8 @@ class FaceSearch {
   void add_between(std::uint64_t lowest, std::span<Key> run) {
     if (parts_.label(run[1].tet) < parts_.label(run[0].tet)) std::swap(run[0], run[1]);
     found_.between.push_back({seen_of(lowest, run[0]), parts_.label(run[1].tet)});
+    if (run[0].reversed() == run[1].reversed())
+      found_.misoriented.push_back(found_.between.back().face.points);
   }
 
   [[nodiscard]] BoundaryFace seen_of(std::uint64_t lowest, const Key& key) const {

@@ -12,6 +12,7 @@
 #include "certet/mesh.hpp"
 #include "certet/pieces.hpp"
 #include "faces.hpp"
+#include "surface_faults.hpp"
 
 namespace certet::core {
 
@@ -19,6 +20,8 @@ struct MeshFaces {
   FaceFindings findings;            ///< without the boundary
   std::vector<BoundaryFace> outer;  ///< those in one tetrahedron, by growing numbers of points
   std::vector<InnerFace> between;   ///< those in two of different labels, in the same order
+  std::vector<FacePoints> misoriented;  ///< the points of those of `between` that both
+                                        ///< tetrahedra see the same way round, sorted
   Pieces pieces;                    ///< without the faults of the surface
 };
 

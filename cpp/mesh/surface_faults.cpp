@@ -31,14 +31,15 @@ void append_places(std::vector<Point3>& places, const std::vector<Point3>& more)
 /// Surfaces are numbered: the outer one, those of the regions, the interfaces.
 class Surfaces {
  public:
-  Surfaces(const Survey& survey, std::span<const Point3> points)
-      : survey_(survey), points_(points), fans_(points.size()),
+  Surfaces(const Survey& survey, std::span<const FacePoints> misoriented,
+           std::span<const Point3> points)
+      : survey_(survey), misoriented_(misoriented), points_(points), fans_(points.size()),
         first_interface_(first_region + static_cast<std::uint32_t>(survey.regions.size())) {
-    for_each_triangle([this](std::uint32_t, const std::array<std::uint64_t, 3>& triangle) {
+    for_each_triangle([this](std::uint32_t, const FacePoints& triangle) {
       for (const std::uint64_t point : triangle) fans_.count(point);
     });
     fans_.lay_out();
-    for_each_triangle([this](std::uint32_t sheet, const std::array<std::uint64_t, 3>& triangle) {
+    for_each_triangle([this](std::uint32_t sheet, const FacePoints& triangle) {
       const auto& [a, b, c] = triangle;
       fans_.place(a, {sheet, b, c});
       fans_.place(b, {sheet, c, a});
@@ -73,7 +74,8 @@ class Surfaces {
       for (const BoundaryFace& face : interface.faces) {
         const auto [a, b, c] = face.points;
         visit(sheet_of(lesser), face.points);
-        visit(sheet_of(greater), {a, c, b});
+        const bool turned = !std::ranges::binary_search(misoriented_, face.points);
+        visit(sheet_of(greater), turned ? FacePoints{a, c, b} : face.points);
         visit(number, face.points);
       }
       ++number;
@@ -120,6 +122,7 @@ class Surfaces {
   }
 
   const Survey& survey_;
+  std::span<const FacePoints> misoriented_;
   std::span<const Point3> points_;
   Groups<FanStep> fans_;
   std::uint32_t first_interface_;
@@ -136,9 +139,9 @@ SheetFaults& SheetFaults::operator+=(const SheetFaults& other) {
   return *this;
 }
 
-AllSheetFaults find_sheet_faults(const Survey& survey, std::span<const Point3> points,
-                                 Context& context) {
-  Surfaces surfaces(survey, points);
+AllSheetFaults find_sheet_faults(const Survey& survey, std::span<const FacePoints> misoriented,
+                                 std::span<const Point3> points, Context& context) {
+  Surfaces surfaces(survey, misoriented, points);
   std::vector<Found> parts((points.size() + vertices_per_task - 1) / vertices_per_task);
   parallel_for(context, Stage::count, static_cast<std::int64_t>(parts.size()),
                [&](std::int64_t task) {
@@ -166,7 +169,7 @@ SurfaceFaults find_surface_faults(std::span<const BoundaryFace> surface,
                                   std::span<const Point3> points, Context& context) {
   Survey survey;
   survey.boundary.assign(surface.begin(), surface.end());
-  return find_sheet_faults(survey, points, context).outer;
+  return find_sheet_faults(survey, {}, points, context).outer;
 }
 
 }  // namespace certet::core

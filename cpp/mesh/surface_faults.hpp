@@ -2,6 +2,7 @@
 /// \file
 /// Where surfaces of triangles are no manifold, are open, or end.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,6 +12,9 @@
 #include "certet/survey.hpp"
 
 namespace certet::core {
+
+/// The points of a face, as `BoundaryFace` has them.
+using FacePoints = std::array<std::uint64_t, 3>;
 
 /// Looks around all vertices of a closed surface.  \throws Error `cancelled`.
 SurfaceFaults find_surface_faults(std::span<const BoundaryFace> surface,
@@ -35,9 +39,10 @@ struct AllSheetFaults {
   std::vector<SheetFaults> interfaces;  ///< as the survey has them
 };
 
-/// The same of all surfaces of a mesh at once; the result does not depend on the number of
-/// threads.  \throws Error `cancelled`.
-AllSheetFaults find_sheet_faults(const Survey& survey, std::span<const Point3> points,
-                                 Context& context);
+/// The same of all surfaces of a mesh at once.  `misoriented` are the faces of interfaces, sorted,
+/// that the greater label sees the same way round as the lesser.  The result does not depend on
+/// the number of threads.  \throws Error `cancelled`.
+AllSheetFaults find_sheet_faults(const Survey& survey, std::span<const FacePoints> misoriented,
+                                 std::span<const Point3> points, Context& context);
 
 }  // namespace certet::core

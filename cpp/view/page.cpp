@@ -87,7 +87,7 @@ Page make_page(const FileMesh& mesh, const PageFacts& facts, Examination found) 
   html.fill("counts", counts_text(page.report, look.shapes));
   html.fill("facts", facts_text(facts, page.report));
   html.fill("histograms", histograms_text(page.report, look.shapes, facts));
-  html.fill("regions", regions_text(found.regions, mesh.names));
+  html.fill("regions", regions_text(look.regions, found.regions, mesh.names));
   html.fill("interfaces", interfaces_text(look.regions, found.interfaces, mesh.names));
   html.fill("data", scene ? data_text(*scene, look.regions) : "");
   html.fill("three", scene ? three_library() : "");

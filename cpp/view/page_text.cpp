@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "histogram.hpp"
 #include "packing.hpp"
@@ -54,12 +55,15 @@ bool is_covered(const PageFacts& facts, const CheckReport& report) {
 std::string bounds_sentence(const PageFacts& facts, const CheckReport& report) {
   if (facts.bounds.empty()) return "";
   if (facts.bounds.size() > 1) {
+    std::vector<std::string> ranges;
+    for (const AngleBounds& b : facts.bounds) {
+      const std::string range = shortened(b.min_dihedral) + "–" + shortened(b.max_dihedral) + "°";
+      if (std::ranges::find(ranges, range) == ranges.end()) ranges.push_back(range);
+    }
     std::string list;
-    for (const AngleBounds& b : facts.bounds)
-      list += (list.empty() ? "" : ", ") + shortened(b.min_dihedral) + "–" +
-              shortened(b.max_dihedral) + "°";
+    for (const std::string& range : ranges) list += (list.empty() ? "" : ", ") + range;
     return "Which theorem covers this mesh is not known; the light lines are the proven bounds "
-           "of the three: " + list + ".";
+           "of the methods: " + list + ".";
   }
   const AngleBounds& b = facts.bounds.front();
   const std::string range =
@@ -152,7 +156,7 @@ std::string legend(const Regions& regions, const LabelNames& names) {
   const auto& all = regions.all();
   std::string text = "<div class=\"legend\" id=\"legend-region\">";
   for (std::size_t i = 0; i < std::min(all.size(), most); ++i)
-    text += "<span>" + swatch(region_color(i, all.size())) + called(all[i].label, names) +
+    text += "<span>" + swatch(regions.color(i)) + called(all[i].label, names) +
             "</span>";
   if (all.size() > most)
     text += "<span>… <a href=\"#regions\">all " + std::to_string(all.size()) + "</a></span>";
@@ -257,19 +261,18 @@ std::string histograms_text(const CheckReport& report, const ShapeSurvey& shapes
   return dihedral_figure(report, facts) + aspect_figure(shapes) + edge_figure(shapes);
 }
 
-std::string regions_text(std::span<const RegionReport> regions, const LabelNames& names) {
-  if (regions.empty()) return "<p>The mesh has no labels: it is one region.</p>";
+std::string regions_text(const Regions& regions, std::span<const RegionReport> reports,
+                         const LabelNames& names) {
+  if (reports.empty()) return "<p>The mesh has no labels: it is one region.</p>";
   std::string text = "<div class=\"scroll\"><table class=\"regions\"><thead><tr><th>region</th>"
                      "<th>tetrahedra</th><th>volume</th><th>area</th><th>angles</th>"
                      "<th>pieces</th></tr></thead><tbody>";
-  for (std::size_t i = 0; i < regions.size(); ++i) {
-    const RegionReport& region = regions[i];
-    text += "<tr><th>" + swatch(region_color(i, regions.size())) + called(region.label, names) +
+  for (const RegionReport& region : reports)
+    text += "<tr><th>" + swatch(regions.color(regions.place(region.label))) + called(region.label, names) +
             "</th>" + cell(grouped_digits(region.quality.tets)) +
             cell(shortened(region.quality.volume, 7)) + cell(shortened(region.area, 7)) +
             cell(angles(region.quality)) + cell(grouped_digits(region.pieces.by_faces)) +
             "</tr>\n";
-  }
   return text + "</tbody></table></div>";
 }
 
@@ -279,11 +282,10 @@ std::string interfaces_text(const Regions& regions, std::span<const InterfaceRep
   std::string text = "<section id=\"interfaces\"><h2>Interfaces</h2><div class=\"scroll\">"
                      "<table class=\"regions\"><thead><tr><th>between</th><th>triangles</th>"
                      "<th>area</th><th>not manifold at</th></tr></thead><tbody>";
-  const std::size_t count = regions.all().size();
   for (const InterfaceReport& interface : interfaces) {
     text += "<tr><th>";
     for (const std::int32_t label : interface.labels)
-      text += swatch(region_color(regions.place(label), count));
+      text += swatch(regions.color(regions.place(label)));
     const std::uint64_t vertices = interface.nonmanifold.vertices;
     text += called(interface.labels, names) + "</th>" + cell(grouped_digits(interface.triangles)) +
             cell(shortened(interface.area, 7)) +
@@ -314,7 +316,7 @@ std::string data_text(const Scene& scene, const Regions& regions) {
   const std::size_t count = regions.all().size();
   text += "],\"regions\":[";
   for (std::size_t i = 0; i < count; ++i)
-    text.append(i > 0 ? ",\"" : "\"").append(hexadecimal(region_color(i, count))).append("\"");
+    text.append(i > 0 ? ",\"" : "\"").append(hexadecimal(regions.color(i))).append("\"");
   text += "],\"angles\":[";
   for (int i = 0; i < 256; ++i)
     text.append(i > 0 ? ",\"" : "\"")

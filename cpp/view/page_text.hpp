@@ -26,7 +26,8 @@ std::string facts_text(const PageFacts& facts, const CheckReport& report);
 std::string counts_text(const CheckReport& report, const ShapeSurvey& shapes);
 std::string histograms_text(const CheckReport& report, const ShapeSurvey& shapes,
                             const PageFacts& facts);
-std::string regions_text(std::span<const RegionReport> regions, const LabelNames& names);
+std::string regions_text(const Regions& regions, std::span<const RegionReport> reports,
+                         const LabelNames& names);
 /// A section of its own, if there are any.
 std::string interfaces_text(const Regions& regions, std::span<const InterfaceReport> interfaces,
                             const LabelNames& names);

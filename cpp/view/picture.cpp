@@ -279,7 +279,7 @@ class Drawing {
     const auto& all = mesh_.points;
     const Rgb rgb =
         options_.color == PictureColor::region
-            ? region_color(regions_.place(mesh_, tet), regions_.all().size())
+            ? regions_.color(regions_.place(mesh_, tet))
             : angle_color(shape_of({all[p[0]], all[p[1]], all[p[2]], all[p[3]]}).worst_angle());
     return {linear(rgb[0]), linear(rgb[1]), linear(rgb[2])};
   }

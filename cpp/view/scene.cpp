@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "certet/tet_shape.hpp"
@@ -52,6 +53,14 @@ Planes choose_planes(const FileMesh& mesh, const Box& box, const SceneLimits& li
   return {box.low, box.high, {odd, odd, odd}};
 }
 
+/// A face between two labels as the tetrahedron of the lesser has it.
+SeparatingFace of_lesser(const FileMesh& mesh, SeparatingFace face) {
+  if (mesh.labels[face.tet] < mesh.labels[face.other]) return face;
+  std::swap(face.tet, face.other);
+  std::swap(face.points[1], face.points[2]);
+  return face;
+}
+
 class Packer {
  public:
   Packer(const FileMesh& mesh, const Regions& regions, const SceneLimits& limits)
@@ -64,7 +73,7 @@ class Packer {
       const bool border = face.other == no_tet, between = is_between_labels(mesh, face);
       if (border) ++scene_.border_faces;
       if (between) ++scene_.interface_faces;
-      if (border || between) sheets.push_back(face);
+      if (border || between) sheets.push_back(between ? of_lesser(mesh, face) : face);
       if (!border && sides_of(mesh, face.tet, scene_.planes) !=
                          sides_of(mesh, face.other, scene_.planes))
         inner_.push_back(face);

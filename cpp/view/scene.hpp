@@ -15,7 +15,7 @@ namespace certet::view {
 
 /// How much a scene may hold.
 struct SceneLimits {
-  std::uint64_t surface_triangles = 300'000;  ///< interfaces among them
+  std::uint64_t surface_triangles = 240'000;  ///< interfaces among them
   std::uint64_t cut_triangles = 1'000'000;  ///< of all planes together; a wish: they are
                                           ///< estimated before they are found
   int planes = 40;                        ///< of an axis
@@ -30,7 +30,7 @@ struct SceneLimits {
 ///    the difference of its region's place from that before, that of the region
 ///    behind it counted from 1 or 0 for none, its tetrahedron's worst angle in 255ths
 ///    of the best as one byte, and the sides of the tetrahedron; interfaces are among
-///    them, as the tetrahedra of one side have them;
+///    them, as the tetrahedra of the lesser label have them;
 ///  - for each axis and each plane the triangles between the tetrahedra below and
 ///    those above, turning left from above: number, points, region below (as
 ///    above), region above less region below, worst angle below, worst angle above.

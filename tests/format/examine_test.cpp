@@ -86,7 +86,9 @@ TEST(Examine, AgreesWithWhatItIsMadeOf) {
       EXPECT_EQ(found.report.failures[n], report.failures[n]);
     const Survey known = survey(mesh.points.size(), mesh.wide_tets(), mesh.labels, context);
     EXPECT_EQ(found.survey.boundary, known.boundary);
-    if (report.overfull_faces == 0) EXPECT_EQ(found.survey.interfaces, known.interfaces);
+    if (report.overfull_faces == 0) {
+      EXPECT_EQ(found.survey.interfaces, known.interfaces);
+    }
   }
 }
 
@@ -161,7 +163,8 @@ INSTANTIATE_TEST_SUITE_P(Formats, HeldSurfaces,
                                          std::pair(Format::medit, "a.mesh"),
                                          std::pair(Format::medit_binary, "a.meshb")),
                          [](const auto& info) {
-                           return std::string(info.param.second).replace(1, 1, "_");
+                           std::string format(name(info.param.first));
+                           return format;
                          });
 
 TEST_P(HeldSurfaces, AreThoseOfTheMesh) {

@@ -82,7 +82,7 @@ def three_materials():
     """A ball, one in it, and one through its surface."""
     labels = ball().astype(np.int16)
     grid = np.indices(labels.shape)
-    for label, centre, radius in ((2, (9, 11, 11), 4.0), (7, (18, 12, 11), 4.5)):
+    for label, centre, radius in ((2, (10, 11, 11), 5.0), (7, (17, 12, 11), 4.5)):
         at = grid - np.reshape(centre, (3, 1, 1, 1))
         labels[(at**2).sum(0) < radius**2] = label
     return labels

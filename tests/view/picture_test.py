@@ -64,7 +64,7 @@ class Picture(ProgramTest):
 
         def kind(pixel):
             red, _, blue = pixel
-            return "dark" if max(pixel) < 100 else "lower" if blue > red + 20 else (
+            return "dark" if max(pixel) < 130 else "lower" if blue > red + 20 else (
                 "upper" if red > blue + 20 else None)
         columns = 0
         for x in range(100, 180):

@@ -104,12 +104,14 @@ class VtpWriter final : public SurfaceWriter {
     text.append(vtu_byte_order).append("\" header_type=\"UInt64\">\n  <PolyData>\n");
     text += field_data_of(Sheets(survey(), NameRule::quoted));
     text += "    <Piece NumberOfPoints=\"" + std::to_string(kept().size()) +
-            "\" NumberOfPolys=\"" + std::to_string(faces) + "\">\n      <Points>\n" +
-            array("Points", kept().size() * sizeof(Point3), "Float64", " NumberOfComponents=\"3\"");
-    text += "      </Points>\n      <Polys>\n" + integers("connectivity", 3 * faces) +
-            integers("offsets", faces);
-    text += "      </Polys>\n      <CellData Scalars=\"surface\">\n" + integers("surface", faces) +
-            integers("label", faces) + integers("behind", faces);
+            "\" NumberOfPolys=\"" + std::to_string(faces) + "\">\n      <Points>\n";
+    // One after the other: each is placed behind those before it.
+    text += array("Points", kept().size() * sizeof(Point3), "Float64", " NumberOfComponents=\"3\"");
+    text += "      </Points>\n      <Polys>\n";
+    text += integers("connectivity", 3 * faces);
+    text += integers("offsets", faces);
+    text += "      </Polys>\n      <CellData Scalars=\"surface\">\n";
+    for (const std::string_view name : {"surface", "label", "behind"}) text += integers(name, faces);
     return text + "      </CellData>\n    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_";
   }
 
