@@ -46,7 +46,7 @@ void fill(const Shape& shape, double size, const Options& options, Context& cont
   result.mesh = mesh(*domain, stuffing, context);
   result.warp = stuffing.warp_figures();
   result.notes = shape.notes;
-  const MeshedShape meshed{*domain, stuffing.method(), stuffing.tet_count(),
+  const MeshedShape meshed{*domain, options.method, stuffing.tet_count(),
                            volume_of(stuffing, domain->frame(), context),
                            stuffing.pieces(domain->frame(), context).whole};
   result.losses = sentences_on(find_losses(shape.sized, meshed, context), shape.sized, "size=");
@@ -122,6 +122,7 @@ std::shared_ptr<PythonMesh> mesh_function(const py::object& function, const Poin
   return mesh_of(
       [&](const Context&) {
         Shape shape{{"function", place}};
+        shape.sized.cost = 16;  // Python takes its time
         shape.sized.pieces = [](Context&) { return std::nullopt; };
         return shape;
       },
@@ -207,6 +208,9 @@ py::dict warp_of(const PythonMesh& mesh) {
   result["rms"] = world.rms;
   result["greatest_edges"] = edges.greatest;
   result["rms_edges"] = edges.rms;
+  const ShiftLengths missed = missed_by(mesh.warp, 1);
+  result["missed_edges"] = missed.greatest;
+  result["missed_rms_edges"] = missed.rms;
   return result;
 }
 

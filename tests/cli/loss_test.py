@@ -255,14 +255,22 @@ class PiecesOfFormulas(Pieces):
     BALLS = "min(length(x,y,z)-1,length(x-1.5,y-0.33,z-0.21)-0.06)"
 
     def test_small_ball(self):
-        told = self.assert_pieces(1, 2, "--expr", self.BALLS, "--bounds", "-1.2,-1.2,-1.2,1.8,1.2,1.2",
-                                  "--size", "0.15")
+        told = self.assert_pieces(1, 2, "--expr", self.BALLS, "--bounds",
+                                  "-1.2,-1.2,-1.2,1.8,1.2,1.2", "--size", "0.15")
         self.assertRegex(told, "its samples at size .* and so have its samples at half of it")
 
     def test_resolved_ones_are_not_told(self):
         for size in ("0.05", "0.03"):
             self.assert_kept(2, "--expr", self.BALLS, "--bounds", "-1.2,-1.2,-1.2,1.8,1.2,1.2",
                              "--size", size)
+
+
+@unittest.skipUnless(WRITE_VOLUMES, "without OpenVDB")
+class PiecesOfVolumes(Pieces):
+    def test_small_ball_beside_a_large_one(self):
+        subprocess.run([WRITE_VOLUMES, self.folder], check=True)
+        self.assertEqual(self.mesh("balls.vdb", "-o", "a.vtu")["warnings"], [])
+        self.assert_pieces(1, 2, "balls.vdb", "--size", "1.3")
 
 
 class PiecesOfImages(Pieces):

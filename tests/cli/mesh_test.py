@@ -13,7 +13,7 @@ KEYS = {
     "input": {"kind", "name", "notes"},
     "output": {"file", "format", "bytes", "origin"},
     "lattice": {"cells", "size", "cuts"},
-    "method": {"name", "violated", "stayed", "shortened", "clamped"},
+    "method": {"name", "violated", "stayed", "shortened", "missed", "clamped"},
     "mesh": {"points", "tets", "volume", "checksum", "file_checksum", "pieces", "nonmanifold"},
     "dihedral": {"min", "max", "lattice_min", "lattice_max", "rounding", "histogram"},
     "theorem": None,

@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "certet/error.hpp"
-#include "certet/kept.hpp"
 #include "certet/label_names.hpp"
 #include "commands.hpp"
+#include "kept.hpp"
 #include "memory.hpp"
 #include "mesh_options.hpp"
 #include "mesh_report.hpp"
@@ -144,56 +144,18 @@ MeshSize announce(const MeshOptions& options, const LabelNames& names, const Cou
   return size;
 }
 
-/// For searches, which go on by sizes that memory allows.
-SizedShape sized(const MeshOptions& options, const Source& source,
-                 const std::optional<double>& volume, std::uint64_t limit) {
+/// What it is compared with, at sizes whose lattices memory allows.
+SizedShape sized(const MeshOptions& options, const Source& source, const Counted& counted,
+                 std::uint64_t limit) {
   const auto place = [&options, &source, limit](double size) {
     PlacedSource placed = source.place(size);
     check_lattice(placed, options.method, limit);
     return std::move(placed.domain);
   };
-  return {source.name, place, volume, source.thin, source.pieces};
+  return {source.name, place, counted.source.volume, source.thin, source.pieces};
 }
 
-[[noreturn]] void refuse_empty(const MeshOptions& options, const Source& source,
-                               const Counted& counted, std::uint64_t limit, Context& context) {
-  const SizedShape shape = sized(options, source, counted.source.volume, limit);
-  const double size = counted.source.frame.size;
-  const KeepingSizes sizes = find_volume_size(shape, size, options.method, context);
-  throw Error(ErrorCode::empty_domain,
-              fmt::format("nothing of '{}' is inside at size {:.6g}, so there is no mesh; {}",
-                          source.name, size, advice_on_volume(sizes, shape, "--size ")));
-}
-
-/// Whether a mesh that has been measured has the volume of its solid, and its pieces, if
-/// none were dropped.  What becomes of the voxels of an image, `RegionWatch` tells.
-void check_losses(const MeshOptions& options, const Source& source, const Counted& counted,
-                  Context& context, MeshReport& report) {
-  const SizedShape shape = sized(options, source, counted.source.volume, report.memory_limit);
-  MeshedShape mesh{*counted.source.domain, report.used, report.tets,
-                   report.written.world.volume + report.dropped.volume};
-  if (report.dropped.pieces == 0) mesh.pieces = report.pieces.whole;
-  const std::vector<std::string> sentences =
-      sentences_on(find_losses(shape, mesh, context), shape, "--size ");
-  report.warnings.insert(report.warnings.end(), sentences.begin(), sentences.end());
-}
-
-/// A size at which regions of the image have their pieces, and their solid its volume.
-KeepingSizes size_for_pieces(const MeshOptions& options, const Source& source,
-                             const Counted& counted, std::span<const ImageRegion> regions,
-                             const MeshReport& report, Context& context) {
-  const SizedShape shape = sized(options, source, counted.source.volume, report.memory_limit);
-  const auto keeps = [&](const CountedShape& tried, TriedSize&) {
-    const Frame& frame = tried.domain->frame();
-    return keeps_pieces(*source.voxels, regions, *tried.domain,
-                        tried.stuffing.pieces(frame, context), context) &&
-           volume_of(shape, *tried.domain, context)
-               .may_be(volume_of(tried.stuffing, frame, context));
-  };
-  return find_keeping_size(shape, {report.size, report.tets}, options.method, keeps, context);
-}
-
-void write(const MeshOptions& options, const Source& from, const Counted& counted,
+void write(const MeshOptions& options, const SizedShape& shape, const Counted& counted,
            const Slabs& slabs, const MeshSize& size, Context& context, Progress& progress,
            MeshReport& report) {
   const auto& [source, stuffing] = counted;
@@ -207,7 +169,7 @@ void write(const MeshOptions& options, const Source& from, const Counted& counte
                               size.survey == nullptr ? none : size.survey->materials,
                               options.label_pieces);
   check_written(report);
-  check_losses(options, from, counted, context, report);
+  tell_losses(shape, counted, context, report);
   const Stopwatch finishing;
   writer.finish();
   report.written.write_seconds += finishing.seconds();
@@ -320,21 +282,21 @@ MeshReport run(const MeshOptions& options, Context& context) {
   count_pieces(counted, context, report);
   report.pieces_seconds = looking.seconds();
   describe(options, counted, progress, report);
-  if (report.tets == 0)
-    refuse_empty(options, source, counted, report.memory_limit, context);
+  const SizedShape shape = sized(options, source, counted, report.memory_limit);
+  if (report.tets == 0) refuse_empty(shape, report.size, options.method, context);
   const MeshSize size = announce(options, names, counted, context);
   report.output_bytes = file_bytes(options.format, size);
   if (size.survey != nullptr) report.warnings = label_losses(options.format, *size.survey);
   const Slabs slabs = plan(counted, size, report);
   RegionWatch watch(source, counted.source, context);
   if (!options.dry_run)
-    write(options, source, counted, slabs, size, context, progress, report);
+    write(options, shape, counted, slabs, size, context, progress, report);
   watch.see(report.written.regions);
   watch.see(report.pieces,
             report.pieces.regions.empty() ? report.written.region_pieces : report.pieces.regions,
             report.dropped.pieces > 0);
   const auto size_for = [&](std::span<const ImageRegion> regions) {
-    return size_for_pieces(options, source, counted, regions, report, context);
+    return size_for_pieces(shape, *source.voxels, regions, report, context);
   };
   describe(watch, size_for, report);
   report.total_seconds = clock.seconds();

@@ -22,6 +22,13 @@ Json guarantee(const MeshReport& report) {
   return json;
 }
 
+Json lengths(const ShiftLengths& world, const ShiftLengths& edges) {
+  return {{"greatest", world.greatest},
+          {"rms", world.rms},
+          {"greatest_edges", edges.greatest},
+          {"rms_edges", edges.rms}};
+}
+
 Json method(const MeshReport& report) {
   Json json{{"name", name(report.used)}};
   if (report.used != Method::embedded) return json;
@@ -31,11 +38,9 @@ Json method(const MeshReport& report) {
   json["violated"] = warp.violated;
   json["stayed"] = warp.stayed;
   json["shortened"] = warp.shortened;
-  json["clamped"] = {{"cuts", world.cuts},
-                     {"greatest", world.greatest},
-                     {"rms", world.rms},
-                     {"greatest_edges", edges.greatest},
-                     {"rms_edges", edges.rms}};
+  json["missed"] = lengths(missed_by(warp, report.size), missed_by(warp, 1));
+  json["clamped"] = lengths(world, edges);
+  json["clamped"]["cuts"] = world.cuts;
   return json;
 }
 

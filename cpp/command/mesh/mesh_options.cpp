@@ -107,8 +107,9 @@ samples, which are + where the lattice's points are inside.
 
 Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file,
 format, bytes, origin}, lattice {cells, size, cuts, and with --target-tets:
-target_tets, tries}, method {name, and of embedded: violated, stayed, shortened, clamped {cuts,
-greatest, rms, greatest_edges, rms_edges}}, theorem, mesh {points, tets, volume, checksum, file_checksum,
+target_tets, tries}, method {name, and of embedded: violated, stayed, shortened, missed (the
+surface, by shortened moves) {greatest, rms, greatest_edges, rms_edges}, clamped {cuts and
+the same}}, theorem, mesh {points, tets, volume, checksum, file_checksum,
 pieces {by_faces, by_vertices, largest_tets}, nonmanifold {edges, vertices, edge_places,
 vertex_places: in the world, of the first 8}}, with --keep: dropped {keep, pieces, kept,
 tets, volume}, dihedral

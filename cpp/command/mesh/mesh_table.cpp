@@ -32,6 +32,10 @@ void add_settling(Lines& lines, const MeshReport& report) {
   const ShiftLengths world = shift_in_world(warp, report.size);
   lines.add("", "{} of {} vertices too close to the surface stayed, {} moves shortened",
             grouped(warp.stayed), grouped(warp.violated), grouped(warp.shortened));
+  if (const ShiftLengths missed = missed_by(warp, 1); missed.cuts != 0)
+    lines.add("", "shortened ones miss the surface by at most {:.3f} edges ({:.4g}), rms {:.3f} ({:.4g})",
+              missed.greatest, missed.greatest * report.size, missed.rms,
+              missed.rms * report.size);
   if (world.cuts != 0)
     lines.add("", "{} cuts moved by at most {:.3f} edges ({:.4g}), rms {:.3f} ({:.4g})",
               grouped(world.cuts), edges.greatest, world.greatest, edges.rms, world.rms);

@@ -19,6 +19,7 @@
 ///     quality(mesh)             its dihedral angles and volume
 ///     count_pieces(mesh, context)   its pieces, and where its surface is no manifold
 ///     examine(points, tets, labels, context)   all that, and each region and interface
+///     find_losses(shape, mesh, context)   what it has not kept of its shape, and a size that does
 ///
 /// Each takes a `Context` too, which has the number of threads, stops a run and tells of
 /// its progress.  Coordinates are the world's, in the units of the input, but for
@@ -34,6 +35,7 @@
 #include "certet/formats.hpp"
 #include "certet/formula.hpp"
 #include "certet/image.hpp"
+#include "certet/kept.hpp"
 #include "certet/label_names.hpp"
 #include "certet/mesh.hpp"
 #include "certet/method.hpp"

@@ -50,6 +50,7 @@ struct SizedShape {
   /// those that a lattice of a quarter of the size finds, or of half of it, where that is not
   /// too much to sample beside the mesh.
   KnownPieces pieces = {};
+  double cost = 1;  ///< of asking about a point; 1: as much as of a formula
 };
 
 /// Its own volume, or estimated by asking it on a lattice, at less cost than a mesh.
@@ -60,7 +61,7 @@ ShapeVolume volume_of(const SizedShape& shape, const PlacedDomain& domain,
 /// Its mesh.
 struct MeshedShape {
   const PlacedDomain& domain;
-  Method method{};
+  Method method{};  ///< that was asked for
   std::uint64_t tets = 0;
   double volume = 0;                     ///< world units cubed
   std::optional<PieceCount> pieces = {}; ///< where they are to be compared

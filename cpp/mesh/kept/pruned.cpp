@@ -34,7 +34,8 @@ void PrunedDomain::divide(Coord3 block) {
 }
 
 std::size_t PrunedDomain::index(Coord3 block) const {
-  return static_cast<std::size_t>((std::int64_t{block.z} * count_.y + block.y) * count_.x + block.x);
+  return static_cast<std::size_t>((std::int64_t{block.z} * count_.y + block.y) * count_.x +
+                                  block.x);
 }
 
 Coord3 PrunedDomain::block_of(Coord3 point) const {

@@ -35,6 +35,8 @@ KeepingSizes find_keeping_size(const SizedShape& shape, const MeshedSize& coarse
                                Context& context) {
   constexpr double finer = 1.25, much_finer = 1.5;
   core::SearchBudget budget;
+  budget.cells /= shape.cost;
+  budget.mixed /= shape.cost;
   KeepingSizes found;
   double size = coarse.size / finer;
   if (shape.thin > 0) size = std::min(size, shape.thin / finer);

@@ -104,6 +104,10 @@ class Warp(NamedTuple):
     """In lengths of the cut's edge."""
     rms_edges: float
     """In lengths of the cut's edge."""
+    missed_edges: float
+    """By how much shortened moves miss the surface at most, in long edges."""
+    missed_rms_edges: float
+    """The same, root mean square of these alone."""
 
 
 class LossWarning(UserWarning):
