@@ -215,7 +215,7 @@ std::shared_ptr<const LabelFields> label_fields(std::shared_ptr<const Image> ima
 ///   - a constant is added to each label's field by which its region has about the volume of
 ///     its voxels;
 ///   - the field of a voxel's own label is raised at its centre where it is not the greatest
-///     or, near voxels that lie in no such block, not the greatest by a quarter.
+///     by a 64th or, near voxels that lie in no such block, by a quarter.
 ///
 /// Where the size is the spacing, or a whole fraction of it, along every axis, even points
 /// of the lattice lie at voxel centres.  Each of those has its voxel's label, and between

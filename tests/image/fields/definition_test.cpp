@@ -117,8 +117,9 @@ class Model {
     for (const auto& [of, value] : fields)
       if (of != own) best = std::max(best, value);
     const int ahead = best - fields[own];
-    int mixing = ahead < 0 ? 0 : std::min(16384, 4 * ahead + 16);
-    if (thin && ahead > -4096) mixing = std::max(mixing, (4096 + ahead) * 16384 / (16384 + ahead));
+    const int lead = thin ? 4096 : 256;
+    if (ahead <= -lead) return;
+    const int mixing = (lead + ahead) * 16384 / (16384 + ahead);
     for (auto& [of, value] : fields)
       value += (of == own ? mixing : 0) - ((value * mixing) >> 14);
   }

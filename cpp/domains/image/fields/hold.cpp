@@ -6,14 +6,13 @@
 namespace certet::fields {
 namespace {
 
-/// By how much the own label is ahead at least near thin voxels.
-constexpr std::int32_t thin_lead = field_one / 4;
+/// By how much the own label is ahead at least, and near thin voxels.
+constexpr std::int32_t least_lead = field_one / 64, thin_lead = field_one / 4;
 
 /// How far the own label is to be mixed in where the best other one is `ahead` of it.
 std::int32_t mixing_of(std::int32_t ahead, bool thin) {
-  const std::int32_t held = ahead < 0 ? 0 : std::min(field_one, 4 * ahead + 16);
-  if (!thin || ahead <= -thin_lead) return held;
-  return std::max(held, ((thin_lead + ahead) << field_bits) / (field_one + ahead));
+  const std::int32_t lead = thin ? thin_lead : least_lead;
+  return ahead <= -lead ? 0 : ((lead + ahead) << field_bits) / (field_one + ahead);
 }
 
 using OfNodes = std::array<std::int32_t, nodes_of_block>;
