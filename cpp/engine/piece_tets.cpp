@@ -43,7 +43,8 @@ class PieceTets {
   }
 
   void finish() {
-    if (pending_ != 0) std::atomic_ref(tets_[piece_]).fetch_add(pending_, std::memory_order_relaxed);
+    if (pending_ != 0)
+      std::atomic_ref(tets_[piece_]).fetch_add(pending_, std::memory_order_relaxed);
     pending_ = 0;
   }
 

@@ -63,7 +63,8 @@ class LinkCurves {
     // passed twice would have four.
     do {
       if (arcs_at(at) != 2) return false;
-      const auto next = std::ranges::find_if(rest, [at](const Arc& arc) { return has_end(arc, at); });
+      const auto next =
+          std::ranges::find_if(rest, [at](const Arc& arc) { return has_end(arc, at); });
       at = (*next)[0] == at ? (*next)[1] : (*next)[0];
       rest.erase(next);
     } while (at != start);
