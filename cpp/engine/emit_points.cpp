@@ -16,7 +16,8 @@ Coord3* emit_corners(const WarpedLattice& warped, const Lattice& lattice, Grid g
     const std::uint64_t zero = planes.zero(grid, j, k)[w];
     for_each_bit(plus | zero, [&](int b) {
       const bool moved = (zero >> b & 1) != 0;
-      *out++ = moved_place(lattice, {grid, 64 * w + b, j, k}, moved ? *displacement++ : Displacement{});
+      *out++ = moved_place(lattice, {grid, 64 * w + b, j, k},
+                           moved ? *displacement++ : Displacement{});
     });
   }
   return out;
@@ -30,7 +31,8 @@ Coord3* emit_cuts(const WarpedLattice& warped, const Lattice& lattice, const Row
     if (mask == 0) continue;
     const std::uint64_t from_first = warped.planes.measured_from_first(f, j, k, w);
     for_each_bit(mask, [&](int b) {
-      *out++ = cut_place(lattice, families[f], {64 * w + b, j, k}, (from_first >> b & 1) != 0, *cut++);
+      const bool forward = (from_first >> b & 1) != 0;
+      *out++ = cut_place(lattice, families[f], {64 * w + b, j, k}, forward, *cut++);
     });
   }
   return out;

@@ -56,7 +56,9 @@ class LongEdges {
   }
 
  private:
-  [[nodiscard]] std::uint64_t between_materials() const { return cut_ & first_.plus & second_.plus; }
+  [[nodiscard]] std::uint64_t between_materials() const {
+    return cut_ & first_.plus & second_.plus;
+  }
 
   [[nodiscard]] std::uint32_t run(const VertexRef& ref, int b) const {
     return runs_.run_of(VertexIndex{even, 64 * w_ + b, j_, k_}.at(ref));
@@ -99,8 +101,8 @@ class LongEdges {
     const SignWord& one = ring_[n + 1];
     const SignWord& other = ring_[(n + 3) % 4];
     const std::uint64_t one_fan = (one.minus() & other.plus) | (one.plus & other.minus());
-    const std::uint64_t faults = between_materials() & ring_[n].minus() & ring_[n + 2].minus() & ~one_fan;
-    for_each_bit(faults, [&](int b) {
+    const std::uint64_t outside = ring_[n].minus() & ring_[n + 2].minus();
+    for_each_bit(between_materials() & outside & ~one_fan, [&](int b) {
       found.vertices.push_back({static_cast<std::uint8_t>(corner_kinds + family_.number),
                                 64 * w_ + b, j_, k_});
     });

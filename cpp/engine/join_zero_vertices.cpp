@@ -97,9 +97,11 @@ class ZeroVertex {
     for (std::size_t e = 0; e < long_link_edges.size(); ++e) {
       const auto& [ends, sides] = long_link_edges[e];
       const LinkSet both = bit(ends[0]) | bit(ends[1]);
-      if (!has_all(link_.plus, both) || (link_.plus & (bit(sides[0]) | bit(sides[1]))) != 0) continue;
-      if (std::ranges::none_of(sets_.entries(), [&](const auto& entry) { return has_all(entry.set, both); }))
-        link_.bare |= std::uint32_t{1} << e;
+      const LinkSet beside = bit(sides[0]) | bit(sides[1]);
+      if (!has_all(link_.plus, both) || (link_.plus & beside) != 0) continue;
+      const bool alike = std::ranges::any_of(
+          sets_.entries(), [both](const auto& entry) { return has_all(entry.set, both); });
+      if (!alike) link_.bare |= std::uint32_t{1} << e;
     }
   }
 

@@ -20,8 +20,10 @@ using PartPair = std::array<std::uint32_t, 2>;
 /// What is found in a layer.
 struct LayerJoins {
   std::vector<PartPair> by_faces, by_vertices;  ///< joined so
-  std::vector<PointIndex> vertices;             ///< around which the surface is not one fan
-  std::vector<std::array<PointIndex, 2>> edges; ///< of more than two of its faces; the lesser end first
+  /// Around which the surface is not one fan, and of more than two of its faces, the lesser
+  /// end first; some more than once.
+  std::vector<PointIndex> vertices;
+  std::vector<std::array<PointIndex, 2>> edges;
 
   /// An edge that is found at both of its ends, or at the only zero one.
   void add_edge(const PointIndex& at, const PointIndex& other) {

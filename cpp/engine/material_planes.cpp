@@ -60,11 +60,12 @@ std::uint64_t MaterialPlanes::alike(VertexRef a, VertexRef b, int j, int k, int 
 }
 
 std::array<std::uint64_t, family_count> MaterialPlanes::compare(int j, int k, int w) const {
+  const auto rows = rows_at(edge_ends.vertices, j, k);
   std::array<std::uint64_t, family_count> differ{};
   for (int d = 0; d < digits_; ++d) {
     std::array<std::uint64_t, edge_end_count> end;
     for (std::size_t n = 0; n < edge_end_count; ++n)
-      end[n] = digit(d, edge_ends.vertices[n], j, k, w);
+      end[n] = shifted(rows[n] + d, w, edge_ends.vertices[n].shift.x, digits_);
     for (std::size_t f = 0; f < family_count; ++f)
       differ[f] |= end[edge_ends.of_family[f][0]] ^ end[edge_ends.of_family[f][1]];
   }
@@ -104,12 +105,13 @@ std::uint64_t MaterialPlanes::uniform_cells(int j, int k, int w) const {
     return false;
   };
   if (!any_parted()) return ~std::uint64_t{0};
+  const auto rows = rows_at(cell.vertices, j, k);
   std::uint64_t uniform = ~std::uint64_t{0};
   for (int d = 0; d < digits_ && uniform != 0; ++d) {
     std::uint64_t all = ~std::uint64_t{0};
     std::uint64_t any = 0;
-    for (const VertexRef& vertex : cell.vertices) {
-      const std::uint64_t word = digit(d, vertex, j, k, w);
+    for (std::size_t n = 0; n < cell_vertex_count; ++n) {
+      const std::uint64_t word = shifted(rows[n] + d, w, cell.vertices[n].shift.x, digits_);
       all &= word;
       any |= word;
     }

@@ -15,9 +15,22 @@
 
 namespace certet::core {
 
-/// A plane for each digit, so that 64 vertices are compared with 64 others at once; the
-/// digits of the same 64 stand side by side.  All digits of what is outside are 0, as they
-/// are around the lattice.
+/// A row of vertices: the digits of 64 of them stand side by side, the lowest first.
+struct MaterialRow {
+  const std::uint64_t* words;
+  int digits;
+
+  [[nodiscard]] Material at(int i) const {
+    const std::uint64_t* const word = words + (i >> 6) * digits;
+    Material material = 0;
+    for (int d = 0; d < digits; ++d)
+      material |= static_cast<Material>(word[d] >> (i & 63) & 1) << d;
+    return material;
+  }
+};
+
+/// A plane for each digit, so that 64 vertices are compared with 64 others at once.  All
+/// digits of what is outside are 0, as they are around the lattice.
 class MaterialPlanes {
  public:
   /// For materials from 0 to `most`; all are 0 at first.
@@ -31,13 +44,10 @@ class MaterialPlanes {
   /// To be called for each layer when its rows and those of the next are set.
   void find_parted_words(int k);
 
-  [[nodiscard]] Material at(Grid grid, int i, int j, int k) const {
-    const std::uint64_t* const digits = &words_[grid][begin(j, k, i >> 6)];
-    Material material = 0;
-    for (int d = 0; d < digits_; ++d)
-      material |= static_cast<Material>(digits[d] >> (i & 63) & 1) << d;
-    return material;
+  [[nodiscard]] MaterialRow row(Grid grid, int j, int k) const {
+    return {&words_[grid][begin(j, k)], digits_};
   }
+  [[nodiscard]] Material at(Grid grid, int i, int j, int k) const { return row(grid, j, k).at(i); }
   /// The indices of word w at which the vertices at `a` and `b` are of one material.
   [[nodiscard]] std::uint64_t alike(VertexRef a, VertexRef b, int j, int k, int w) const;
   /// Of the edges that word w owns, those whose ends are of different materials.
@@ -60,6 +70,15 @@ class MaterialPlanes {
   [[nodiscard]] std::uint64_t digit(int d, VertexRef ref, int j, int k, int w) const {
     const std::uint64_t* const row = &words_[ref.grid][begin(j + ref.shift.y, k + ref.shift.z)];
     return shifted(row + d, w, ref.shift.x, digits_);
+  }
+  /// The digits of the rows of some vertices, from those of row (j,k).
+  template <std::size_t count>
+  [[nodiscard]] std::array<const std::uint64_t*, count> rows_at(
+      const std::array<VertexRef, count>& vertices, int j, int k) const {
+    std::array<const std::uint64_t*, count> rows;
+    for (std::size_t n = 0; n < count; ++n)
+      rows[n] = &words_[vertices[n].grid][begin(j + vertices[n].shift.y, k + vertices[n].shift.z)];
+    return rows;
   }
   /// Whether word w of a row in the window owns an edge with two materials.
   [[nodiscard]] bool is_parted(int j, int k, int w) const {

@@ -19,7 +19,6 @@ class PieceTets {
       : parts_(parts), planes_(parts.runs.planes()), pieces_(pieces), tets_(tets) {}
 
   void add_row(int j, int k) {
-    const SignRows signs(planes_, j, k);
     std::vector<RunCursor> cursors;
     cursors.reserve(cell_vertex_count);
     for (VertexRef v : cell.vertices) {
@@ -28,15 +27,24 @@ class PieceTets {
       if (k + v.shift.z == planes_.cells()[2]) v.shift.z = 0;
       cursors.push_back(parts_.runs.cursor(v, j, k));
     }
-    for (int w = 0; w < planes_.words(); ++w) {
-      for (RunCursor& cursor : cursors) cursor.next(w);
-      if (parts_.runs.have_materials()) add_material_word(signs, cursors, j, k, w);
-      else add_word(signs, cursors, w);
+    const auto for_each_word = [&](const auto& visit) {
+      for (int w = 0; w < planes_.words(); ++w) {
+        for (RunCursor& cursor : cursors) cursor.next(w);
+        visit(w);
+      }
+    };
+    if (parts_.runs.have_materials()) {
+      const MaterialCells cells(planes_, j, k);
+      for_each_word([&](int w) { add_material_word(cells, cursors, j, k, w); });
+    } else {
+      const SignRows signs(planes_, j, k);
+      for_each_word([&](int w) { add_word(signs, cursors, w); });
     }
   }
 
   void finish() {
-    if (pending_ != 0) std::atomic_ref(tets_[piece_]).fetch_add(pending_, std::memory_order_relaxed);
+    if (pending_ != 0)
+      std::atomic_ref(tets_[piece_]).fetch_add(pending_, std::memory_order_relaxed);
     pending_ = 0;
   }
 
@@ -74,13 +82,12 @@ class PieceTets {
   }
 
   /// The same where several materials meet.
-  void add_material_word(const SignRows& signs, const std::vector<RunCursor>& cursors, int j,
+  void add_material_word(const MaterialCells& cells, const std::vector<RunCursor>& cursors, int j,
                          int k, int w) {
-    const CellKinds cells = kinds_of_cells(planes_, signs, j, k, w);
-    for_each_bit(cells.whole, [&](int b) { add(cursors[0].run(b), cell_tet_count); });
-    for_each_bit(cells.any & ~cells.whole, [&](int b) {
-      for_each_owned_tet(planes_, 64 * w + b, j, k,
-                         [&](std::size_t c, const MaterialTet& tet, Material) {
+    const auto [any, whole] = cells.kinds(w);
+    for_each_bit(whole, [&](int b) { add(cursors[0].run(b), cell_tet_count); });
+    for_each_bit(any & ~whole, [&](int b) {
+      cells.for_each_owned_tet(64 * w + b, [&](std::size_t c, const MaterialTet& tet, Material) {
         const CaseIndex at{k, j, 64 * w + b, static_cast<std::uint8_t>(c)};
         add(tet.owner == shared_owner ? parts_.runs.size() + *parts_.zero_tets.find(at)
                                       : cursors[cell.corner[c][tet.owner]].run(b),

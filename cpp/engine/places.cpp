@@ -32,12 +32,14 @@ Coord3 place_of(const WarpedLattice& warped, const Lattice& lattice, const Point
   const int b = i & 63;
   if (point.is_corner()) {
     const bool moved = (warped.planes.zero(kind, j, k)[w] >> b & 1) != 0;
-    return moved_place(lattice, point.vertex(), moved ? move_of(warped, point.vertex()) : Displacement{});
+    return moved_place(lattice, point.vertex(),
+                       moved ? move_of(warped, point.vertex()) : Displacement{});
   }
   RowRanks row;
   row.compute(warped.planes, j, k);
-  const bool from_first = (warped.planes.measured_from_first(point.family(), j, k, w) >> b & 1) != 0;
-  return cut_place(lattice, families[point.family()], {i, j, k}, from_first,
+  const std::size_t f = point.family();
+  const bool from_first = (warped.planes.measured_from_first(f, j, k, w) >> b & 1) != 0;
+  return cut_place(lattice, families[f], {i, j, k}, from_first,
                    warped.cuts[k].at(j, row, row.rank(kind, w, b)));
 }
 

@@ -2,7 +2,7 @@
 /// \file
 /// Where points of a mesh are, in steps.
 
-#include <cstddef>
+#include <array>
 #include <cstdint>
 
 #include "certet/lattice.hpp"
@@ -19,8 +19,8 @@ inline Coord3 moved_place(const Lattice& lattice, const VertexIndex& v, const Di
 
 /// Where the edge of a family that an index owns is cut, so far from its first end or its
 /// second.
-inline Coord3 cut_place(const Lattice& lattice, const Family& family, const std::array<int, 3>& index, bool from_first,
-                        std::int32_t cut) {
+inline Coord3 cut_place(const Lattice& lattice, const Family& family,
+                        const std::array<int, 3>& index, bool from_first, std::int32_t cut) {
   const auto& [i, j, k] = index;
   const Coord3 first = lattice_point(lattice, family.first, i, j, k);
   const Coord3 second = lattice_point(lattice, family.second, i, j, k);

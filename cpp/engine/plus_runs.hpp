@@ -92,7 +92,8 @@ class PlusRuns {
   DisjointSets& sets_of(std::uint32_t a, std::uint32_t b, RunSets& sets) const;
 
   const SignPlanes& planes_;
-  std::array<std::vector<std::uint64_t>, grid_count> starts_;  ///< where runs begin, by planes' layout
+  /// The vertices at which runs begin, laid out as the planes are.
+  std::array<std::vector<std::uint64_t>, grid_count> starts_;
   std::vector<std::uint32_t> first_;  ///< of each row; one entry more at the end
   std::vector<Material> materials_;
 };

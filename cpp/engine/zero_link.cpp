@@ -1,10 +1,10 @@
 #include "zero_link.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <utility>
 
-#include "disjoint_sets.hpp"
 #include "row_ranks.hpp"
 
 namespace certet::core {
@@ -40,62 +40,79 @@ bool has_triangle(LinkSet set) {
 /// Where the surface cuts the link: arcs between zero neighbours and cuts of its edges.
 class LinkCurves {
  public:
+  using Node = std::uint8_t;
   /// A neighbour that is zero, or the cut between two neighbours.
-  static std::uint32_t node(int a, int b) {
+  static Node node(int a, int b) {
     const auto [low, high] = std::minmax(a, b);
-    return static_cast<std::uint32_t>(low * direction_count + high);
+    return static_cast<Node>(low * direction_count + high);
   }
 
-  void add(std::uint32_t from, std::uint32_t to) {
-    for (const std::uint32_t end : {from, to}) ++arcs_[end];
-    curves_.join(from, to);
-  }
+  void add(Node from, Node to) { arcs_.push_back({from, to}); }
 
-  [[nodiscard]] int arcs_at(std::uint32_t node) const { return arcs_[node]; }
+  [[nodiscard]] std::ptrdiff_t arcs_at(Node node) const {
+    return std::ranges::count_if(arcs_, [node](const Arc& arc) { return has_end(arc, node); });
+  }
 
   /// Whether all arcs make one closed curve, or there are none.
-  [[nodiscard]] bool are_one() {
-    std::uint32_t first = node_count;
-    for (std::uint32_t n = 0; n < node_count; ++n) {
-      if (arcs_[n] == 0) continue;
-      if (first == node_count) first = n;
-      if (arcs_[n] != 2 || curves_.find(n) != curves_.find(first)) return false;
-    }
-    return true;
+  [[nodiscard]] bool are_one() const {
+    std::vector<Arc> rest = arcs_;
+    if (rest.empty()) return true;
+    const Node start = rest.back()[0];
+    Node at = start;
+    // Whoever comes back to the start with no arc left has gone along all of them; a node
+    // passed twice would have four.
+    do {
+      if (arcs_at(at) != 2) return false;
+      const auto next =
+          std::ranges::find_if(rest, [at](const Arc& arc) { return has_end(arc, at); });
+      at = (*next)[0] == at ? (*next)[1] : (*next)[0];
+      rest.erase(next);
+    } while (at != start);
+    return rest.empty();
   }
 
  private:
-  static constexpr std::uint32_t node_count = direction_count * direction_count;
-  DisjointSets curves_{node_count};
-  std::array<int, node_count> arcs_{};
+  using Arc = std::array<Node, 2>;
+  static bool has_end(const Arc& arc, Node node) { return arc[0] == node || arc[1] == node; }
+
+  std::vector<Arc> arcs_;
 };
 
 /// The surface in the triangles of a link.
 class LinkSurface {
  public:
   explicit LinkSurface(const ZeroLink& link) : link_(link) {
-    found_.overfull_cuts = pinched_edges(link);
-    for (const auto& triangle : link_triangles) {
-      const LinkSet corners = set_of(triangle);
-      if ((link.plus & corners) != 0 && (link.minus() & corners) != 0) add_arc(triangle);
-    }
-    for_each_bit(link.zero, [&](int a) {
-      for_each_bit(link.zero & ring(a) & ~below(a + 1), [&](int b) { add_face(a, b); });
-    });
+    if (link.minus() != 0) add_arcs();
+    add_faces();
   }
 
   LinkFindings findings() {
-    for_each_bit(link_.zero, [&](int d) {
-      if (curves_.arcs_at(LinkCurves::node(d, d)) > 2) found_.overfull_edges |= bit(d);
-    });
     found_.one_fan = curves_.are_one();
+    if (!found_.one_fan)
+      for_each_bit(link_.zero, [&](int d) {
+        if (curves_.arcs_at(LinkCurves::node(d, d)) > 2) found_.overfull_edges |= bit(d);
+      });
     return std::move(found_);
   }
 
  private:
+  void add_arcs() {
+    found_.overfull_cuts = pinched_edges(link_);
+    for (const auto& triangle : link_triangles) {
+      const LinkSet corners = set_of(triangle);
+      if ((link_.plus & corners) != 0 && (link_.minus() & corners) != 0) add_arc(triangle);
+    }
+  }
+
+  void add_faces() {
+    for_each_bit(link_.zero, [&](int a) {
+      for_each_bit(link_.zero & ring(a) & ~below(a + 1), [&](int b) { add_face(a, b); });
+    });
+  }
+
   /// Within a triangle that has plus and minus corners.
   void add_arc(const std::array<std::uint8_t, 3>& triangle) {
-    std::array<std::uint32_t, 2> ends{};
+    std::array<LinkCurves::Node, 2> ends{};
     std::size_t found = 0;
     for (std::size_t n = 0; n < 3; ++n) {
       const int a = triangle[n];
@@ -108,7 +125,7 @@ class LinkSurface {
     for_each_bit(found_.overfull_cuts, [&](int e) {
       const LinkEdge& edge = long_link_edges[static_cast<std::size_t>(e)];
       if (set_of(edge.ends) != (set_of(triangle) & link_.plus)) return;
-      const std::uint32_t cut = LinkCurves::node(edge.ends[0], edge.ends[1]);
+      const LinkCurves::Node cut = LinkCurves::node(edge.ends[0], edge.ends[1]);
       curves_.add(std::exchange(ends[0], cut), cut);
     });
     curves_.add(ends[0], ends[1]);

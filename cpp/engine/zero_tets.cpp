@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
-#include "certet/error.hpp"
 #include "layer_loop.hpp"
 
 namespace certet::core {
@@ -53,7 +53,8 @@ Material material_of_zero_tet(const SignPlanes& planes, const CaseIndex& tet) {
   return least;
 }
 
-ZeroTets::ZeroTets(const SignPlanes& planes, Context& context) {
+ZeroTets::ZeroTets(const SignPlanes& planes, Context& context)
+    : rows_(static_cast<std::size_t>(planes.cells()[1])) {
   if (planes.materials() == nullptr) return;
   Layers<std::vector<CaseIndex>> layers(planes.window());
   for_each_layer(context, Stage::count, planes.window(), [&](std::int32_t k) {
@@ -65,11 +66,17 @@ ZeroTets::ZeroTets(const SignPlanes& planes, Context& context) {
   });
   for (const std::vector<CaseIndex>& layer : layers)
     tets_.insert(tets_.end(), layer.begin(), layer.end());
+  first_.resize(row(0, planes.cells()[2]) + 1);
+  for (const CaseIndex& tet : tets_) ++first_[row(tet.j, tet.k) + 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
 }
 
 std::optional<std::uint32_t> ZeroTets::find(const CaseIndex& tet) const {
-  const auto at = std::ranges::lower_bound(tets_, tet);
-  if (at == tets_.end() || *at != tet) return {};
+  if (tets_.empty() || tet.j < 0 || tet.k < 0) return {};
+  const auto begin = tets_.begin() + first_[row(tet.j, tet.k)];
+  const auto end = tets_.begin() + first_[row(tet.j, tet.k) + 1];
+  const auto at = std::lower_bound(begin, end, tet);
+  if (at == end || *at != tet) return {};
   return static_cast<std::uint32_t>(at - tets_.begin());
 }
 

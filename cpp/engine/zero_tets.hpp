@@ -59,10 +59,17 @@ class ZeroTets {
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(tets_.size()); }
   [[nodiscard]] const CaseIndex& operator[](std::size_t n) const { return tets_[n]; }
+  /// Of any, the number of one of these.
   [[nodiscard]] std::optional<std::uint32_t> find(const CaseIndex& tet) const;
 
  private:
+  [[nodiscard]] std::size_t row(int j, int k) const {
+    return static_cast<std::size_t>(k) * rows_ + static_cast<std::size_t>(j);
+  }
+
+  std::size_t rows_;  ///< of a layer
   std::vector<CaseIndex> tets_;
+  std::vector<std::uint32_t> first_;  ///< of each row of cells; one entry more at the end
 };
 
 /// The structured tetrahedron of a vertex and a triangle of its link.

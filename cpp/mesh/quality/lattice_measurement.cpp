@@ -28,8 +28,9 @@ void LatticeMeasurement::add(std::span<const std::array<Coord3, 4>> tets,
   const auto measured = [this](const MeasuredShape& shape, std::uint64_t copies) {
     measure(shape, copies);
   };
-  for (std::size_t n = 0; n < tets.size(); ++n)
-    six_volumes[n] = shapes_.add(LatticeShape(tets[n]), refuse_wide, measured);
+  std::ranges::transform(tets, six_volumes.begin(), [&](const std::array<Coord3, 4>& corners) {
+    return shapes_.add(LatticeShape(corners), refuse_wide, measured);
+  });
 }
 
 void LatticeMeasurement::measure(const MeasuredShape& shape, std::uint64_t copies) {
