@@ -7,6 +7,15 @@ From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
 From Certet Require Import Embedding.LeavingProof.
 Import ListNotations.
 
+Lemma NeverAdjacent v : ~ Adjacent v v.
+Proof.
+  intros [d E]. destruct v as [x y z], d; cbn [Translate Offset] in E;
+    injection E; lia.
+Qed.
+
+Lemma SameDirectionRefl d : SameDirection d d = true.
+Proof. destruct d; reflexivity. Qed.
+
 Lemma AdjacentMutual u v : Adjacent u v -> Adjacent v u.
 Proof.
   intros [d ->]. exists (match d with

@@ -10,7 +10,8 @@ From Certet Require Import Embedding.EmbeddingSpec.
 From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
 From Certet Require Import Embedding.DiskTables Embedding.SettleSpec.
 From Certet Require Import Embedding.Settle.
-From Certet Require Import Embedding.GreedyProof Embedding.DiskTablesProof.
+From Certet Require Import Embedding.GreedyProof Embedding.LinkProof.
+From Certet Require Import Embedding.DiskTablesProof.
 From Certet Require Import Embedding.DiskStepProof.
 Import ListNotations.
 Open Scope Z_scope.
@@ -274,7 +275,7 @@ Section Settle.
       destruct (OneMeans zeros v) as [->|(f & s & _ & _ & ->)]; [exact A|].
       intros u d e e' t t' D E O P U W.
       set (w := Translate u (Offset d)) in *.
-      assert (N : u <> w) by (intros H; apply (NeverNext u); exists d; exact H).
+      assert (N : u <> w) by (intros H; apply (NeverAdjacent u); exists d; exact H).
       destruct (SamePoint3 u v) as [->|Nu]; [|destruct (SamePoint3 w v) as [Ew|Nw]].
       + rewrite PlacedHere in U. injection U as -> <-.
         rewrite PlacedElsewhere in W by congruence.

@@ -14,7 +14,7 @@ From Certet Require Import Stuffing.Stuffing Stuffing.MeshSpec.
 From Certet Require Import Stuffing.NameProof Stuffing.MeshProof.
 From Certet Require Import Material.MaterialTet Material.MaterialMesh.
 From Certet Require Import Material.MaterialChecker.
-From Certet Require Import Material.MaterialNameProof.
+From Certet Require Import Material.MaterialProof Material.MaterialNameProof.
 Import ListNotations.
 Open Scope Z_scope.
 

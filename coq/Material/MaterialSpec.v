@@ -6,6 +6,7 @@ From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
 From Certet Require Import Stencil.StencilSet.
 From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
 From Certet Require Import Angles.Geometry Angles.AnglesSpec.
+From Certet Require Import Embedding.EmbeddingSpec.
 From Certet Require Import Material.MaterialTet Material.MaterialMesh.
 Import ListNotations.
 Open Scope Z_scope.
@@ -16,9 +17,6 @@ Definition OneMaterial (m : Material) (s : Sign) : option Material :=
   match s with Plus => Some m | OnSurface => None | Minus => Some Outside end.
 
 (** ** Volumes *)
-
-Definition SixVolumeOf (t : UnstructuredTet Coord3) : Z :=
-  match t with UT _ a b c d => SixVolume a b c d end.
 
 Definition TotalSixVolume (tets : list (Material * UnstructuredTet Coord3)) : Z :=
   fold_right (fun t sum => SixVolumeOf (snd t) + sum) 0 tets.
