@@ -2211,9 +2211,8 @@ let materialLink material0 zeros0 v =
     material list **)
 
 let materialsAround material0 v e link0 =
-  materialsOf (fun m -> m) ((Some
-    (material0 v)) :: ((let v0 = translate v (offset e) in Some (material0 v0)) :: 
-    (map (at link0) allDirections)))
+  materialsOf (fun m -> m) ((Some (material0 v)) :: ((Some
+    (material0 (translate v (offset e)))) :: (map (at link0) allDirections)))
 
 (** val lowerIn :
     (coord3 -> material) -> zeros -> coord3 -> material option **)

@@ -77,9 +77,6 @@ Section SettleMaterials.
   (** Of all lattice points: none lies on an interface. *)
   Variables (material : Coord3 -> Material) (cut : CutField).
 
-  Local Notation field := (fun v => Some (material v)).
-  Local Notation Target := (WarpMaterialVertex th field cut).
-
   (** Of the two materials that [v] lies between: the lower, and whether its own
       is the higher. *)
   Definition LowerOf (v : Coord3) (e : Direction) : Material :=
@@ -90,7 +87,7 @@ Section SettleMaterials.
 
   (** The side of its surface that a vertex lies on. *)
   Definition MaterialSide : SignField := fun v =>
-    match Target v with
+    match WarpMaterialVertex th (fun v => Some (material v)) cut v with
     | Moves e _ => if IsHigher v e then Plus else Minus
     | Stays => Minus
     end.
@@ -98,13 +95,15 @@ Section SettleMaterials.
   (** The materials of now around [v]. *)
   Definition MaterialLink (zeros : Zeros) (v : Coord3) : Link (option Material) :=
     Gather (fun d =>
-      PlacedMaterial field (PlaceIn zeros) (Translate v (Offset d))).
+      PlacedMaterial (fun v => Some (material v)) (PlaceIn zeros)
+        (Translate v (Offset d))).
 
   (** Those two, and all others around. *)
   Definition MaterialsAround (v : Coord3) (e : Direction)
     (link : Link (option Material)) : list Material :=
     MaterialsOf (option Material) (fun m => m)
-      (field v :: field (Translate v (Offset e)) :: map (At link) AllDirections).
+      (Some (material v) :: Some (material (Translate v (Offset e)))
+       :: map (At link) AllDirections).
 
   (** The lower material of a vertex that has moved. *)
   Definition LowerIn (zeros : Zeros) (v : Coord3) : option Material :=
@@ -132,7 +131,7 @@ Section SettleMaterials.
 
   (** One vertex has its turn. *)
   Definition SettleOneMaterial (zeros : Zeros) (v : Coord3) : Zeros :=
-    match Target v with
+    match WarpMaterialVertex th (fun v => Some (material v)) cut v with
     | Stays => zeros
     | Moves e t =>
         let link := MaterialLink zeros v in
@@ -150,7 +149,7 @@ Section SettleMaterials.
   (** ** The order *)
 
   Definition MaterialTurn (v : Coord3) : nat :=
-    match Target v with
+    match WarpMaterialVertex th (fun v => Some (material v)) cut v with
     | Stays => 0
     | Moves d t =>
         8 * Z.to_nat (4 * t / ThresholdSteps th (DirectionKind d))
@@ -159,7 +158,11 @@ Section SettleMaterials.
 
   (** Those of a list that are violated, by turns. *)
   Definition MaterialsInTurn (vs : list Coord3) : list Coord3 :=
-    let violated v := match Target v with Moves _ _ => true | Stays => false end in
+    let violated v :=
+      match WarpMaterialVertex th (fun v => Some (material v)) cut v with
+      | Moves _ _ => true
+      | Stays => false
+      end in
     let turned := map (fun v => (MaterialTurn v, v)) (filter violated vs) in
     flat_map (fun n => map snd (filter (fun '(m, _) => Nat.eqb m n) turned))
       (seq 0 Turns).
@@ -168,5 +171,6 @@ Section SettleMaterials.
 
   Definition SettledMaterialTets (zeros : Zeros) (tid : StructuredTetId)
     : list (Material * UnstructuredTet Coord3) :=
-    PlacedMaterialTets field (PlaceIn zeros) (ClampedCut th cut) (SharedIn zeros) tid.
+    PlacedMaterialTets (fun v => Some (material v)) (PlaceIn zeros)
+      (ClampedCut th cut) (SharedIn zeros) tid.
 End SettleMaterials.
