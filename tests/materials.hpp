@@ -3,6 +3,7 @@
 /// Domains of several materials, and whether what a domain says of its materials
 /// is what it says of its solid.
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>
@@ -13,6 +14,7 @@
 
 #include "certet/domain.hpp"
 #include "certet/lattice.hpp"
+#include "domains.hpp"
 #include "random_blocks.hpp"
 #include "seed.hpp"
 
@@ -70,6 +72,34 @@ inline Positional cubes(std::uint64_t seed, std::int32_t side, std::vector<std::
             };
             const std::uint64_t h = mixed(seed, cell(p.x), cell(p.y), cell(p.z));
             return h % 256 < outside ? 0 : 1 + static_cast<Material>(h / 256 % count);
+          }};
+}
+
+/// Noise of every frequency: each position has its own random material.
+inline Positional noise(std::uint64_t seed, std::vector<std::int32_t> labels, unsigned outside) {
+  const auto count = labels.size();
+  return {std::move(labels), [=](Coord3 p) -> Material {
+            const std::uint64_t h = mixed(seed, p.x, p.y, p.z);
+            return h % 256 < outside ? 0 : 1 + static_cast<Material>(h / 256 % count);
+          }};
+}
+
+/// Lattice points have random materials, and an edge between two is cut where `cuts` say:
+/// one of them by chance, in steps from the end of the higher material.
+inline Positional random_cuts(std::uint64_t seed, std::vector<std::int32_t> labels,
+                              unsigned outside, std::vector<std::int32_t> cuts) {
+  const auto count = labels.size();
+  const auto corner = [=](Coord3 v) -> Material {
+    const std::uint64_t h = mixed(seed, v.x, v.y, v.z);
+    return h % 256 < outside ? 0 : 1 + static_cast<Material>(h / 256 % count);
+  };
+  return {std::move(labels), [=, cuts = std::move(cuts)](Coord3 p) -> Material {
+            const auto [a, b, t] = domains::edge_of(p);
+            const auto [low, high] = std::minmax(corner(a), corner(b));
+            if (t == 0 || low == high) return corner(a);
+            const std::int32_t from_high = corner(a) == high ? t : certet::steps - t;
+            const std::uint64_t h = mixed(seed + 1, a.x, a.y, a.z, b.x, b.y, b.z);
+            return from_high <= cuts[h % cuts.size()] ? high : low;
           }};
 }
 

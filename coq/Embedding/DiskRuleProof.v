@@ -99,7 +99,7 @@ Section Rule.
     sign v = Plus -> MayLeave Coord3 Adjacent (fun x => now n x = Plus) v.
   Proof.
     intros S S' P. destruct (SettledMeans n v S S') as (_ & _ & D).
-    split; [apply NowPlus; auto|]. split; [apply NeverNext|].
+    split; [apply NowPlus; auto|]. split; [apply NeverAdjacent|].
     exact (InsideAround (now n) v D).
   Qed.
 
@@ -147,7 +147,7 @@ Section Rule.
   Proof.
     intros S S'. destruct (SettledMeans n v S S') as (_ & _ & D).
     split; [unfold outside; rewrite NowPlus, S; intros [H _]; discriminate H|].
-    split; [apply NeverNext|].
+    split; [apply NeverAdjacent|].
     apply (PieceAround v (fun d => negb (IsInner (LinkOf (now n) v) d))).
     - unfold StrictDisk in D. rewrite !andb_true_iff in D. apply D.
     - intros d. set (u := Translate v (Offset d)).

@@ -8,12 +8,6 @@ From Certet Require Import Angles.Cases.Isometry Embedding.LeavingProof
   Embedding.LinkProof Embedding.EdgeRank Embedding.GreedyProof.
 Import ListNotations.
 
-Lemma NeverNext v : ~ Adjacent v v.
-Proof.
-  intros [d E]. destruct v as [x y z], d; cbn [Translate Offset] in E;
-    injection E; lia.
-Qed.
-
 (** No face of the lattice that is 0 has + on both sides. *)
 Definition NoWallIn (now : SignField) : Prop :=
   forall a b c p q,
@@ -118,7 +112,7 @@ Section Steps.
       + apply (AllLeave_one Adjacent v _ _ _ IH).
         destruct (InsideAround before v D) as [(x & X & I) J].
         assert (N : forall u, Adjacent v u -> u <> v)
-          by (intros u A ->; exact (NeverNext v A)).
+          by (intros u A ->; exact (NeverAdjacent v A)).
         split; [exact W|]. split; [rewrite V; discriminate|]. split; [exact K|].
         split; [exists x; split; [exact X|apply K; auto]|].
         intros u w U W' Iu Iw.
@@ -160,7 +154,7 @@ Section Steps.
       assert (Z : forall x, now x = OnSurface -> x <> v -> before x = OnSurface).
       { intros x X N. rewrite <- (E x N). exact X. }
       assert (N : forall x y, Adjacent x y -> x = v -> y <> v).
-      { intros x y X -> ->. exact (NeverNext v X). }
+      { intros x y X -> ->. exact (NeverAdjacent v X). }
       destruct (SamePoint3 a v) as [->|Na];
         [|destruct (SamePoint3 b v) as [->|Nb];
           [|destruct (SamePoint3 c v) as [->|Nc]]].

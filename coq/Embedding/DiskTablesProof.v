@@ -14,9 +14,6 @@ Lemma GatherSame {A} (f g : Direction -> A) : (forall d, f d = g d) ->
   Gather f = Gather g.
 Proof. intros E. unfold Gather. rewrite !E. reflexivity. Qed.
 
-Lemma SameDirectionRefl d : SameDirection d d = true.
-Proof. destruct d; reflexivity. Qed.
-
 Lemma EqualIfBothWays (a b : bool) : (a = true <-> b = true) -> a = b.
 Proof. destruct a, b; intuition congruence. Qed.
 

@@ -17,6 +17,7 @@ From Certet Require Import Lattice.Definitions Stencil.Definitions
   Embedding.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Stencil.CompatibilityChecker Stuffing.NameProof.
+From Certet Require Angles.Cases.SymmetryProof.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -63,15 +64,11 @@ Definition PlaceRank (i j : Place) : Z :=
 Definition DirectionTo (u v : Coord3) : option Direction :=
   find (fun d => Coord3Equal (Offset d) (Difference u v)) AllDirections.
 
-Lemma DifferenceTranslate a u v :
-  Difference (Translate a u) (Translate a v) = Difference u v.
-Proof. destruct a, u, v. cbn [Translate Difference]. f_equal; lia. Qed.
-
 Lemma EdgeRankTranslate a b c u v :
   let even := C3 (2 * a) (2 * b) (2 * c) in
   EdgeRank (Translate even u) (Translate even v) = EdgeRank u v.
 Proof.
-  cbv zeta. unfold EdgeRank. rewrite DifferenceTranslate.
+  cbv zeta. unfold EdgeRank. rewrite SymmetryProof.TranslatedDifference.
   destruct (Difference u v), u. cbn [Translate]. rewrite Z.add_comm, Z.even_add_mul_2. reflexivity.
 Qed.
 
@@ -103,7 +100,7 @@ Section Structured.
       exists d. apply DirectionToMeans, D. }
     unfold at_, DirectionTo. destruct tid as [anchor case].
     destruct case, i, j; try congruence; cbn [GetStructuredTet VertexAt];
-      rewrite DifferenceTranslate; discriminate.
+      rewrite SymmetryProof.TranslatedDifference; discriminate.
   Qed.
 
   Lemma PlaceOf c : In c (Corners tid) <-> exists i, c = at_ i.

@@ -12,6 +12,9 @@ From Certet Require Import Lattice.Definitions Stencil.Definitions
 Import ListNotations.
 Open Scope Z_scope.
 
+Definition SixVolumeOf (t : UnstructuredTet Coord3) : Z :=
+  match t with UT _ a b c d => SixVolume a b c d end.
+
 (** ** Points by weights *)
 
 (** One weight for each vertex. *)

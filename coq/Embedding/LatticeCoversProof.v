@@ -49,7 +49,7 @@ Proof.
 Qed.
 
 Lemma InsideByVolumes t w x m e : 0 <= m -> 0 <= e ->
-  NonNegative w -> 0 < TetVolume t -> 6 * (m * m) * e < Total w ->
+  NonNegative w -> 0 < SixVolumeOf t -> 6 * (m * m) * e < Total w ->
   (forall p q, In p (TetCorners t) -> In q (TetCorners t) ->
      Near m (Difference p q)) ->
   Near e (Difference (PointOf w t) (Scale (Total w) x)) ->
@@ -71,7 +71,7 @@ Proof.
     In k [p; q; r; s] -> Z.abs (Dot (Normal i j k) d) <= 6 * (m * m) * e).
   { intros i j k I J K. apply NormalDotBound; auto. }
   cbn [In] in Bound.
-  cbn [TetVolume] in V. set (volume := SixVolume p q r s) in *.
+  cbn [SixVolumeOf] in V. set (volume := SixVolume p q r s) in *.
   pose proof (fun i => Z.mul_nonneg_nonneg volume i (Z.lt_le_incl _ _ V)) as VW.
   repeat split.
   - apply (WholeUnits n (6 * (m * m) * e) _ (Dot (Normal q r s) d)); auto 8.

@@ -5,6 +5,15 @@ From Certet Require Import Lattice.Definitions Embedding.Definitions.
 From Certet Require Import Angles.Cases.Isometry Embedding.LeavingProof.
 Import ListNotations.
 
+Lemma NeverAdjacent v : ~ Adjacent v v.
+Proof.
+  intros [d E]. destruct v as [x y z], d; cbn [Translate Offset] in E;
+    injection E; lia.
+Qed.
+
+Lemma SameDirectionRefl d : SameDirection d d = true.
+Proof. destruct d; reflexivity. Qed.
+
 Lemma AdjacentMutual u v : Adjacent u v -> Adjacent v u.
 Proof.
   intros [d ->]. exists (match d with

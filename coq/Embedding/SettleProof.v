@@ -5,8 +5,8 @@ From Certet Require Import Lattice.Definitions Stencil.Definitions
   Warp.Definitions Stuffing.Definitions Angles.Definitions
   Embedding.Definitions.
 From Certet Require Import Angles.Cases.Isometry Angles.Cases.AdmissibleProof
-  Embedding.DiskTables Embedding.GreedyProof Embedding.DiskTablesProof
-  Embedding.DiskStepProof.
+  Embedding.DiskTables Embedding.GreedyProof Embedding.LinkProof
+  Embedding.DiskTablesProof Embedding.DiskStepProof.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -269,7 +269,7 @@ Section Settle.
       destruct (OneMeans zeros v) as [->|(f & s & _ & _ & ->)]; [exact A|].
       intros u d e e' t t' D E O P U W.
       set (w := Translate u (Offset d)) in *.
-      assert (N : u <> w) by (intros H; apply (NeverNext u); exists d; exact H).
+      assert (N : u <> w) by (intros H; apply (NeverAdjacent u); exists d; exact H).
       destruct (SamePoint3 u v) as [->|Nu]; [|destruct (SamePoint3 w v) as [Ew|Nw]].
       + rewrite PlacedHere in U. injection U as -> <-.
         rewrite PlacedElsewhere in W by congruence.

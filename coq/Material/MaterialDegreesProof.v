@@ -4,7 +4,8 @@ From Coq Require Import ZArith Reals List Lra.
 From Certet Require Import Lattice.Definitions Stencil.Definitions
   Warp.Definitions Stuffing.Definitions Angles.Definitions Material.Definitions.
 From Certet Require Import Angles.DegreesSpec Angles.Degrees.DegreesProof
-  Material.Demotion Material.MaterialBoundsProof Material.MaterialWarpProof.
+  Material.Demotion Material.MaterialBoundsProof Material.MaterialWarpProof
+  Material.SettleMaterials Material.SettleMaterialsProof.
 
 Theorem MaterialDihedralBoundsInDegrees : forall before warping cut shared tid m t,
   AdmissibleMaterials before warping cut AngleThresholds (Corners tid) ->
@@ -17,6 +18,20 @@ Proof.
   replace (16476 / 100)%R with (180 - 1524 / 100)%R by lra.
   exact (DegreesBounds _ _ _ _ _ Cotangent10_77 Cotangent15_24
            (MaterialDihedralBounds before warping cut shared tid A W m t I)).
+Qed.
+
+Theorem SettledMaterialBoundsInDegrees : forall material cut turns tid m t,
+  MaterialCutsOnEdges (fun v => Some (material v)) cut -> InLattice tid ->
+  m <> Outside ->
+  In (m, t)
+    (SettledMaterialTets AngleThresholds material cut
+       (SettleMaterials WidestAngles AngleThresholds material cut turns) tid) ->
+  WithinDegrees (1077 / 100) (16476 / 100) t.
+Proof.
+  intros material cut turns tid m t C E N I.
+  replace (16476 / 100)%R with (180 - 1524 / 100)%R by lra.
+  exact (DegreesBounds _ _ _ _ _ Cotangent10_77 Cotangent15_24
+           (SettledMaterialBounds material cut turns tid m t C E N I)).
 Qed.
 
 Theorem DemotedBoundsInDegrees : forall material cut shared tid m t,

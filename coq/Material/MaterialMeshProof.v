@@ -9,7 +9,7 @@ From Certet Require Import Lattice.Definitions Stencil.Definitions
 From Certet Require Import Lattice.ArrangementProof Stencil.Symbol
   Stencil.SymbolProof Stencil.TriangleChecker Stencil.TriangleCheckerProof
   Stuffing.NameProof Stuffing.MeshProof Material.MaterialChecker
-  Material.MaterialNameProof.
+  Material.MaterialProof Material.MaterialNameProof.
 Import ListNotations.
 Open Scope Z_scope.
 

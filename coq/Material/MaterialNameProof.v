@@ -125,9 +125,6 @@ Section Pattern.
   Qed.
 End Pattern.
 
-Definition Hand (tid : StructuredTetId) : Handedness :=
-  match tid with STId _ case => CaseHandedness case end.
-
 Lemma CodeInjective a b : Code a = Code b -> a = b.
 Proof. destruct a, b; reflexivity || discriminate. Qed.
 

@@ -242,12 +242,12 @@ Proof.
   assert (L : (m <? Outside) = false) by (apply Z.ltb_ge; lia).
   assert (L' : (Outside <? m) = true) by (apply Z.ltb_lt; lia).
   destruct (sign v) eqn:S; cbn [OneMaterial].
-  - apply WarpDepends; intros d; unfold Violates, SignBeside, MaterialCutFrom, CutFrom;
+  - apply WarpDepends; intros d; unfold Violates, SignAmongMaterials, MaterialCutFrom, CutFrom;
       cbv zeta; rewrite S; destruct (sign (Translate v (Offset d)));
       cbn [OneMaterial Opposite andb]; rewrite ?Z.eqb_refl, ?Out, ?L; try reflexivity;
       discriminate.
   - symmetry. apply OnSurfaceStays.
-  - apply WarpDepends; intros d; unfold Violates, SignBeside, MaterialCutFrom, CutFrom;
+  - apply WarpDepends; intros d; unfold Violates, SignAmongMaterials, MaterialCutFrom, CutFrom;
       cbv zeta; rewrite S; destruct (sign (Translate v (Offset d)));
       cbn [OneMaterial Opposite andb]; rewrite ?Z.eqb_refl, ?Out', ?L'; try reflexivity;
       discriminate.

@@ -105,7 +105,7 @@ Section Within.
   (** ** The fill's *)
 
   Lemma FillTetWithin m s : In (m, s) (FillOf (MaterialQuad before warping tid)) ->
-    WellShaped bounds (OrientPoints (HandOfTet tid) (MapTet (fun v =>
+    WellShaped bounds (OrientPoints (Hand tid) (MapTet (fun v =>
       PlacedPosition warping (EitherCut before warping cut)
         (Stands (CornersOf tid) v)) s)).
   Proof.
@@ -157,7 +157,7 @@ Section Within.
     pose proof (CheckTetSound 256 ltac:(lia) _ _ _ _ _ _ _ _ _ Hbounds
       (On p Bp) (On q' Bq) (On u Bu) (On w Bw) C) as S.
     pose proof (IsometryOrthonormal mm Hm) as O.
-    unfold HandOfTet, tid.
+    unfold Hand, tid.
     destruct (CaseHandedness case); cbn [OrientPoints HandDeterminant] in *.
     - exact (WellShapedMoved _ mm _ _ _ _ _ O D S).
     - exact (WellShapedMirrored _ mm _ _ _ _ _ O D S).

@@ -7,20 +7,14 @@
 From Coq Require Import ZArith List Bool Lia.
 From Certet Require Import Lattice.Definitions Angles.Definitions
   Embedding.Definitions.
-From Certet Require Import Angles.Cases.Isometry Embedding.EdgeRank
-  Embedding.GreedyProof Embedding.MeshApartProof Embedding.LinkProof
-  Embedding.StarProof.
+From Certet Require Import Lattice.FaceProof Angles.Cases.Isometry
+  Embedding.EdgeRank Embedding.GreedyProof Embedding.MeshApartProof
+  Embedding.LinkProof Embedding.StarProof.
 Import ListNotations.
 Open Scope Z_scope.
 
 Definition LatticePoint (v : Coord3) : Prop :=
   exists tid, InLattice tid /\ In v (Corners tid).
-
-Lemma NeverAdjacent v : ~ Adjacent v v.
-Proof.
-  intros [d E]. destruct v as [x y z], d; cbn [Translate Offset] in E;
-    injection E; lia.
-Qed.
 
 Lemma LatticePointNext v w : LatticePoint v -> Adjacent v w -> LatticePoint w.
 Proof.

@@ -49,9 +49,6 @@ Fixpoint ForAllSignsOn (ds : list Direction) (test : (Direction -> Sign) -> bool
       ForAllSigns (fun s => ForAllSignsOn rest (fun now => test (Put d s now)))
   end.
 
-Lemma SameDirectionRefl d : SameDirection d d = true.
-Proof. apply Coord3EqualRefl. Qed.
-
 Lemma ForAllSignsOnSound now ds : forall test, ForAllSignsOn ds test = true ->
   exists now', (forall e, In e ds -> now' e = now e) /\ test now' = true.
 Proof.

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The rule of who moves, where several materials meet.
+/// The rule of who moves, where several materials meet: `SettleMaterials` of the certificate.
 
 #include <array>
 #include <cstdint>
@@ -22,7 +22,8 @@ namespace certet::core {
 /// So each material keeps its pieces, cavities and tunnels.  A tetrahedron all of whose
 /// corners move is of the material that is the lower one of each.  Where there is no such
 /// material, or where it is not the outside, so that the tetrahedron is kept, and it is
-/// not well shaped, the last of the corners stays.
+/// not well shaped, the last of the corners stays: `AreDisks`, `FillsWouldTouch` and
+/// `MayShare` of the certificate.
 class MaterialLinks {
  public:
   /// `samples` has materials, or is of one, and then nothing may be asked.
