@@ -107,11 +107,11 @@ class Counted(PiecesTest):
 class Keep(PiecesTest):
     def test_drops_and_says_so(self):
         self.write(steps, (16, 16, 16))
-        whole = self.mesh("a.nrrd", "--smooth", "0", "-o", "whole.vtu")
+        whole = self.mesh("a.nrrd", "-o", "whole.vtu")
         sizes = pieces(self.folder / "whole.vtu", 3)
         for rule, stay in (("largest", sizes[2:]), ("2", sizes[1:]), ("9", sizes), ("percolating:x", sizes[1:2])):
             with self.subTest(rule):
-                report = self.mesh("a.nrrd", "--smooth", "0", "--keep", rule, "-o", "a.vtu")
+                report = self.mesh("a.nrrd", "--keep", rule, "-o", "a.vtu")
                 self.assertEqual(pieces(self.folder / "a.vtu", 3), stay)
                 self.same_pieces(report)
                 dropped = report["dropped"]
