@@ -20,7 +20,7 @@ Layers<LayerJoins> find_joins(const PlusRuns& runs, const ZeroTets& zero_tets, C
 }
 
 /// Joins pairs: in the whole and, if both are of one of several materials, in that.
-void join_pairs(const std::vector<PartPair>& pairs, const JoinedParts& parts,
+void join_pairs(const std::vector<PartPair>& pairs, const MeshParts& parts,
                 DisjointSets& whole, DisjointSets& regions) {
   for (const auto& [a, b] : pairs) {
     whole.join(a, b);
@@ -45,12 +45,12 @@ FaultPoints faults_in(const Layers<LayerJoins>& layers) {
 
 }  // namespace
 
-Material JoinedParts::material(std::uint32_t part) const {
+Material MeshParts::material(std::uint32_t part) const {
   return part < runs.size() ? runs.materials()[part]
                             : material_of_zero_tet(runs.planes(), zero_tets[part - runs.size()]);
 }
 
-JoinedParts join_parts(const SignPlanes& planes, Context& context) {
+MeshParts join_parts(const SignPlanes& planes, Context& context) {
   PlusRuns runs(planes, context);
   ZeroTets zero_tets(planes, context);
   const std::uint64_t count = std::uint64_t{runs.size()} + zero_tets.size();
@@ -58,7 +58,7 @@ JoinedParts join_parts(const SignPlanes& planes, Context& context) {
     throw Error(ErrorCode::too_large, "the mesh is too large for its pieces to be counted");
   RunSets by_edges = runs.joined_by_edges(context);
   const Layers<LayerJoins> layers = find_joins(runs, zero_tets, context);
-  JoinedParts parts{std::move(runs),
+  MeshParts parts{std::move(runs),
                     std::move(zero_tets),
                     {std::move(by_edges.whole), DisjointSets(0)},
                     {std::move(by_edges.regions), DisjointSets(0)},

@@ -34,7 +34,7 @@ struct FaultPoints {
 };
 
 /// The parts, which are runs and, behind them, the tetrahedra of four zero vertices.
-struct JoinedParts {
+struct MeshParts {
   PlusRuns runs;
   ZeroTets zero_tets;
   JoinedSets whole;    ///< whatever the materials
@@ -48,6 +48,6 @@ struct JoinedParts {
 
 /// Of a whole lattice.  \throws Error `too_large` if 32 bits do not count the parts,
 /// `cancelled`.
-JoinedParts join_parts(const SignPlanes& planes, Context& context);
+MeshParts join_parts(const SignPlanes& planes, Context& context);
 
 }  // namespace certet::core

@@ -141,7 +141,7 @@ WarpedLattice what_is_left(const WarpedLattice& warped, SignPlanes after, const 
 }
 
 /// Of each part, whether it stays.
-std::vector<bool> parts_that_stay(JoinedParts& parts, const KeepRule& rule, Context& context) {
+std::vector<bool> parts_that_stay(MeshParts& parts, const KeepRule& rule, Context& context) {
   const NumberedSets pieces = number_sets(parts.whole.by_faces);
   const std::vector<bool> pieces_stay = std::visit(
       [&]<class Rule>(const Rule& which) {
@@ -159,7 +159,7 @@ std::vector<bool> parts_that_stay(JoinedParts& parts, const KeepRule& rule, Cont
 
 /// The materials of zero vertices count where a tetrahedron has four of them: those of
 /// tetrahedra that do not stay are of none.
-void drop_zero_tets(MaterialPlanes& materials, const JoinedParts& parts,
+void drop_zero_tets(MaterialPlanes& materials, const MeshParts& parts,
                     const std::vector<bool>& stays) {
   const auto set_corners = [&](std::uint32_t part, Material material) {
     const CaseIndex& tet = parts.zero_tets[part - parts.runs.size()];
@@ -177,7 +177,7 @@ void drop_zero_tets(MaterialPlanes& materials, const JoinedParts& parts,
   for_each_zero_tet(true, [&](std::uint32_t part) { set_corners(part, parts.material(part)); });
 }
 
-WarpedLattice with_parts(const WarpedLattice& warped, const JoinedParts& parts,
+WarpedLattice with_parts(const WarpedLattice& warped, const MeshParts& parts,
                          const std::vector<bool>& stays, const Lattice& lattice,
                          Context& context) {
   SignPlanes after = warped.planes;
@@ -200,7 +200,7 @@ WarpedLattice with_parts(const WarpedLattice& warped, const JoinedParts& parts,
 
 SplitLattice split(const WarpedLattice& warped, const Lattice& lattice, const KeepRule& rule,
                    Context& context) {
-  JoinedParts parts = join_parts(warped.planes, context);
+  MeshParts parts = join_parts(warped.planes, context);
   std::vector<bool> stays = parts_that_stay(parts, rule, context);
   WarpedLattice kept = with_parts(warped, parts, stays, lattice, context);
   stays.flip();

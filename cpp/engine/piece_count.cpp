@@ -29,7 +29,7 @@ SurfaceFaults place_faults(const FaultPoints& faults, const WarpedLattice& warpe
 }
 
 /// Of each material.
-std::vector<RegionPieces> count_regions(JoinedParts& parts, std::span<const std::int32_t> labels) {
+std::vector<RegionPieces> count_regions(MeshParts& parts, std::span<const std::int32_t> labels) {
   std::vector<PieceCount> counts(labels.size());
   auto& [by_faces, by_vertices] = parts.regions;
   for (std::uint32_t n = 0; n < by_faces.size(); ++n) {
@@ -49,7 +49,7 @@ std::vector<RegionPieces> count_regions(JoinedParts& parts, std::span<const std:
 Pieces count_pieces(const WarpedLattice& warped, const Lattice& lattice,
                     std::span<const std::int32_t> labels, std::uint64_t tets, const Frame& frame,
                     Context& context) {
-  JoinedParts parts = join_parts(warped.planes, context);
+  MeshParts parts = join_parts(warped.planes, context);
   Pieces pieces;
   const NumberedSets by_faces = number_sets(parts.whole.by_faces);
   pieces.whole = {by_faces.count, number_sets(parts.whole.by_vertices).count};

@@ -15,7 +15,7 @@ namespace {
 /// Counts the tetrahedra of one row of cells after the other.
 class PieceTets {
  public:
-  PieceTets(const JoinedParts& parts, const NumberedSets& pieces, std::vector<std::uint64_t>& tets)
+  PieceTets(const MeshParts& parts, const NumberedSets& pieces, std::vector<std::uint64_t>& tets)
       : parts_(parts), planes_(parts.runs.planes()), pieces_(pieces), tets_(tets) {}
 
   void add_row(int j, int k) {
@@ -103,7 +103,7 @@ class PieceTets {
     pending_ += tets;
   }
 
-  const JoinedParts& parts_;
+  const MeshParts& parts_;
   const SignPlanes& planes_;
   const NumberedSets& pieces_;
   std::vector<std::uint64_t>& tets_;
@@ -123,7 +123,7 @@ NumberedSets number_sets(DisjointSets& sets) {
   return numbered;
 }
 
-std::vector<std::uint64_t> count_tets_of_pieces(const JoinedParts& parts,
+std::vector<std::uint64_t> count_tets_of_pieces(const MeshParts& parts,
                                                 const NumberedSets& pieces, Context& context) {
   const SignPlanes& planes = parts.runs.planes();
   std::vector<std::uint64_t> tets(pieces.count, 0);

@@ -18,7 +18,7 @@ struct NumberedSets {
 NumberedSets number_sets(DisjointSets& sets);
 
 /// Of each of the pieces that make the parts a whole, as they are numbered.
-std::vector<std::uint64_t> count_tets_of_pieces(const JoinedParts& parts,
+std::vector<std::uint64_t> count_tets_of_pieces(const MeshParts& parts,
                                                 const NumberedSets& pieces, Context& context);
 
 }  // namespace certet::core
