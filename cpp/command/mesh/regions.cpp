@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "certet/label_warnings.hpp"
+
 namespace certet::command {
 namespace {
 
@@ -22,8 +24,7 @@ std::string named(const ImageRegion& region, bool level) {
   return level ? "the solid" : fmt::format("label {}", region.label);
 }
 
-/// Rounded down, so that it still is small enough.
-std::string at_most(double size) { return fmt::format("{:.4g}", size * (1 - 5e-4)); }
+constexpr Advice in_options{"--size ", "--iso V"};
 
 }  // namespace
 
@@ -85,13 +86,13 @@ bool RegionWatch::is_lost(std::size_t which, bool written) const {
 
 std::string RegionWatch::lost(std::size_t which) {
   const ImageRegion& region = regions_[which];
-  std::string text = fmt::format("label {} ({} voxels) is not in the mesh", region.label,
-                                 region.voxels);
+  const std::string text = fmt::format("label {} ({} voxels) is not in the mesh", region.label,
+                                       region.voxels);
   if (dropped_) return text + ", of which pieces were dropped";
   if (source_.voxels->cropped) return text + ", as far as it is cropped";
   if (source_.voxels->smoothed) return text + "; a smaller --smooth may keep it";
   find_certain_size(*source_.voxels->image, source_.voxels->level, regions_, which);
-  return text + "; --size " + at_most(region.certain_size) + " or less keeps it";
+  return sentence_on_lost(region, in_options);
 }
 
 bool RegionWatch::keeps(std::size_t which) const {
@@ -113,10 +114,11 @@ std::string RegionWatch::other_pieces(std::size_t which, const SizeFor& size_for
 
 std::vector<std::string> RegionWatch::warnings(bool written, const SizeFor& size_for) {
   std::vector<std::string> sentences;
-  if (source_.voxels && !source_.voxels->level && looks_grayscale(*source_.voxels->image))
-    sentences.push_back(fmt::format(
-        "the image looks like one of gray values, of which {} became labels; --iso V takes what is "
-        "above a value", regions_.size()));
+  if (source_.voxels && !source_.voxels->level) {
+    sentences = sentences_on_absent(absent_labels(source_.voxels->labels, regions_), source_.name);
+    if (looks_grayscale(*source_.voxels->image))
+      sentences.push_back(sentence_on_grayscale(regions_.size(), in_options));
+  }
   std::size_t lost_ones = 0, changed = 0;
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     if (is_lost(r, written)) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "certet/error.hpp"
+#include "certet/gray_levels.hpp"
 #include "certet/shape.hpp"
 #include "certet/volume.hpp"
 #include "silence.hpp"
@@ -24,20 +25,23 @@ PlacedSource placed(std::unique_ptr<PlacedDomain> domain) {
 }
 
 Source from_formula(const MeshOptions& options) {
-  const auto place = [formula = options.formula, bounds = options.bounds.value(),
+  const bool in_file = options.formula.starts_with('@');
+  const auto place = [formula = in_file ? read_formula(options.formula.substr(1)) : options.formula,
+                      bounds = options.bounds.value(),
                       margin = options.margin](double size) {
     return placed(std::make_unique<FormulaDomain>(formula, bounds, size, margin));
   };
-  return {"formula", options.formula, place};
+  return {"formula", shortened_formula(options.formula), place};
 }
 
 Source from_shape(const MeshOptions& options) {
   const auto place = [shape = options.shape, bounds = options.bounds,
                       margin = options.margin](double size) {
     auto domain = std::make_unique<ShapeDomain>(shape, bounds, size, margin);
-    const std::optional<double> volume = domain->volume();
+    const std::optional<double> volume = domain->volume(), room = domain->room();
     PlacedSource source = placed(std::move(domain));
     source.volume = volume;
+    source.room = room;
     return source;
   };
   return {"shape", options.shape, place};
@@ -122,14 +126,23 @@ Image wanted_image(const MeshOptions& options, std::uint64_t max_bytes) {
       image.notes.push_back(fmt::format("{} {} read as {:.9g}", count,
                                         count == 1 ? "voxel is NaN and was" : "voxels are NaN and were",
                                         *options.nan));
-  return options.iso ? std::move(image) : with_labels(std::move(image));
+  if (options.iso) return image;
+  image = with_labels(std::move(image));
+  if (!options.merges.empty()) merge_labels(image, options.merges);
+  return image;
 }
 
-Source from_image(const MeshOptions& options, std::uint64_t max_bytes) {
-  const auto image = std::make_shared<const Image>(wanted_image(options, max_bytes));
+Source from_image(const MeshOptions& asked, std::uint64_t max_bytes) {
+  auto image = std::make_shared<const Image>(wanted_image(asked, max_bytes));
+  MeshOptions options = asked;
+  if (asked.below) {
+    image = std::make_shared<const Image>(between_levels(*image, {*asked.iso, *asked.below}));
+    options.iso = 0;
+  }
   Source source =
       options.smooth != 0 ? from_smoothed(image, options) : from_voxels(image, options);
   if (!options.iso) source.names = image->names;
+  source.axes = axes_of_file(options.input);
   source.voxels = SolidVoxels{image, options.labels, options.iso, options.smooth != 0,
                               options.crop.has_value()};
   return source;

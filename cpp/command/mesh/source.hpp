@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "certet/patient_axes.hpp"
 #include "certet/write_mesh.hpp"
 #include "mesh_options.hpp"
 
@@ -33,6 +34,7 @@ struct PlacedSource {
   Frame frame;
   double longest_side = 0;  ///< of the solid's box, in world units
   std::optional<double> volume = {};  ///< of the solid, where there is a formula for it
+  std::optional<double> room = {};  ///< of the box that a lattice structure fills a part of
   std::uint64_t bytes = 0;
 };
 
@@ -48,6 +50,7 @@ struct Source {
   LabelNames names = {};                ///< where the input tells some
   std::optional<SolidVoxels> voxels = {};
   std::optional<Smoothing> smoothing = {};
+  std::optional<PatientAxes> axes = {};  ///< of an image's file, where it tells
   double thin = 0;  ///< how thick its thin parts are, in world units; 0: not known
 };
 
