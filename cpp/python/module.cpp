@@ -4,20 +4,27 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "arrays.hpp"
 #include "certet/checksum.hpp"
 #include "certet/error.hpp"
+#include "certet/gray_levels.hpp"
 #include "certet/image.hpp"
+#include "certet/label_warnings.hpp"
+#include "certet/merge_labels.hpp"
 #include "certet/method.hpp"
 #include "certet/placed_quality.hpp"
 #include "certet/stuffing.hpp"
 #include "certet/surface.hpp"
 #include "domains.hpp"
 #include "files.hpp"
+#include "pickling.hpp"
 #include "pieces.hpp"
 #include "python_mesh.hpp"
 #include "run.hpp"
@@ -34,6 +41,8 @@ struct Options {
 struct Shape {
   std::shared_ptr<const PlacedDomain> domain;
   std::vector<std::string> notes = {};
+  /// What is wrong with a mesh of it.
+  std::function<std::vector<std::string>(const Mesh&)> warnings = {};
 };
 
 /// `make` makes the shape; it runs, like all the rest, without Python's lock.
@@ -45,8 +54,18 @@ std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape()>& make, const Op
     const Shape shape = make();
     result->mesh = mesh(*shape.domain, options.method, context);
     result->notes = shape.notes;
+    if (shape.warnings) result->warnings = shape.warnings(result->mesh);
     result->world = world_points(result->mesh);
   });
+  return result;
+}
+
+/// First and last label, the label that they become, and its name.
+using Merges = std::vector<std::tuple<std::int64_t, std::int64_t, std::int32_t, std::string>>;
+
+std::vector<LabelMerge> merges_of(const Merges& merges) {
+  std::vector<LabelMerge> result;
+  for (const auto& [first, last, to, name] : merges) result.push_back({{first, last}, to, name});
   return result;
 }
 
@@ -55,7 +74,8 @@ using Direction = std::array<std::array<double, 3>, 3>;
 std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spacing,
                                        const Point3& origin, const Direction& direction,
                                        const std::vector<std::pair<std::int64_t, std::int64_t>>& labels,
-                                       std::optional<double> iso, double size, int margin,
+                                       const std::optional<std::pair<double, double>>& iso,
+                                       const Merges& merges, double size, int margin,
                                        const Options& options) {
   Image image;
   image.name = "array";
@@ -69,8 +89,14 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
   return mesh_of(
       [&] {
         const ImageLattice lattice{size, margin, !facts(options.method).settles};
-        return Shape{iso ? level_domain(std::move(image), *iso, lattice)
-                         : label_domain(std::move(image), ranges, lattice)};
+        if (iso && std::isfinite(iso->second)) image = between_levels(image, {iso->first, iso->second});
+        if (!merges.empty()) merge_labels(image, merges_of(merges));
+        const auto kept = std::make_shared<const Image>(std::move(image));
+        const auto level = [&] { return std::isfinite(iso->second) ? 0 : iso->first; };
+        if (iso) return Shape{level_domain(kept, level(), lattice)};
+        return Shape{label_domain(kept, ranges, lattice), {}, [kept, ranges](const Mesh& mesh) {
+                       return warnings_on_labels(*kept, ranges, mesh, {"size=", "iso=V"});
+                     }};
       },
       options);
 }
@@ -219,7 +245,11 @@ PYBIND11_MODULE(_certet, module) {
       .def_property_readonly("method", [](const PythonMesh& mesh) {
         return std::string(name(mesh.mesh.method));
       })
+      .def_property_readonly("names", [](const PythonMesh& mesh) { return mesh.mesh.names; })
+      .def_property_readonly("warnings", [](const PythonMesh& mesh) { return mesh.warnings; })
       .def_property_readonly("notes", [](const PythonMesh& mesh) { return mesh.notes; })
+      .def(py::pickle([](const PythonMesh& mesh) { return state_of(mesh); },
+                      [](const py::tuple& state) { return mesh_of_state(state); }))
       .def("checksum", checksum_of)
       .def("quality", quality_of);
   declare_files(module);

@@ -15,6 +15,7 @@ struct PythonMesh {
   Mesh mesh;
   Buffer<Point3> world;  ///< its points
   std::vector<std::string> notes;  ///< what is doubtful about its shape
+  std::vector<std::string> warnings;  ///< what it has lost
 };
 
 }  // namespace certet::python

@@ -30,6 +30,10 @@ class Mesh:
     @property
     def method(self) -> Literal["embedded", "angles", "embedding", "midpoint"]: ...
     @property
+    def names(self) -> dict[int, str]: ...
+    @property
+    def warnings(self) -> list[str]: ...
+    @property
     def notes(self) -> list[str]: ...
     def checksum(self) -> int: ...
     def quality(self) -> dict[str, Any]: ...
@@ -55,7 +59,8 @@ def mesh_image(
     origin: _Point,
     direction: Sequence[_Point],
     labels: Sequence[tuple[int, int]],
-    iso: float | None,
+    iso: tuple[float, float] | None,
+    merges: Sequence[tuple[int, int, int, str]],
     size: float,
     margin: int,
     options: Options,
