@@ -12,6 +12,7 @@
 #include "arrays.hpp"
 #include "certet/error.hpp"
 #include "certet/formats.hpp"
+#include "pickling.hpp"
 #include "python_mesh.hpp"
 #include "run.hpp"
 
@@ -100,6 +101,8 @@ void declare_files(py::module_& module) {
                          {static_cast<py::ssize_t>(sizeof(std::int32_t))}, labels.data(), self);
       })
       .def_property_readonly("names", [](const FileMesh& mesh) { return mesh.names; })
+      .def(py::pickle([](const FileMesh& mesh) { return state_of(mesh); },
+                      [](const py::tuple& state) { return file_mesh_of_state(state); }))
       .def("quality", quality_of_file);
   module.def("read", read_file);
   module.def("write", [](const PythonMesh& mesh, const fs::path& file,

@@ -4,15 +4,21 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "arrays.hpp"
 #include "certet/checksum.hpp"
 #include "certet/error.hpp"
+#include "certet/gray_levels.hpp"
 #include "certet/image.hpp"
 #include "certet/kept.hpp"
+#include "certet/label_warnings.hpp"
+#include "certet/merge_labels.hpp"
 #include "certet/method.hpp"
 #include "certet/placed_quality.hpp"
 #include "certet/stuffing.hpp"
@@ -20,6 +26,7 @@
 #include "domains.hpp"
 #include "files.hpp"
 #include "interfaces.hpp"
+#include "pickling.hpp"
 #include "pieces.hpp"
 #include "python_mesh.hpp"
 #include "run.hpp"
@@ -36,6 +43,8 @@ struct Options {
 struct Shape {
   SizedShape sized;
   std::vector<std::string> notes = {};
+  /// What is wrong with a mesh of it.
+  std::function<std::vector<std::string>(const Mesh&)> warnings = {};
 };
 
 /// Counts a mesh and makes it, and looks for what it has not kept.
@@ -59,9 +68,20 @@ std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape(const Context&)>& 
   Context context;
   context.threads = options.threads;
   run(context, [&] {
-    fill(make(context), size, options, context, *result);
+    const Shape shape = make(context);
+    fill(shape, size, options, context, *result);
+    if (shape.warnings) result->warnings = shape.warnings(result->mesh);
     result->world = world_points(result->mesh);
   });
+  return result;
+}
+
+/// First and last label, the label that they become, and its name.
+using Merges = std::vector<std::tuple<std::int64_t, std::int64_t, std::int32_t, std::string>>;
+
+std::vector<LabelMerge> merges_of(const Merges& merges) {
+  std::vector<LabelMerge> result;
+  for (const auto& [first, last, to, name] : merges) result.push_back({{first, last}, to, name});
   return result;
 }
 
@@ -85,7 +105,8 @@ std::unique_ptr<PlacedDomain> image_domain(const std::shared_ptr<const Image>& i
 std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spacing,
                                        const Point3& origin, const Direction& direction,
                                        const std::vector<std::pair<std::int64_t, std::int64_t>>& labels,
-                                       std::optional<double> iso, std::optional<double> smooth,
+                                       const std::optional<std::pair<double, double>>& iso,
+                                       std::optional<double> smooth, const Merges& merges,
                                        double size, int margin, const Options& options) {
   Image image;
   image.name = "array";
@@ -96,18 +117,27 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
   std::vector<LabelRange> ranges;
   ranges.reserve(labels.size());
   for (const auto& [first, last] : labels) ranges.push_back({first, last});
-  const auto shared = std::make_shared<const Image>(std::move(image));
   return mesh_of(
       [&](const Context& context) {
+        std::optional<double> level;
+        if (iso) level = std::isfinite(iso->second) ? 0 : iso->first;
+        if (level && std::isfinite(iso->second))
+          image = between_levels(image, {iso->first, iso->second});
+        if (!merges.empty()) merge_labels(image, merges_of(merges));
+        const auto kept = std::make_shared<const Image>(std::move(image));
         const auto place = [=, &context](double at) {
           const ImageLattice lattice{at, margin, !facts(options.method).settles};
-          return image_domain(shared, ranges, iso, smooth, lattice, options.method, context);
+          return image_domain(kept, ranges, level, smooth, lattice, options.method, context);
         };
-        Shape shape{{shared->name, place}};
-        if (iso)
-          shape.sized.pieces = [&](Context& own) { return pieces_above(*shared, *iso, own); };
-        else
-          shape.sized.volume = volume_of_labels(*shared, ranges);
+        Shape shape{{kept->name, place}};
+        if (level) {
+          shape.sized.pieces = [=](Context& own) { return pieces_above(*kept, *level, own); };
+          return shape;
+        }
+        shape.sized.volume = volume_of_labels(*kept, ranges);
+        shape.warnings = [=](const Mesh& mesh) {
+          return warnings_on_labels(*kept, ranges, mesh, {"size=", "iso=V"});
+        };
         return shape;
       },
       size, options);
@@ -293,7 +323,10 @@ PYBIND11_MODULE(_certet, module) {
       .def_property_readonly("warp", warp_of)
       .def_property_readonly("losses", [](const PythonMesh& mesh) { return mesh.losses; })
       .def_property_readonly("names", [](const PythonMesh& mesh) { return mesh.mesh.names; })
+      .def_property_readonly("warnings", [](const PythonMesh& mesh) { return mesh.warnings; })
       .def_property_readonly("notes", [](const PythonMesh& mesh) { return mesh.notes; })
+      .def(py::pickle([](const PythonMesh& mesh) { return state_of(mesh); },
+                      [](const py::tuple& state) { return mesh_of_state(state); }))
       .def("checksum", checksum_of)
       .def("quality", quality_of);
   declare_files(module);

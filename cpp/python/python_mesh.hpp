@@ -18,6 +18,7 @@ struct PythonMesh {
   std::vector<std::string> notes;  ///< what is doubtful about its shape
   std::vector<std::string> losses;  ///< what it has not kept of its shape
   WarpFigures warp;
+  std::vector<std::string> warnings;  ///< what it has lost
 };
 
 }  // namespace certet::python

@@ -34,8 +34,10 @@ class Convert(ProgramTest):
                 self.assertEqual(self.convert("a.vtu", first, "--format", one), truth)
                 self.assertEqual(self.convert(first, "back.vtu"), truth)
                 self.assertEqual(vtu.numbers(self.folder / "back.vtu", "label"), labels)
+                # Which way the axes go, .vtu alone can tell.
+                told = b"" if "vtu" in one else b"<!-- SPACE=LPS -->\n"
                 self.assertEqual((self.folder / "back.vtu").read_bytes(),
-                                 (self.folder / "a.vtu").read_bytes())
+                                 (self.folder / "a.vtu").read_bytes().replace(told, b"", 1))
                 for other, second in READABLE.items():
                     if first != second:
                         self.assertEqual(

@@ -11,7 +11,7 @@ from program import TORUS, ProgramTest
 KEYS = {
     "certet": None, "command": None, "dry_run": None,
     "input": {"kind", "name", "notes"},
-    "output": {"file", "format", "bytes", "origin"},
+    "output": {"file", "format", "bytes", "origin", "frame", "scale"},
     "lattice": {"cells", "size", "cuts"},
     "method": {"name", "violated", "stayed", "shortened", "missed", "clamped"},
     "mesh": {"points", "tets", "volume", "checksum", "file_checksum", "pieces", "nonmanifold"},

@@ -2,6 +2,7 @@
 
 import collections
 import itertools
+import json
 import math
 import unittest
 
@@ -27,6 +28,35 @@ class Shapes(ProgramTest):
                 self.assertAlmostEqual(report["mesh"]["volume"], volume, delta=0.02 * volume)
                 self.assertTrue(report["guarantee"]["holds"])
                 self.check("s.vtu")
+
+    def test_lattice_structures(self):
+        """What they fill is that part of their box where the function is small, by summation."""
+        steps = 48
+        angles = [2 * math.pi * (n + 0.5) / steps for n in range(steps)]
+        sines, cosines = [math.sin(a) for a in angles], [math.cos(a) for a in angles]
+        functions = {
+            "primitive": (3 ** 0.5, lambda s, c: c[0] + c[1] + c[2]),
+            "diamond": (3 ** 0.5, lambda s, c: (
+                s[0] * s[1] * s[2] + s[0] * c[1] * c[2] + c[0] * s[1] * c[2] + c[0] * c[1] * s[2])),
+            "iwp": (27 ** 0.5, lambda s, c: (
+                2 * (c[0] * c[1] + c[1] * c[2] + c[2] * c[0]) - 2 * sum(v * v for v in c) + 3)),
+            "neovius": (7, lambda s, c: 3 * sum(c) + 4 * c[0] * c[1] * c[2])}
+        for name, (steepest, function) in functions.items():
+            level = 0.1 * math.pi * steepest
+            inside = sum(abs(function([sines[n] for n in at], [cosines[n] for n in at])) < level
+                         for at in itertools.product(range(steps), repeat=3))
+            with self.subTest(name):
+                run = self.run_certet("mesh", "--shape", f"{name}:1,0.1", "--size", "0.05", "-o",
+                                      "s.vtu", "--json", "s.json")
+                self.assertEqual(run.returncode, 0, run.stderr)
+                mesh = json.loads((self.folder / "s.json").read_text())["mesh"]
+                self.assertAlmostEqual(mesh["volume_fraction"], inside / steps ** 3, delta=0.01)
+                self.assertAlmostEqual(mesh["volume_fraction"], mesh["volume"] / 8, places=12)
+                self.assertIn(f"fraction   {100 * mesh['volume_fraction']:.2f} %", run.stdout)
+        struts = self.mesh("--shape", "struts:2,0.4", "--size", "0.08", "-o", "s.vtu")["mesh"]
+        self.assertAlmostEqual(struts["volume_fraction"],
+                               3 * math.pi * 0.2 ** 2 - 8 * 2 ** 0.5 * 0.2 ** 3, delta=0.004)
+        self.assertNotIn("volume_fraction", self.mesh("--shape", "sphere:1", "-o", "s.vtu")["mesh"])
 
     def test_edges_are_full_lengths_and_z_is_the_axis(self):
         for shape, sides in (("box:1,2,3", (1, 2, 3)), ("cylinder:0.5,2", (1, 1, 2)),

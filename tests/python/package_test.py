@@ -335,7 +335,7 @@ class Images(unittest.TestCase):
             (dict(array=np.zeros((4, 4))), "2 dimensions"),
             (dict(array=np.zeros((4, 4, 0), np.uint8)), "no voxels"),
             (dict(array=np.zeros((4, 4, 4), complex)), "complex"),
-            (dict(array=ball().astype(float)), "not whole numbers"),
+            (dict(array=ball() * 0.5), "not whole numbers"),
             (dict(array=np.zeros((4, 4, 4), np.uint8)), "other than 0"),
             (dict(array=ball(), spacing=(1, 0, 1)), "spacing"),
             (dict(array=ball(), direction=np.ones((3, 3))), "orthonormal"),

@@ -15,6 +15,7 @@
 #include "memory.hpp"
 #include "mesh_options.hpp"
 #include "mesh_report.hpp"
+#include "output_place.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
 #include "regions.hpp"
@@ -162,12 +163,13 @@ void write(const MeshOptions& options, const SizedShape& shape, const Counted& c
   check_room(options.output, report.output_bytes);
   const auto file = open_writer(options.output, options.format, size);
   WatchedWriter writer(*file, size, progress);
-  Frame frame = source.frame;
+  Frame frame = output_frame(options, report.axes, source.frame);
   if (options.origin == OutputOrigin::lattice) frame.origin = {0, 0, 0};
   const MaterialRuns none;
   report.written = write_mesh(stuffing, frame, slabs, writer, context,
                               size.survey == nullptr ? none : size.survey->materials,
                               options.label_pieces);
+  report.written.world.volume /= report.out(1);
   check_written(report);
   tell_losses(shape, counted, context, report);
   const Stopwatch finishing;
@@ -205,12 +207,15 @@ void describe(const MeshOptions& options, const Source& source, MeshReport& repo
   report.dry_run = options.dry_run;
   report.input_kind = source.kind;
   report.input_name = source.name;
+  report.formula = options.formula;
   report.input_notes = source.notes;
   report.smoothing = source.smoothing;
   report.output = options.output.string();
   report.format = name(options.format);
   report.target_tets = options.target_tets;
   report.asked = options.method;
+  report.scale = options.scale;
+  report.axes = output_axes(options, source);
 }
 
 void describe(const MeshOptions& options, const Counted& counted, const Progress& progress,
@@ -218,7 +223,9 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
   const auto& [source, stuffing] = counted;
   report.cells = source.lattice.cells;
   report.size = source.frame.size;
-  if (options.origin == OutputOrigin::lattice) report.output_origin = source.frame.origin;
+  report.room = source.room;
+  if (options.origin == OutputOrigin::lattice) 
+    report.output_origin = output_frame(options, report.axes, source.frame).origin;
   report.used = stuffing.method();
   report.cut_apart = stuffing.has_interfaces();
   report.inverted_tets = stuffing.inverted_tets();
@@ -247,8 +254,10 @@ void drop_pieces(const MeshOptions& options, Counted& counted, Context& context,
                             report.dropped.pieces, report.input_name, report.keep));
 }
 
-void count_pieces(const Counted& counted, Context& context, MeshReport& report) {
-  report.pieces = counted.stuffing.pieces(counted.source.frame, context);
+void count_pieces(const MeshOptions& options, const Counted& counted, Context& context,
+                  MeshReport& report) {
+  report.pieces = counted.stuffing.pieces(
+      output_frame(options, report.axes, counted.source.frame), context);
   report.dropped.kept = report.pieces.whole.by_faces;
 }
 
@@ -271,6 +280,8 @@ MeshReport run(const MeshOptions& options, Context& context) {
   if (!options.label_names.empty()) names = read_label_names(options.label_names);
   const Source source = open_source(options, report.memory_limit, context);
   names.insert(source.names.begin(), source.names.end());
+  for (const LabelMerge& merge : options.merges)
+    if (!merge.name.empty()) names[merge.to] = merge.name;
   report.names = names;
   report.read_seconds = clock.seconds();
   describe(options, source, report);
@@ -279,12 +290,13 @@ MeshReport run(const MeshOptions& options, Context& context) {
   progress.stop();
   const Stopwatch looking;
   drop_pieces(options, counted, context, report);
-  count_pieces(counted, context, report);
+  count_pieces(options, counted, context, report);
   report.pieces_seconds = looking.seconds();
   describe(options, counted, progress, report);
   const SizedShape shape = sized(options, source, counted, report.memory_limit);
   if (report.tets == 0) refuse_empty(shape, report.size, options.method, context);
-  const MeshSize size = announce(options, names, counted, context);
+  MeshSize size = announce(options, names, counted, context);
+  if (report.axes) size.space = space(*report.axes);
   report.output_bytes = file_bytes(options.format, size);
   if (size.survey != nullptr) report.warnings = label_losses(options.format, *size.survey);
   const Slabs slabs = plan(counted, size, report);

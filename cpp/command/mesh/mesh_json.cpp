@@ -68,8 +68,8 @@ Json regions(const MeshReport& report) {
       one["name"] = name->second;
     if (!report.dry_run) one["tets"] = tets;
     if (volume > 0) {
-      one["volume"] = volume;
-      one["voxel_volume"] = voxel_volume;
+      one["volume"] = report.out(volume);
+      one["voxel_volume"] = report.out(voxel_volume);
     }
     if (change) one["change_percent"] = 100 * *change;
     if (pieces) {
@@ -88,10 +88,10 @@ Json regions(const MeshReport& report) {
 
 Json smoothing(const MeshReport& report) {
   const Smoothing& smoothing = *report.smoothing;
-  Json json{{"voxel_volume", smoothing.voxel_volume}};
+  Json json{{"voxel_volume", report.out(smoothing.voxel_volume)}};
   if (smoothing.sigma) json["sigma"] = *smoothing.sigma;
   if (report.dry_run) return json;
-  json["mesh_volume"] = report.written.world.volume;
+  json["mesh_volume"] = report.out(report.written.world.volume);
   json["change"] = report.written.world.volume / smoothing.voxel_volume - 1;
   return json;
 }
@@ -104,11 +104,13 @@ std::string json(const MeshReport& report) {
   json["certet"] = CERTET_VERSION;
   json["command"] = "mesh";
   json["dry_run"] = report.dry_run;
-  json["input"] = {{"kind", report.input_kind}, {"name", report.input_name},
+  json["input"] = {{"kind", report.input_kind},
+                   {"name", report.formula.empty() ? report.input_name : report.formula},
                    {"notes", report.input_notes}};
   json["output"] = {
       {"file", report.output}, {"format", report.format}, {"bytes", report.output_bytes},
-      {"origin", report.output_origin}};
+      {"origin", report.output_origin},
+      {"frame", report.axes ? name(*report.axes) : "input"}, {"scale", report.scale}};
   json["lattice"] = {
       {"cells", report.cells}, {"size", report.size}, {"cuts", name(facts(report.used).cuts)}};
   if (report.target_tets != 0) {
@@ -118,7 +120,8 @@ std::string json(const MeshReport& report) {
   json["method"] = method(report);
   json["mesh"] = {{"points", report.points}, {"tets", report.tets}};
   if (!report.dry_run) {
-    json["mesh"]["volume"] = written.world.volume;
+    json["mesh"]["volume"] = report.out(written.world.volume);
+    if (report.room) json["mesh"]["volume_fraction"] = written.world.volume / *report.room;
     json["mesh"]["checksum"] = hexadecimal(written.checksum);
     json["mesh"]["file_checksum"] = hexadecimal(written.file_checksum);
     json["dihedral"] = {{"min", written.world.min_dihedral},
@@ -134,7 +137,7 @@ std::string json(const MeshReport& report) {
                        {"pieces", report.dropped.pieces},
                        {"kept", report.dropped.kept},
                        {"tets", report.dropped.tets},
-                       {"volume", report.dropped.volume}};
+                       {"volume", report.out(report.dropped.volume)}};
   json["theorem"] = bounds_of(report).theorem;
   json["guarantee"] = guarantee(report);
   json["seconds"] = seconds(report);

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "certet/surface.hpp"
@@ -26,13 +27,27 @@ rounded over about 1/k world units is -log(exp(-k*a)+exp(-k*b))/k.
 
 Shapes, around the origin of the world: sphere:R, torus:R,r (around z), box:a,b,c
 (lengths of the edges), cylinder:R,H (along z), gyroid:PERIOD,THICKNESS[,SIDE] (a
-wall at least THICKNESS thick, in a cube of SIDE; default: two periods).
+wall at least THICKNESS thick, in a cube of SIDE; default: two periods), as well as
+primitive, diamond, iwp and neovius; struts:CELL,RADIUS[,SIDE] (round bars along the
+edges of cubic cells).  Of these last six table and JSON tell the part of the box that
+the mesh fills.
+
+--expr @FILE reads a formula from a file, on lines as one likes, with # before comments.
+A formula may begin with definitions, like r = hypot(x,y); max(r - 1, abs(z) - 2): each
+ends with a semicolon, and it and the formula have at most 20,000 bytes.
 
 World coordinates are the image's own: millimetres, LPS (x to the left, y to the
 back, z to the head), as ITK has them, for NIfTI too, whose sform is taken where it
-is set, else its qform.  The slices of a DICOM series, and the frames of a DICOM
+is set, else its qform.  --frame ras gives what nibabel, FreeSurfer and models of 3D
+Slicer have; table and JSON tell the axes of the output, and .vtu, .stl and .ply have them
+in a comment, SPACE=LPS.  Options that take coordinates (--crop) mean LPS all the same, and
+lengths before --scale.  The slices of a DICOM series, and the frames of a DICOM
 file, are ordered by their positions.  The first voxel of a TIFF file is at the
 origin, x along its rows, y down its columns, z through its pages.
+
+With --iso A..B the solid is where the lesser of the distances to both values,
+interpolated between the centres of voxels, is positive: between a voxel below both and
+one above both there is none.
 
 Values are those that an image's file means: slope and intercept of NIfTI and DICOM
 are applied.  Labels may be floating point numbers that are whole.  A file of several
@@ -106,10 +121,11 @@ most 0.4 of an edge.  Pieces, tunnels and cavities of the mesh are those of the
 samples, which are + where the lattice's points are inside.
 
 Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file,
-format, bytes, origin}, lattice {cells, size, cuts, and with --target-tets:
-target_tets, tries}, method {name, and of embedded: violated, stayed, shortened, missed (the
-surface, by shortened moves) {greatest, rms, greatest_edges, rms_edges}, clamped {cuts and
-the same}}, theorem, mesh {points, tets, volume, checksum, file_checksum,
+format, bytes, origin, frame (lps, ras, or input where the axes are not known), scale}, lattice
+{cells, size, cuts, and with --target-tets: target_tets, tries}, method {name, and of embedded:
+violated, stayed, shortened, missed (the surface, by shortened moves) {greatest, rms,
+greatest_edges, rms_edges}, clamped {cuts and the same}}, theorem, mesh {points, tets, volume,
+volume_fraction (of shapes without an end), checksum, file_checksum,
 pieces {by_faces, by_vertices, largest_tets}, nonmanifold {edges, vertices, edge_places,
 vertex_places: in the world, of the first 8}}, with --keep: dropped {keep, pieces, kept,
 tets, volume}, dihedral
@@ -120,7 +136,9 @@ peak}, warnings, and for images regions [{label, voxels, tets, name where the fi
 --label-names has one, volume, voxel_volume, change_percent, pieces (by faces) and pieces_by_vertices; of several
 labels with --method paper by --label-pieces alone, else pieces is of the samples, and told
 where the image's are: image_pieces {by_corners, by_faces}}], of labels that are smoothed:
-smoothing {sigma (left out where it is one voxel), voxel_volume, mesh_volume, change}.  Lengths are in world units, angles in degrees, memory in bytes; the
+smoothing {sigma (left out where it is one voxel), voxel_volume, mesh_volume, change}.  Lengths
+are in world units, volumes and places in those of the output, angles in degrees, memory in
+bytes; the
 histogram has 36 bins of 5 degrees, counted before coordinates are rounded; rounding
 is what the doubles of the world can turn an angle by; output.origin is where in the
 world the output has its 0; file_checksum is what `certet check` tells of a file with
@@ -131,7 +149,7 @@ a dry run leaves out what it does not know.)";
 /// Options whose values need more than CLI11's own reading.
 struct RawMesh {
   std::string volume, nan, size, relative_size, target_tets, iso, labels, spacing, smooth, crop,
-      bounds, format, origin, keep;
+      bounds, format, origin, keep, frame, scale, merge;
   MethodChoice method;
   bool compress = false;
 };
@@ -145,8 +163,14 @@ void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("--labels", raw.labels,
                   "Labels that make the solid, like 1,5-9 (default: all but 0)")
       ->option_text("LIST");
-  mesh.add_option("--iso", raw.iso, "The solid is where the image is above V")
-      ->option_text("V");
+  mesh.add_option("--merge", raw.merge,
+                  "Makes one of several labels before any are chosen, like 1-5=bone,7=9; @FILE has "
+                  "one on each line")
+      ->option_text("LIST|@FILE");
+  mesh.add_option("--iso", raw.iso,
+                  "The solid is where the image is above V, between two values (A..B) or below "
+                  "one (..B)")
+      ->option_text("V|A..B");
   mesh.add_option("--spacing", raw.spacing,
                   "Size of a voxel, in the place of what the image's file says")
       ->option_text("a,b,c");
@@ -174,8 +198,8 @@ void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
                 "Closes the holes of an open surface by the generalised winding number; without "
                 "it, such a surface is refused");
   mesh.add_option("--expr", options.formula,
-                  "The solid is where a formula in x, y, z is negative")
-      ->option_text("FORMULA");
+                  "The solid is where a formula in x, y, z is negative; @FILE holds one")
+      ->option_text("FORMULA|@FILE");
   mesh.add_option("--shape", options.shape, "A named shape, like torus:1,0.4; see below")
       ->option_text("NAME:NUMBERS");
   mesh.add_option("--bounds", raw.bounds,
@@ -208,6 +232,17 @@ void declare_lattice(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
                 "With --method paper: counts the pieces of each label in the mesh, too");
 }
 
+void declare_placing(CLI::App& mesh, std::string& frame, std::string& scale) {
+  mesh.add_option("--frame", frame,
+                  "Axes of the output, of an image that tells its own: lps (to the left, the back, "
+                  "the head; default), ras (right, front, head) or those of the input's file")
+      ->check(CLI::IsMember({"lps", "ras", "input"}))
+      ->option_text("lps|ras|input");
+  mesh.add_option("--scale", scale,
+                  "Factor of all coordinates that go out, like 0.001 from mm to m")
+      ->option_text("S");
+}
+
 void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("-o,--output", options.output,
                   "Mesh: .vtu, .mesh, .meshb, .msh, .inp, .feb, .node (with .ele, .face); "
@@ -221,6 +256,7 @@ void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
                   "lattice's origin, which lies at the solid and is told in table and JSON")
       ->check(CLI::IsMember({"world", "0"}))
       ->option_text("world|0");
+  declare_placing(mesh, raw.frame, raw.scale);
   mesh.add_option("--label-names", options.label_names,
                   "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
       ->option_text("FILE");
@@ -267,24 +303,21 @@ void check_source(const MeshOptions& options, const RawMesh& raw) {
     refuse("--volume and --nan go with an image");
   if (!voxels && (!raw.smooth.empty() || !raw.crop.empty()))
     refuse("--smooth and --crop go with an image");
+  if (!voxels && !raw.frame.empty()) refuse("--frame goes with an image");
   if (!raw.smooth.empty() && !raw.iso.empty())
     refuse("--smooth goes with labels, not with --iso");
   if (!raw.labels.empty() && !raw.iso.empty())
     refuse("--labels and --iso exclude each other");
-}
-
-double positive(const std::string& option, const std::string& text) {
-  const double value = parse_number(option, text);
-  if (value <= 0) refuse(option + " takes a positive number, not '" + text + "'");
-  return value;
+  if (!raw.merge.empty() && (!voxels || !raw.iso.empty()))
+    refuse("--merge goes with an image of labels");
 }
 
 void read_size(MeshOptions& options, const RawMesh& raw) {
   if (!raw.size.empty() + !raw.relative_size.empty() + !raw.target_tets.empty() > 1)
     refuse("--size, --rel-size and --target-tets exclude each other");
-  if (!raw.size.empty()) options.size = positive("--size", raw.size);
+  if (!raw.size.empty()) options.size = parse_positive("--size", raw.size);
   if (!raw.relative_size.empty())
-    options.relative_size = positive("--rel-size", raw.relative_size);
+    options.relative_size = parse_positive("--rel-size", raw.relative_size);
   if (!raw.target_tets.empty()) options.target_tets = parse_count("--target-tets", raw.target_tets);
 }
 
@@ -302,11 +335,31 @@ double parse_smooth(const std::string& text) {
   return value;
 }
 
+/// V, A.., ..B or A..B
+void read_iso(MeshOptions& options, const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots == text.npos) {
+    options.iso = parse_number("--iso", text);
+    return;
+  }
+  const std::string first = text.substr(0, dots), last = text.substr(dots + 2);
+  if (first.empty() && last.empty()) refuse("--iso takes a number, A..B, A.. or ..B, not '..'");
+  options.iso = first.empty() ? -std::numeric_limits<double>::infinity()
+                              : parse_number("--iso", first);
+  if (!last.empty()) options.below = parse_number("--iso", last);
+  if (options.below && *options.iso >= *options.below)
+    refuse("--iso takes two values that ascend, not '" + text + "'");
+  if (options.below && is_volume_file(options.input))
+    refuse("--iso takes one value with a .vdb file");
+}
+
 MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   check_source(options, raw);
   read_size(options, raw);
   options.method = chosen(raw.method);
-  if (!raw.iso.empty()) options.iso = parse_number("--iso", raw.iso);
+  if (!raw.iso.empty()) read_iso(options, raw.iso);
+  if (raw.merge.starts_with('@')) options.merges = read_merges(raw.merge.substr(1));
+  else if (!raw.merge.empty()) options.merges = parse_merges(raw.merge);
   if (!raw.labels.empty()) options.labels = parse_labels(raw.labels);
   if (!raw.smooth.empty()) options.smooth = parse_smooth(raw.smooth);
   if (!raw.crop.empty()) options.crop = parse_bounds(raw.crop, "--crop");
@@ -319,6 +372,10 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   options.format = choose_format(options.output, raw.format, raw.compress);
   check_surface_choice(options.surface, options.format);
   if (raw.origin == "0") options.origin = OutputOrigin::lattice;
+  if (raw.frame == "lps") options.frame = OutputFrame::lps;
+  if (raw.frame == "ras") options.frame = OutputFrame::ras;
+  if (raw.frame == "input") options.frame = OutputFrame::input;
+  if (!raw.scale.empty()) options.scale = parse_positive("--scale", raw.scale);
   return options;
 }
 

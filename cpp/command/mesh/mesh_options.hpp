@@ -13,6 +13,7 @@
 #include "certet/formula.hpp"
 #include "certet/formats.hpp"
 #include "certet/image.hpp"
+#include "certet/merge_labels.hpp"
 #include "certet/method.hpp"
 #include "certet/pieces.hpp"
 
@@ -24,6 +25,14 @@ enum class OutputOrigin {
   lattice,  ///< where the lattice has its 0, which is at the solid
 };
 
+/// Which way the axes of the output go, where an image tells what its own do.
+enum class OutputFrame {
+  usual,  ///< LPS, or the input's where it does not tell
+  lps,
+  ras,
+  input,  ///< the file's
+};
+
 /// What the user asks of `certet mesh`.
 struct MeshOptions {
   std::filesystem::path input;  ///< of these three one is not empty
@@ -31,7 +40,9 @@ struct MeshOptions {
   std::string shape;
   std::optional<Bounds> bounds;
   std::vector<LabelRange> labels;  ///< empty: all but 0
-  std::optional<double> iso;
+  std::optional<double> iso;   ///< -infinity where there is only what is `below`
+  std::optional<double> below;  ///< the solid is where the image is less than this, too
+  std::vector<LabelMerge> merges;
   ImageChoice image;         ///< what an image's file may leave open
   std::optional<double> nan;  ///< in the place of voxels that are NaN
   /// Of labels, in world units; 0: not at all; nothing: by one voxel, where the method cuts
@@ -54,6 +65,8 @@ struct MeshOptions {
   std::filesystem::path output;
   Format format = Format::vtu;
   OutputOrigin origin = OutputOrigin::world;
+  OutputFrame frame{};
+  double scale = 1;  ///< of coordinates that go out
   std::filesystem::path label_names;  ///< empty: labels have no names
   std::string surface;                ///< what --surface says; empty: all of the boundary
   std::string json;  ///< a file, - for stdout, or empty

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "certet/method.hpp"
+#include "certet/patient_axes.hpp"
 #include "certet/pieces.hpp"
 #include "certet/quality.hpp"
 #include "certet/warp_figures.hpp"
@@ -28,6 +29,7 @@ struct MeshReport {
   bool dry_run = false;
   std::string input_kind;  ///< labels, level, formula, shape, surface or volume
   std::string input_name;
+  std::string formula;  ///< whole, where the name is a part of it
   std::vector<std::string> input_notes;
   std::vector<std::string> warnings;
   std::vector<MeshedRegion> regions;  ///< of an image
@@ -35,11 +37,14 @@ struct MeshReport {
   bool counted_pieces = false;
   std::optional<Smoothing> smoothing;
   std::string output, format;
-  Point3 output_origin{};  ///< in the world: where the coordinates of the output have their 0
+  Point3 output_origin{};  ///< where the coordinates of the output have their 0 if --origin is 0
+  std::optional<PatientAxes> axes;  ///< of the output, where they are known
+  double scale = 1;                 ///< of the output; the volumes here are those of the input
   std::uint64_t output_bytes = 0;
 
   std::array<std::int32_t, 3> cells{};
   double size = 0;
+  std::optional<double> room;     ///< as `PlacedSource` has it
   std::uint64_t target_tets = 0;  ///< 0: the size was not searched for
   int tries = 1;
   Method asked{}, used{};
@@ -59,6 +64,9 @@ struct MeshReport {
   std::uint64_t memory_needed = 0;  ///< what it holds while writing
   std::uint64_t memory_least = 0;   ///< the smallest limit that would do
   std::uint64_t memory_peak = 0;    ///< what the process had in the end
+
+  /// A volume in the units of the output.
+  [[nodiscard]] double out(double volume) const { return volume * scale * scale * scale; }
 };
 
 /// How the mesh that was measured stands to its theorem.

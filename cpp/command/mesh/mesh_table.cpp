@@ -45,7 +45,8 @@ void add_pieces(Lines& lines, const MeshReport& report) {
   const DroppedPieces& dropped = report.dropped;
   if (!report.keep.empty())
     lines.add("dropped", "{} of {} pieces: {} tetrahedra, volume {:.6g}", grouped(dropped.pieces),
-              grouped(dropped.pieces + dropped.kept), grouped(dropped.tets), dropped.volume);
+              grouped(dropped.pieces + dropped.kept), grouped(dropped.tets),
+              report.out(dropped.volume));
   lines.add("pieces", "{}", sentence(report.pieces, report.tets));
   if (report.pieces.surface.vertices > 0)
     lines.add("surface", "{}", sentence(report.pieces.surface));
@@ -86,6 +87,11 @@ std::string table(const MeshReport& report) {
   if (report.output_origin != Point3{})
     lines.add("origin", "0 in the output is ({:.17g}, {:.17g}, {:.17g}) in the world",
               report.output_origin[0], report.output_origin[1], report.output_origin[2]);
+  if (report.axes)
+    lines.add("frame", "{}: x to the {}, y to the {}, z to the head", space(*report.axes),
+              *report.axes == PatientAxes::lps ? "left" : "right",
+              *report.axes == PatientAxes::lps ? "back" : "front");
+  if (report.scale != 1) lines.add("scale", "{:.9g}, of coordinates and volumes", report.scale);
   lines.add("lattice", "{} x {} x {} cells of size {:.6g}, cuts {}", report.cells[0],
             report.cells[1], report.cells[2], report.size, name(facts(report.used).cuts));
   if (report.target_tets != 0)
@@ -95,12 +101,14 @@ std::string table(const MeshReport& report) {
   add_pieces(lines, report);
   add_regions(lines, report);
   if (!report.dry_run) {
-    lines.add("volume", "{:.9g}", report.written.world.volume);
+    lines.add("volume", "{:.9g}", report.out(report.written.world.volume));
+    if (report.room)
+      lines.add("fraction", "{:.2f} % of its box", 100 * report.written.world.volume / *report.room);
     if (report.smoothing)
       lines.add("smoothing", "sigma {}, volume of the voxels {:.9g}, change {:+.2f} %",
                 report.smoothing->sigma ? fmt::format("{:.6g}", *report.smoothing->sigma)
                                         : "one voxel",
-                report.smoothing->voxel_volume,
+                report.out(report.smoothing->voxel_volume),
                 100 * (report.written.world.volume / report.smoothing->voxel_volume - 1));
     lines.add("checksum", "0x{:016x}", report.written.checksum);
     add_angles(lines, report.written.world);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "certet/label_warnings.hpp"
+
 namespace certet::command {
 namespace {
 
@@ -26,8 +28,7 @@ PieceBounds bounds_of(const ImageRegion& region) {
   return {region.pieces_by_corners, region.pieces_by_faces};
 }
 
-/// Rounded down, so that it still is small enough.
-std::string at_most(double size) { return fmt::format("{:.4g}", size * (1 - 5e-4)); }
+constexpr Advice in_options{"--size ", "--iso V"};
 
 }  // namespace
 
@@ -109,14 +110,14 @@ bool RegionWatch::is_lost(std::size_t which, bool written) const {
 
 std::string RegionWatch::lost(std::size_t which) {
   const ImageRegion& region = regions_[which];
-  std::string text = fmt::format("label {} ({} voxels) is not in the mesh", region.label,
-                                 region.voxels);
+  const std::string text = fmt::format("label {} ({} voxels) is not in the mesh", region.label,
+                                       region.voxels);
   if (dropped_) return text + ", of which pieces were dropped";
   if (source_.voxels->cropped) return text + ", as far as it is cropped";
   if (source_.voxels->surfaces == LabelSurfaces::smoothed)
     return text + "; a smaller --smooth may keep it";
   find_certain_size(*source_.voxels->image, source_.voxels->level, regions_, which);
-  return text + "; --size " + at_most(region.certain_size) + " or less keeps it";
+  return sentence_on_lost(region, in_options);
 }
 
 bool RegionWatch::keeps(std::size_t which) const {
@@ -149,10 +150,11 @@ std::string RegionWatch::size_for_pieces(const std::vector<ImageRegion>& changed
 
 std::vector<std::string> RegionWatch::warnings(bool written, const SizeFor& size_for) {
   std::vector<std::string> sentences;
-  if (source_.voxels && !source_.voxels->level && looks_grayscale(*source_.voxels->image))
-    sentences.push_back(fmt::format(
-        "the image looks like one of gray values, of which {} became labels; --iso V takes what is "
-        "above a value", regions_.size()));
+  if (source_.voxels && !source_.voxels->level) {
+    sentences = sentences_on_absent(absent_labels(source_.voxels->labels, regions_), source_.name);
+    if (looks_grayscale(*source_.voxels->image))
+      sentences.push_back(sentence_on_grayscale(regions_.size(), in_options));
+  }
   std::size_t lost_ones = 0;
   std::vector<std::string> others;
   std::vector<ImageRegion> changed;

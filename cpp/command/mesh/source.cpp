@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "certet/error.hpp"
+#include "certet/gray_levels.hpp"
 #include "certet/shape.hpp"
 #include "certet/volume.hpp"
 #include "silence.hpp"
@@ -28,11 +29,13 @@ PlacedSource placed(std::unique_ptr<PlacedDomain> domain) {
 std::optional<PieceBounds> unknown_pieces(Context&) { return std::nullopt; }
 
 Source from_formula(const MeshOptions& options) {
-  const auto place = [formula = options.formula, bounds = options.bounds.value(),
+  const bool in_file = options.formula.starts_with('@');
+  const auto place = [formula = in_file ? read_formula(options.formula.substr(1)) : options.formula,
+                      bounds = options.bounds.value(),
                       margin = options.margin](double size) {
     return placed(std::make_unique<FormulaDomain>(formula, bounds, size, margin));
   };
-  Source source{"formula", options.formula, place};
+  Source source{"formula", shortened_formula(options.formula), place};
   source.pieces = unknown_pieces;
   return source;
 }
@@ -41,9 +44,10 @@ Source from_shape(const MeshOptions& options) {
   const auto place = [shape = options.shape, bounds = options.bounds,
                       margin = options.margin](double size) {
     auto domain = std::make_unique<ShapeDomain>(shape, bounds, size, margin);
-    const std::optional<double> volume = domain->volume();
+    const std::optional<double> volume = domain->volume(), room = domain->room();
     PlacedSource source = placed(std::move(domain));
     source.volume = volume;
+    source.room = room;
     return source;
   };
   Source source{"shape", options.shape, place};
@@ -162,11 +166,19 @@ Image wanted_image(const MeshOptions& options, std::uint64_t max_bytes) {
       image.notes.push_back(fmt::format("{} {} read as {:.9g}", count,
                                         count == 1 ? "voxel is NaN and was" : "voxels are NaN and were",
                                         *options.nan));
-  return options.iso ? std::move(image) : with_labels(std::move(image));
+  if (options.iso) return image;
+  image = with_labels(std::move(image));
+  if (!options.merges.empty()) merge_labels(image, options.merges);
+  return image;
 }
 
-Source from_image(const MeshOptions& options, std::uint64_t max_bytes, const Context& context) {
-  const auto image = std::make_shared<const Image>(wanted_image(options, max_bytes));
+Source from_image(const MeshOptions& asked, std::uint64_t max_bytes, const Context& context) {
+  auto image = std::make_shared<const Image>(wanted_image(asked, max_bytes));
+  MeshOptions options = asked;
+  if (asked.below) {
+    image = std::make_shared<const Image>(between_levels(*image, {*asked.iso, *asked.below}));
+    options.iso = 0;
+  }
   const LabelSurfaces surfaces = surfaces_of(options);
   const auto opened = [&] {
     switch (surfaces) {
@@ -178,6 +190,7 @@ Source from_image(const MeshOptions& options, std::uint64_t max_bytes, const Con
   };
   Source source = opened();
   if (!options.iso) source.names = image->names;
+  source.axes = axes_of_file(options.input);
   source.voxels =
       SolidVoxels{image, options.labels, options.iso, surfaces, options.crop.has_value()};
   return source;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "certet/kept.hpp"
+#include "certet/patient_axes.hpp"
 #include "certet/write_mesh.hpp"
 #include "mesh_options.hpp"
 
@@ -44,6 +45,7 @@ struct PlacedSource {
   double longest_side = 0;  ///< of the solid's box, in world units
   std::optional<double> volume = {};  ///< of the solid, where there is a formula for it
   bool keeps_voxels = false;  ///< no label of the image is lost on the lattice, and no piece
+  std::optional<double> room = {};  ///< of the box that a lattice structure fills a part of
   std::uint64_t bytes = 0;
 };
 
@@ -59,6 +61,7 @@ struct Source {
   LabelNames names = {};                ///< where the input tells some
   std::optional<SolidVoxels> voxels = {};
   std::optional<Smoothing> smoothing = {};
+  std::optional<PatientAxes> axes = {};  ///< of an image's file, where it tells
   double thin = 0;  ///< how thick its thin parts are, in world units; 0: not known
   KnownPieces pieces = {};  ///< as `SizedShape` has them; of images `RegionWatch` tells
 };

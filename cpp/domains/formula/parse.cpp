@@ -78,6 +78,12 @@ void define_language(mu::Parser& parser) {
 
 /// Names and what they stand for: the coordinates, and what was defined.
 class Variables {
+  struct Variable {
+    std::string name;
+    NodeId id;
+    std::unique_ptr<double> place;  ///< by which muParser knows it
+  };
+
  public:
   explicit Variables(Tape& tape) {
     constexpr std::array names{"x", "y", "z"};
@@ -87,6 +93,9 @@ class Variables {
   void define(const std::string& name, NodeId id) {
     ids_.push_back({name, id, std::make_unique<double>(0)});
   }
+  [[nodiscard]] bool has(const std::string& name) const {
+    return std::ranges::find(ids_, name, &Variable::name) != ids_.end();
+  }
   void declare_to(mu::Parser& parser) const {
     for (const Variable& one : ids_) parser.DefineVar(one.name, one.place.get());
   }
@@ -95,11 +104,6 @@ class Variables {
   }
 
  private:
-  struct Variable {
-    std::string name;
-    NodeId id;
-    std::unique_ptr<double> place;  ///< by which muParser knows it
-  };
   std::vector<Variable> ids_;
 };
 
@@ -227,6 +231,7 @@ void define(const std::string& definition, Variables& variables, Tape& tape) {
   const std::string name = trimmed(std::string_view(definition).substr(0, sign));
   if (sign == definition.size() || definition.substr(sign).starts_with("==") || !is_name(name))
     refuse(definition, "what ends with a semicolon is a definition, like r = hypot(x,y);");
+  if (variables.has(name)) refuse(definition, "'" + name + "' is defined already");
   variables.define(name, parse_one(trimmed(std::string_view(definition).substr(sign + 1)),
                                    variables, tape));
 }

@@ -16,13 +16,13 @@ from __future__ import annotations
 import os
 import sys
 import warnings
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _certet
+from . import _arguments, _certet
 
 __all__ = ["CheckReport", "FileMesh", "Interface", "LossWarning", "Mesh", "Pieces", "Quality", "Warp",
            "check", "interfaces", "mesh", "mesh_function", "mesh_image", "mesh_surface", "quality",
@@ -205,6 +205,11 @@ class Mesh:
         return self._inner.labels
 
     @property
+    def names(self) -> dict[int, str]:
+        """What labels are called, where that is known."""
+        return self._inner.names
+
+    @property
     def size(self) -> float:
         """The long edge of the lattice, in world units."""
         return self._inner.size
@@ -249,6 +254,11 @@ class Mesh:
     def warp(self) -> Warp:
         """How many vertices stayed, and how far that moved the surface."""
         return Warp(**self._inner.warp)
+
+    @property
+    def warnings(self) -> list[str]:
+        """What the mesh has lost of its image's labels, a sentence each; `warnings` were told."""
+        return list(self._inner.warnings)
 
     @property
     def checksum(self) -> int:
@@ -315,7 +325,7 @@ def write(mesh: Mesh | FileMesh, file: str | os.PathLike[str], format: str | Non
     ValueError : an unknown format, a file that cannot be written, a mesh that doubles cannot hold
         where it lies
     """
-    _warn(_certet.write(mesh._inner, file, format))
+    _warn(_certet.write(_inner(mesh), file, format))
 
 
 def read(file: str | os.PathLike[str]) -> FileMesh:
@@ -331,7 +341,7 @@ def read(file: str | os.PathLike[str]) -> FileMesh:
 def check(mesh: Mesh | FileMesh) -> CheckReport:
     """Verifies a mesh anew, from its points and tetrahedra alone: conforming, closed, positive,
     every point used, finite and by itself."""
-    return CheckReport(**_certet.check(mesh._inner))
+    return CheckReport(**_certet.check(_inner(mesh)))
 
 
 def interfaces(mesh: Mesh | FileMesh) -> list[Interface]:
@@ -341,18 +351,20 @@ def interfaces(mesh: Mesh | FileMesh) -> list[Interface]:
 
 def quality(mesh: Mesh | FileMesh) -> Quality:
     """Measures every tetrahedron of a mesh; `mesh.quality()` is the same."""
+    _inner(mesh)
     return mesh.quality()
 
 
 def mesh_image(
     array: ArrayLike,
     *,
-    spacing: Sequence[float] = (1, 1, 1),
+    spacing: float | Sequence[float] = (1, 1, 1),
     origin: Sequence[float] = (0, 0, 0),
     direction: ArrayLike | None = None,
-    labels: Iterable[int | tuple[int, int]] | None = None,
-    iso: float | None = None,
+    labels: int | Iterable[int | tuple[int, int]] | None = None,
+    iso: float | tuple[float | None, float | None] | None = None,
     smooth: float | None = None,
+    merge: Mapping[int | tuple[int, int], int | str] | None = None,
     size: float | None = None,
     margin: int = 2,
     method: Method | None = None,
@@ -367,14 +379,20 @@ def mesh_image(
     array : shape (nx, ny, nz)
         The centre of voxel [i, j, k] is `origin + direction @ (spacing * (i, j, k))`.  Arrays
         of SimpleITK have their axes the other way round: pass `a.T`.  Whole numbers are
-        labels; with `iso` any real numbers will do.  Beyond the image all is outside.
-    spacing, origin : 3 numbers, in world units
+        labels, floating point ones too; with `iso` any real numbers will do.  Beyond the image
+        all is outside, and so is what is masked in a masked array.
+    spacing : 3 numbers, in world units, or one for all
+    origin : 3 numbers, in world units
     direction : shape (3, 3), orthonormal; a left-handed one is welcome (default: identity)
-    labels : labels and pairs (first, last) of them that make the solid (default: all but 0)
-    iso : the level; then `labels` must be None
+    labels : labels and pairs (first, last) of them that make the solid, or one label (default:
+        all but 0)
+    iso : the level, or a pair of which one may be None: what is above the first and below the
+        second; then `labels` must be None
     smooth : of labels: the standard deviation, in world units, by which the surfaces between
         them and to the outside are smoothed, at most 4 voxels along any axis (default: one
         voxel); 0: they follow the faces of voxels, as always with the paper's rule
+    merge : labels and pairs (first, last) of them that become one label, or have a name, before
+        any are chosen, like {(1, 5): "bone", 7: 9}
     size : the long edge of the lattice, in world units (default: the smallest spacing)
     margin : cells of the lattice around the solid, at least 1
     method : "embedded" (default: dihedral angles from 10.77 to 164.76 degrees, no tetrahedra
@@ -386,6 +404,9 @@ def mesh_image(
         or guarantee="angles" or "embedding"
     threads : 0 takes all cores; the mesh does not depend on it
 
+    Warns of labels that the mesh has lost, with a size that keeps them, of labels asked for one by
+    one that no voxel has, and of gray values taken for labels; `Mesh.warnings` has the sentences.
+
     Raises
     ------
     ValueError : voxels that are no labels, an impossible geometry, nothing inside
@@ -393,21 +414,23 @@ def mesh_image(
     """
     if labels is not None and iso is not None:
         raise ValueError("labels and iso exclude each other")
-    ranges = [(r, r) if np.isscalar(r) else tuple(r) for r in labels or ()]
-    if labels is not None and not ranges:
-        raise ValueError("labels is empty: no voxel is chosen")
+    if merge is not None and iso is not None:
+        raise ValueError("merge and iso exclude each other")
     if smooth is not None and iso is not None:
         raise ValueError("smooth and iso exclude each other")
-    axes = np.eye(3) if direction is None else np.asarray(direction, float)
-    return _told(_certet.mesh_image(np.asarray(array), _three(spacing), _three(origin),
-                                    axes.tolist(), ranges, iso,
-                                    None if smooth is None else float(smooth), _size(size), margin,
-                                    _options(method, cuts, guarantee, threads)))
+    ranges = _arguments.labels(labels)
+    levels, merges = _arguments.levels(iso), _arguments.merges(merge)
+    return _told(_certet.mesh_image(
+        _arguments.voxels(array, ranges, merges, gray=levels is not None),
+        _arguments.three("spacing", spacing, one_will_do=True),
+        _arguments.three("origin", origin), _arguments.direction(direction), ranges, levels,
+        None if smooth is None else float(smooth), merges, _arguments.size(size), _arguments.whole("margin", margin),
+        _options(method, cuts, guarantee, threads)))
 
 
 def mesh_function(
     f: Callable[[NDArray[np.float64]], ArrayLike],
-    bounds: Sequence[Sequence[float]],
+    bounds: Sequence[Sequence[float]] | Sequence[float],
     size: float | None = None,
     *,
     margin: int = 2,
@@ -421,9 +444,11 @@ def mesh_function(
     Parameters
     ----------
     f : called with arrays of points, shape (n, 3), in world units; gives n numbers, negative
-        inside.  NaN is outside.  It is called by one thread at a time, and must give the same
-        answer for the same point every time.  What it raises ends the run and is raised here.
-    bounds : ((x0, y0, z0), (x1, y1, z1)): a box, beyond which all is outside
+        inside, or n truth values, True inside.  NaN and what is masked are outside.  It is called
+        by one thread at a time, and must give the same answer for the same point every time.
+        What it raises ends the run and is raised here.
+    bounds : ((x0, y0, z0), (x1, y1, z1)), or these six numbers: a box, beyond which all is
+        outside
     size : the long edge of the lattice (default: a 64th of the longest side of the box)
     margin, method, cuts, guarantee, threads : as `mesh_image` has them
 
@@ -431,9 +456,12 @@ def mesh_function(
     ------
     ValueError, MemoryError : as `mesh_image`
     """
-    low, high = bounds
-    return _told(_certet.mesh_function(f, _three(low), _three(high), _size(size), margin,
-                                      _options(method, cuts, guarantee, threads)))
+    if not callable(f):
+        raise ValueError("f is a function of points, and negative inside")
+    low, high = _arguments.bounds(bounds)
+    return _told(_certet.mesh_function(
+        _arguments.signs(f), low, high, _arguments.size(size), _arguments.whole("margin", margin),
+        _options(method, cuts, guarantee, threads)))
 
 
 def mesh_surface(
@@ -469,9 +497,10 @@ def mesh_surface(
         number does not tell inside from outside
     MemoryError : as `mesh_image`
     """
-    return _told(_certet.mesh_surface(np.asarray(points, float), np.asarray(triangles, np.int64),
-                                     _size(size), margin, repair,
-                                     _options(method, cuts, guarantee, threads)))
+    return _told(_certet.mesh_surface(
+        _arguments.points(points), _arguments.triangles(triangles), _arguments.size(size),
+        _arguments.whole("margin", margin), bool(repair),
+        _options(method, cuts, guarantee, threads)))
 
 
 def _told(inner: _certet.Mesh) -> Mesh:
@@ -481,6 +510,8 @@ def _told(inner: _certet.Mesh) -> Mesh:
         level, frame = level + 1, frame.f_back
     for sentence in inner.losses:
         warnings.warn(sentence, LossWarning, stacklevel=level)
+    for sentence in inner.warnings:
+        warnings.warn(sentence, stacklevel=level)
     return Mesh(inner)
 
 
@@ -503,23 +534,18 @@ def _interfaces(mesh: _certet.Mesh | _certet.FileMesh) -> list[Interface]:
 
 
 def _warn(sentences: Iterable[str]) -> None:
-    """Warns as from the line that called the function that calls this one."""
+    """Warns as from the line that called this package."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+        level, frame = level + 1, frame.f_back
     for sentence in sentences:
-        warnings.warn(sentence, stacklevel=3)
+        warnings.warn(sentence, stacklevel=level)
 
 
-def _three(numbers: Sequence[float]) -> tuple[float, float, float]:
-    x, y, z = numbers
-    return float(x), float(y), float(z)
-
-
-def _size(size: float | None) -> float:
-    """The library takes 0 for its own choice; a user who writes 0 is mistaken."""
-    if size is None:
-        return 0.0
-    if not size > 0:
-        raise ValueError(f"size must be a positive number, not {size}")
-    return float(size)
+def _inner(mesh: Any) -> Any:
+    if not isinstance(mesh, (Mesh, FileMesh)):
+        raise ValueError(f"mesh is a certet.Mesh or a certet.FileMesh, not a {type(mesh).__name__}")
+    return mesh._inner
 
 
 def _options(method: str | None, cuts: str, guarantee: str | None, threads: int) -> _certet.Options:
@@ -531,4 +557,4 @@ def _options(method: str | None, cuts: str, guarantee: str | None, threads: int)
         method = "midpoint" if cuts == "midpoint" else guarantee or "embedded"
     elif (cuts, guarantee) != ("bisect", None):
         raise ValueError("method says all that cuts and guarantee do: give one or the others")
-    return _certet.Options(method, threads)
+    return _certet.Options(_arguments.word("method", method), _arguments.whole("threads", threads))

@@ -32,6 +32,8 @@ class Mesh:
     @property
     def names(self) -> dict[int, str]: ...
     @property
+    def warnings(self) -> list[str]: ...
+    @property
     def notes(self) -> list[str]: ...
     @property
     def losses(self) -> list[str]: ...
@@ -64,8 +66,9 @@ def mesh_image(
     origin: _Point,
     direction: Sequence[_Point],
     labels: Sequence[tuple[int, int]],
-    iso: float | None,
+    iso: tuple[float, float] | None,
     smooth: float | None,
+    merges: Sequence[tuple[int, int, int, str]],
     size: float,
     margin: int,
     options: Options,
