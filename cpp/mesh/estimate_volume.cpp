@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "certet/volume_estimate.hpp"
@@ -14,10 +17,16 @@ struct Block {
   std::int32_t side;
 };
 
+/// In cubic lattice units.
+double size_of(const Block& block) { return std::pow(static_cast<double>(block.side), 3); }
+
 /// Divides the lattice where its domain is mixed.
 class Division {
  public:
-  Division(const Domain& domain, const Lattice& lattice) : domain_(domain) {
+  /// Whether all of a box is the same; if so it is told its size, in cubic lattice units.
+  using Decide = std::function<bool(const LatticeBox& box, double size)>;
+
+  Division(const Decide& decide, const Lattice& lattice) : decide_(decide) {
     for (std::size_t a = 0; a < 3; ++a) size_[a] = 2 * lattice.cells[a];
     low_ = lattice.origin;
     const std::int32_t longest = *std::max_element(size_.begin(), size_.end());
@@ -28,8 +37,6 @@ class Division {
   }
 
   [[nodiscard]] const std::vector<Block>& mixed() const { return mixed_; }
-  /// Of the blocks that are inside, in cubic lattice units.
-  [[nodiscard]] double inside() const { return inside_; }
   /// Whether the lattice reaches so far.
   [[nodiscard]] bool holds(Coord3 point) const {
     return point.x - low_.x < size_[0] && point.y - low_.y < size_[1] &&
@@ -42,26 +49,18 @@ class Division {
   void divide(const Block& block) {
     if (!holds(block.low)) return;
     const Coord3 end = block.low + Coord3{block.side, block.side, block.side};
-    if (holds(end - Coord3{1, 1, 1})) {
-      const Extent extent = domain_.extent({block.low, end});
-      if (extent == Extent::outside) return;
-      if (extent == Extent::inside) {
-        inside_ += std::pow(static_cast<double>(block.side), 3);
-        return;
-      }
-    }
+    if (holds(end - Coord3{1, 1, 1}) && decide_({block.low, end}, size_of(block))) return;
     if (block.side == smallest_) return mixed_.push_back(block);
     const std::int32_t half = block.side / 2;
     for (std::int32_t corner = 0; corner < 8; ++corner)
       divide({block.low + half * Coord3{corner & 1, corner >> 1 & 1, corner >> 2}, half});
   }
 
-  const Domain& domain_;
+  const Decide& decide_;
   Coord3 low_{};
   std::array<std::int32_t, 3> size_{};
   std::int32_t smallest_ = least_side;
   std::vector<Block> mixed_;
-  double inside_ = 0;
 };
 
 /// Points that fill a cube evenly, however many are taken: multiples of the powers of
@@ -83,17 +82,17 @@ class EvenPoints {
   std::array<double, 3> at_{0.5, 0.5, 0.5};
 };
 
-}  // namespace
-
-VolumeEstimate estimate_volume(const Domain& domain, const Lattice& lattice, const Frame& frame,
-                               std::uint64_t samples, const Context& context) {
-  const Division division(domain, lattice);
+/// Calls count(points, found) for the points in each mixed block; it adds to `found` how
+/// many are in each of several solids.  Adds what that tells of the solids' volumes, in
+/// cubic lattice units.
+template <class Count>
+void sample(const Division& division, std::uint64_t samples, const Context& context,
+            std::vector<VolumeEstimate>& solids, const Count& count) {
   const auto blocks = static_cast<std::uint64_t>(division.mixed().size());
   const std::uint64_t each = blocks == 0 ? 0 : std::clamp<std::uint64_t>(samples / blocks, 8, 4096);
   std::vector<Coord3> points;
-  std::vector<Sign> signs;
+  std::vector<double> found(solids.size());
   EvenPoints even;
-  double inside = division.inside(), variance = 0;
   for (const Block& block : division.mixed()) {
     stop_if_cancelled(context);
     points.clear();
@@ -107,18 +106,72 @@ VolumeEstimate estimate_volume(const Domain& domain, const Lattice& lattice, con
       const Coord3 point = block.low + Coord3{whole[0], whole[1], whole[2]};
       if (division.holds(point)) points.push_back(steps * point + Coord3{rest[0], rest[1], rest[2]});
     }
-    signs.resize(points.size());
-    domain.at(points, signs);
-    double found = 0;
-    for (const Sign sign : signs)
-      found += sign == Sign::plus ? 1 : sign == Sign::on_surface ? 0.5 : 0;
-    const double share = found / static_cast<double>(each);
-    const double whole = std::pow(static_cast<double>(block.side), 3);
-    inside += share * whole;
-    variance += share * (1 - share) / static_cast<double>(each) * whole * whole;
+    std::ranges::fill(found, 0);
+    count(std::span<const Coord3>(points), found);
+    const double whole = size_of(block);
+    for (std::size_t n = 0; n < solids.size(); ++n) {
+      const double share = found[n] / static_cast<double>(each);
+      solids[n].volume += share * whole;
+      solids[n].deviation += share * (1 - share) / static_cast<double>(each) * whole * whole;
+    }
   }
+}
+
+/// From lattice units to the world, and from variances to deviations.
+void finish(std::vector<VolumeEstimate>& solids, const Frame& frame) {
   const double unit = std::pow(frame.size / 2, 3);
-  return {inside * unit, std::sqrt(variance) * unit};
+  for (auto& [volume, deviation] : solids) {
+    volume *= unit;
+    deviation = std::sqrt(deviation) * unit;
+  }
+}
+
+}  // namespace
+
+VolumeEstimate estimate_volume(const Domain& domain, const Lattice& lattice, const Frame& frame,
+                               std::uint64_t samples, const Context& context) {
+  std::vector<VolumeEstimate> solid(1);
+  const Division division(
+      [&](const LatticeBox& box, double size) {
+        const Extent extent = domain.extent(box);
+        if (extent == Extent::inside) solid[0].volume += size;
+        return extent != Extent::mixed;
+      },
+      lattice);
+  std::vector<Sign> signs;
+  sample(division, samples, context, solid,
+         [&](std::span<const Coord3> points, std::vector<double>& found) {
+           signs.resize(points.size());
+           domain.at(points, signs);
+           for (const Sign sign : signs)
+             found[0] += sign == Sign::plus ? 1 : sign == Sign::on_surface ? 0.5 : 0;
+         });
+  finish(solid, frame);
+  return solid[0];
+}
+
+std::vector<VolumeEstimate> estimate_volumes(const Domain& domain, const Lattice& lattice,
+                                             const Frame& frame, std::uint64_t samples,
+                                             const Context& context) {
+  std::vector<VolumeEstimate> solids(std::max<std::size_t>(domain.labels().size(), 1));
+  const auto index = [](Material material) { return static_cast<std::size_t>(material - 1); };
+  const Division division(
+      [&](const LatticeBox& box, double size) {
+        const std::optional<Material> material = domain.material_of(box);
+        if (material && *material != 0) solids[index(*material)].volume += size;
+        return material.has_value();
+      },
+      lattice);
+  std::vector<Material> materials;
+  sample(division, samples, context, solids,
+         [&](std::span<const Coord3> points, std::vector<double>& found) {
+           materials.resize(points.size());
+           domain.materials_at(points, materials);
+           for (const Material material : materials)
+             if (material != 0) ++found[index(material)];
+         });
+  finish(solids, frame);
+  return solids;
 }
 
 }  // namespace certet

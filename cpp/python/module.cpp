@@ -20,35 +20,11 @@
 #include "files.hpp"
 #include "pieces.hpp"
 #include "python_mesh.hpp"
-#include "run.hpp"
+#include "shapes.hpp"
+#include "solids.hpp"
 
 namespace certet::python {
 namespace {
-
-struct Options {
-  Method method{};
-  int threads = 0;
-};
-
-/// A shape, and what is doubtful about it.
-struct Shape {
-  std::shared_ptr<const PlacedDomain> domain;
-  std::vector<std::string> notes = {};
-};
-
-/// `make` makes the shape; it runs, like all the rest, without Python's lock.
-std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape()>& make, const Options& options) {
-  auto result = std::make_shared<PythonMesh>();
-  Context context;
-  context.threads = options.threads;
-  run(context, [&] {
-    const Shape shape = make();
-    result->mesh = mesh(*shape.domain, options.method, context);
-    result->notes = shape.notes;
-    result->world = world_points(result->mesh);
-  });
-  return result;
-}
 
 using Direction = std::array<std::array<double, 3>, 3>;
 
@@ -78,46 +54,26 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
 std::shared_ptr<PythonMesh> mesh_function(py::object function, const Point3& low,
                                           const Point3& high, double size, int margin,
                                           const Options& options) {
-  // Kept here, under Python's lock, for it has to be let go of under it too.
-  const PythonDomain domain(std::move(function), {low, high}, size, margin);
+  const Bounds bounds{low, high};
   return mesh_of(
-      [&] { return Shape{std::shared_ptr<const PlacedDomain>(std::shared_ptr<void>(), &domain)}; },
+      [&, kept = kept(std::move(function))] {
+        return Shape{std::make_shared<PythonDomain>(kept, bounds,
+                                                    lattice_around(bounds, size, margin))};
+      },
       options);
 }
 
-std::shared_ptr<PythonMesh> mesh_surface(
-    const py::array_t<double, py::array::c_style | py::array::forcecast>& points,
-    const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>& triangles,
-    double size, int margin, bool repair, const Options& options) {
-  TriangleSurface surface;
-  surface.name = "surface";
-  const auto shape = [](const py::array& array, const char* what) {
-    if (array.ndim() != 2 || array.shape(1) != 3)
-      throw Error(ErrorCode::bad_input, std::string(what) + " are not of shape (n, 3)");
-    return static_cast<std::size_t>(array.shape(0));
-  };
-  surface.points.resize(shape(points, "points"));
-  for (std::size_t i = 0; i < surface.points.size(); ++i)
-    for (std::size_t a = 0; a < 3; ++a) surface.points[i][a] = points.data()[3 * i + a];
-  surface.triangles.resize(shape(triangles, "triangles"));
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
-    for (std::size_t a = 0; a < 3; ++a) {
-      const std::int64_t index = triangles.data()[3 * i + a];
-      if (index < 0 || !std::in_range<std::uint32_t>(index))
-        throw Error(ErrorCode::bad_input, "a triangle has the point number " +
-                                              std::to_string(index) + ", which does not exist");
-      surface.triangles[i][a] = static_cast<std::uint32_t>(index);
-    }
+std::shared_ptr<PythonMesh> mesh_surface(const PointArray& points,
+                                         const TriangleArray& triangles, double size, int margin,
+                                         bool repair, const Options& options) {
+  TriangleSurface surface = surface_of(points, triangles, "surface");
   return mesh_of(
       [&] {
-        const SurfaceRepairs repairs = repair_surface(surface, {repair});
-        const bool open = repairs.closed_holes.count != 0;
-        if (open) refuse_unclear(surface);
-        else if (!is_closed(surface))
-          refuse_open(surface, inspect(surface), repair ? "" : "repair=True closes what is open");
+        MendedSurface mended = mend(std::move(surface), repair);
         const SurfaceLattice lattice{size, margin};
-        return Shape{open ? open_surface_domain(surface, lattice) : surface_domain(surface, lattice),
-                     sentences_on(repairs)};
+        return Shape{mended.open ? open_surface_domain(mended.surface, lattice)
+                                 : surface_domain(mended.surface, lattice),
+                     std::move(mended.notes)};
       },
       options);
 }
@@ -219,11 +175,13 @@ PYBIND11_MODULE(_certet, module) {
       .def_property_readonly("method", [](const PythonMesh& mesh) {
         return std::string(name(mesh.mesh.method));
       })
+      .def_property_readonly("names", [](const PythonMesh& mesh) { return mesh.mesh.names; })
       .def_property_readonly("notes", [](const PythonMesh& mesh) { return mesh.notes; })
       .def("checksum", checksum_of)
       .def("quality", quality_of);
   declare_files(module);
   declare_pieces(module);
+  declare_solids(module);
   module.def("mesh_image", mesh_image);
   module.def("mesh_function", mesh_function);
   module.def("mesh_surface", mesh_surface);

@@ -5,8 +5,11 @@
 #include <utility>
 
 #include "cases.hpp"
+#include "certet/bounded_function.hpp"
 #include "certet/function_domain.hpp"
 #include "certet/image.hpp"
+#include "certet/materials_domain.hpp"
+#include "certet/shape.hpp"
 #include "domains.hpp"
 
 namespace repeatability {
@@ -69,7 +72,7 @@ Image image(std::array<std::int64_t, 3> size, certet::Point3 spacing, const Valu
   return made;
 }
 
-Shape of_image(std::string name, std::unique_ptr<certet::PlacedDomain> domain) {
+Shape of_placed(std::string name, std::unique_ptr<certet::PlacedDomain> domain) {
   const Lattice lattice = domain->lattice();
   const Frame frame = domain->frame();
   return {std::move(name), std::move(domain), lattice, frame};
@@ -80,7 +83,7 @@ Shape labels(std::string name, bool walls_halfway) {
   const auto value = [](std::int64_t i, std::int64_t j, std::int64_t k) {
     return (i * 7 + j * 5 + k * 3 + i * j) % 11 < 6 ? 1 + (i / 4 + j / 3 + k / 5) % 3 : 0;
   };
-  return of_image(std::move(name),
+  return of_placed(std::move(name),
                   certet::label_domain(image<std::int16_t>({14, 12, 10}, {1, 1.5, 2}, value), {},
                                        {.walls_halfway = walls_halfway}));
 }
@@ -90,9 +93,30 @@ Shape grayscale() {
   const auto value = [](std::int64_t i, std::int64_t j, std::int64_t k) {
     return (i - 6) * (i - 6) + 2 * (j - 5) * (j - 5) + (k - 1) * (k - 1) * 3;
   };
-  return of_image("grayscale", certet::level_domain(
+  return of_placed("grayscale", certet::level_domain(
                                    image<float>({13, 11, 9}, {0.7, 0.9, 1.1}, value), 40.5,
                                    {.size = 0.65}));
+}
+
+/// Solids in one another's way, the strongest neither the first nor the last.
+Shape overlapping_solids() {
+  return of_placed("overlapping-solids",
+                   certet::materials_domain({{"ball", certet::shape_solid("sphere:1")},
+                                             {"rod", certet::shape_solid("cylinder:0.3,2.5")},
+                                             {"ring", certet::shape_solid("torus:0.8,0.3")}},
+                                            {.size = 0.15}, {"rod"}));
+}
+
+/// Boxes whose common walls are planes of lattice points, and meet in a line of them.
+Shape walls_on_the_lattice() {
+  const auto box = [](certet::Point3 low, certet::Point3 high) {
+    return certet::function_solid([](certet::Point3) { return -1.0; }, certet::Bounds{low, high});
+  };
+  return of_placed("walls-on-the-lattice",
+                   certet::materials_domain({{"half", box({-1, -1, -1}, {0, 1, 1})},
+                                             {"front", box({0, -1, -1}, {1, 0, 1})},
+                                             {"back", box({0, 0, -1}, {1, 1, 1})}},
+                                            {.size = 0.25}, {"half"}));
 }
 
 }  // namespace
@@ -114,6 +138,8 @@ std::vector<Shape> shapes() {
   all.push_back(labels("labels", true));
   all.push_back(labels("labels-near-walls", false));
   all.push_back(grayscale());
+  all.push_back(overlapping_solids());
+  all.push_back(walls_on_the_lattice());
   return all;
 }
 

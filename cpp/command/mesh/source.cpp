@@ -7,21 +7,12 @@
 #include "certet/error.hpp"
 #include "certet/shape.hpp"
 #include "certet/volume.hpp"
+#include "material_source.hpp"
 #include "silence.hpp"
 #include "surface_source.hpp"
 
 namespace certet::command {
 namespace {
-
-PlacedSource placed(std::unique_ptr<PlacedDomain> domain) {
-  PlacedSource source;
-  source.lattice = domain->lattice();
-  source.frame = domain->frame();
-  source.longest_side = domain->longest_side();
-  source.bytes = domain->bytes();
-  source.domain = std::move(domain);
-  return source;
-}
 
 Source from_formula(const MeshOptions& options) {
   const auto place = [formula = options.formula, bounds = options.bounds.value(),
@@ -137,7 +128,18 @@ Source from_image(const MeshOptions& options, std::uint64_t max_bytes) {
 
 }  // namespace
 
+PlacedSource placed(std::unique_ptr<PlacedDomain> domain) {
+  PlacedSource source;
+  source.lattice = domain->lattice();
+  source.frame = domain->frame();
+  source.longest_side = domain->longest_side();
+  source.bytes = domain->bytes();
+  source.domain = std::move(domain);
+  return source;
+}
+
 Source open_source(const MeshOptions& options, std::uint64_t max_bytes, const Context& context) {
+  if (!options.materials.empty()) return open_materials(options, context);
   if (!options.formula.empty()) return from_formula(options);
   if (!options.shape.empty()) return from_shape(options);
   if (is_surface_file(options.input)) return from_surface(options, context);

@@ -30,6 +30,8 @@ class Mesh:
     @property
     def method(self) -> Literal["embedded", "angles", "embedding", "midpoint"]: ...
     @property
+    def names(self) -> dict[int, str]: ...
+    @property
     def notes(self) -> list[str]: ...
     def checksum(self) -> int: ...
     def quality(self) -> dict[str, Any]: ...
@@ -71,6 +73,23 @@ def mesh_function(
 def mesh_surface(
     points: NDArray[np.float64],
     triangles: NDArray[np.int64],
+    size: float,
+    margin: int,
+    repair: bool,
+    options: Options,
+) -> Mesh: ...
+
+class Solid: ...
+
+def solid_of_function(
+    name: str, function: Callable[[NDArray[np.float64]], Any], low: _Point, high: _Point
+) -> Solid: ...
+def solid_of_surface(
+    name: str, points: NDArray[np.float64], triangles: NDArray[np.int64]
+) -> Solid: ...
+def mesh_solids(
+    solids: Sequence[Solid],
+    priority: Sequence[str],
     size: float,
     margin: int,
     repair: bool,

@@ -1,0 +1,52 @@
+#pragma once
+/// \file
+/// From what Python gives to a mesh.
+
+#include <pybind11/numpy.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "certet/method.hpp"
+#include "certet/placed_domain.hpp"
+#include "certet/surface.hpp"
+#include "python_mesh.hpp"
+
+namespace certet::python {
+
+namespace py = pybind11;
+
+struct Options {
+  Method method{};
+  int threads = 0;
+};
+
+/// A shape, and what is doubtful about it.
+struct Shape {
+  std::shared_ptr<const PlacedDomain> domain;
+  std::vector<std::string> notes = {};
+};
+
+/// `make` makes the shape; it runs, like all the rest, without Python's lock.
+std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape()>& make, const Options& options);
+
+using PointArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using TriangleArray = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+
+/// Both of shape (n, 3).  \throws Error `bad_input`.
+TriangleSurface surface_of(const PointArray& points, const TriangleArray& triangles,
+                           std::string name);
+
+/// A surface that bounds a solid.
+struct MendedSurface {
+  TriangleSurface surface;
+  bool open = false;  ///< its holes are to be closed by the winding number
+  std::vector<std::string> notes;
+};
+/// \throws Error `bad_input` for an open one, unless its holes are to be closed.
+MendedSurface mend(TriangleSurface surface, bool close_holes);
+
+}  // namespace certet::python
