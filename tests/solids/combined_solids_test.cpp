@@ -77,7 +77,9 @@ TEST(CombinedSolids, SignsAreTheDefinitionsAndBlocksKeepTheirWord) {
     const auto domain = solid->on(around);
     int seen = 0;
     for (int n = 0; n < 3000; ++n) {
-      const auto at = [&](std::int32_t cells) { return between(random, -steps * cells, steps * cells); };
+      const auto at = [&](std::int32_t cells) {
+        return between(random, -steps * cells, steps * cells);
+      };
       const auto& cells = around.lattice.cells;
       const Coord3 p{at(cells[0]), at(cells[1]), at(cells[2])};
       const bool in_a = in(*a, p) == Sign::plus, in_b = in(*b, p) == Sign::plus;

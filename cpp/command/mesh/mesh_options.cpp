@@ -120,8 +120,8 @@ peak}, warnings, and for images regions [{label, voxels, tets, name where the fi
 --label-names has one, volume, voxel_volume, pieces (by faces) and pieces_by_vertices; of several
 labels with --method paper by --label-pieces alone, else pieces is of the samples, and told
 where the image's are: image_pieces {by_corners, by_faces}}], for several solids regions
-[{label, name, tets, volume, solid_volume (estimated), pieces, pieces_by_vertices}], with --smooth: smoothing
-{sigma, voxel_volume, mesh_volume, change}.  Lengths are in world units, angles in degrees, memory in bytes; the
+[{label, name, tets, volume, solid_volume (estimated), pieces, pieces_by_vertices}], with
+--smooth: smoothing {sigma, voxel_volume, mesh_volume, change}.  Lengths are in world units, angles in degrees, memory in bytes; the
 histogram has 36 bins of 5 degrees, counted before coordinates are rounded; rounding
 is what the doubles of the world can turn an angle by; output.origin is where in the
 world the output has its 0; file_checksum is what `certet check` tells of a file with

@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "certet/bounded_function.hpp"
+#include "certet/combined_solids.hpp"
 #include "certet/error.hpp"
 #include "certet/lattice/structured_tet.hpp"
 #include "volume_blocks.hpp"
@@ -203,10 +205,12 @@ std::unique_ptr<PlacedDomain> volume_domain(const Volume& volume, std::optional<
 Solid volume_solid(const Volume& volume, std::optional<double> level) {
   const Side side(volume.state(), level);
   const openvdb::BBoxd box = active_box(volume.state());
-  return {{as_point(box.min()), as_point(box.max())},
-          [state = volume.shared(), side](const PlacedLattice& around) {
-            return std::make_shared<VolumeDomain>(state, side, Place(*state, around));
-          }};
+  const Bounds bounds{as_point(box.min()), as_point(box.max())};
+  const Solid everywhere{bounds, [state = volume.shared(), side](const PlacedLattice& around) {
+                           return std::make_shared<VolumeDomain>(state, side,
+                                                                 Place(*state, around));
+                         }};
+  return everywhere & function_solid([](const Point3&) { return -1.0; }, bounds);
 }
 
 }  // namespace certet
