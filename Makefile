@@ -127,7 +127,7 @@ ATLAS := /usr/share/mricron/templates/aal.nii.gz
 demo: demo-deps configured
 	cmake --build $(BUILD) -j $(JOBS) --target certet_command
 	mkdir -p $(BUILD)/demo
-	$(BUILD)/bin/certet mesh $(ATLAS) --cuts midpoint -o $(BUILD)/demo/brain.vtu \
+	$(BUILD)/bin/certet mesh $(ATLAS) -o $(BUILD)/demo/brain.vtu \
 	  --json $(BUILD)/demo/brain.json
 	$(BUILD)/bin/certet check $(BUILD)/demo/brain.vtu
 	$(BUILD)/bin/certet report $(BUILD)/demo/brain.vtu --run $(BUILD)/demo/brain.json \

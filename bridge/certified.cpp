@@ -102,6 +102,22 @@ std::vector<std::array<Handle, 4>> unstructured_tets(
   return tets;
 }
 
+std::vector<OfMaterial<Handle>> material_tets(const GetMaterial& get_material,
+                                              const GetIntersection& get_intersection,
+                                              const std::array<Handle, 4>& v, Material shared) {
+  const closures::MaterialStencil closures{get_material, get_intersection};
+  Frame frame(&closures);
+  Reader reader(call_ints("certified.material_tets",
+                          {frame.handle(), v[0], v[1], v[2], v[3], shared}, &frame));
+  std::vector<OfMaterial<Handle>> tets;
+  while (!reader.done()) {
+    auto& [material, vertices] = tets.emplace_back();
+    material = reader.number();
+    for (Handle& vertex : vertices) vertex = reader.number();
+  }
+  return tets;
+}
+
 Warping warp(Thresholds t, Sign sign, const std::function<Sign(int)>& neighbor_sign,
              const std::function<std::int64_t(int)>& cut) {
   const closures::Warp closures{neighbor_sign, cut};
@@ -176,6 +192,12 @@ std::vector<PlacedTet> stuff(Thresholds t, const certet::Lattice& lattice,
   return tets;
 }
 
+bool is_well_shaped(const PlacedTet& tet) {
+  const auto& [a, b, c, d] = tet;
+  return call_int("certified.is_well_shaped", {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x,
+                                               d.y, d.z}) != 0;
+}
+
 Sign voxel_sign(const VoxelGrid& grid, const std::function<bool(Coord3)>& holds, Coord3 point) {
   const closures::Voxels closures{holds};
   Frame frame(&closures);
@@ -194,6 +216,32 @@ std::vector<PlacedTet> settle(Thresholds t, Gap gap, const certet::Lattice& latt
   runtime::call("certified.settle",
                 {frame.handle(), t.long_edge, t.short_edge, gap == Gap::strict ? 1 : 0, origin.x,
                  origin.y, origin.z, cells[0], cells[1], cells[2]},
+                &frame);
+  return tets;
+}
+
+std::vector<PlacedMaterialTet> settle_materials(Thresholds t, const certet::Lattice& lattice,
+                                                const MaterialDomain& domain) {
+  std::vector<PlacedMaterialTet> tets;
+  const closures::MaterialMesh closures{domain, tets};
+  Frame frame(&closures);
+  const auto& [origin, cells] = lattice;
+  runtime::call("certified.settle_materials",
+                {frame.handle(), t.long_edge, t.short_edge, origin.x, origin.y, origin.z, cells[0],
+                 cells[1], cells[2]},
+                &frame);
+  return tets;
+}
+
+std::vector<PlacedMaterialTet> halve_materials(
+    const certet::Lattice& lattice, const std::function<Material(Coord3)>& material) {
+  std::vector<PlacedMaterialTet> tets;
+  const MaterialDomain domain{material, {}};
+  const closures::MaterialMesh closures{domain, tets};
+  Frame frame(&closures);
+  const auto& [origin, cells] = lattice;
+  runtime::call("certified.halve_materials",
+                {frame.handle(), origin.x, origin.y, origin.z, cells[0], cells[1], cells[2]},
                 &frame);
   return tets;
 }

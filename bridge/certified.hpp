@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -78,6 +79,27 @@ std::vector<std::array<Handle, 4>> unstructured_tets(
     const GetSign& get_sign, const GetIntersection& get_intersection,
     const std::array<Handle, 4>& vertices);
 
+/// A material: a number, 0 for the outside.
+using Material = std::int64_t;
+
+/// The material of a vertex, or none on an interface.
+using GetMaterial = std::function<std::optional<Material>(Handle)>;
+
+/// A tetrahedron of a material.
+template <class Vertex>
+struct OfMaterial {
+  Material material = 0;
+  std::array<Vertex, 4> vertices{};
+  friend constexpr auto operator<=>(const OfMaterial&, const OfMaterial&) = default;
+};
+
+/// `GetMaterialTets`; `shared` is the material of a tetrahedron whose vertices all lie on
+/// interfaces.  Materials are not negative.
+std::vector<OfMaterial<Handle>> material_tets(const GetMaterial& get_material,
+                                              const GetIntersection& get_intersection,
+                                              const std::array<Handle, 4>& vertices,
+                                              Material shared);
+
 /// What becomes of a vertex; direction -1: it stays.
 struct Warping {
   int direction = -1;
@@ -142,6 +164,9 @@ std::vector<PlacedTet> stuff_tet(Thresholds thresholds, const Domain& domain,
 std::vector<PlacedTet> stuff(Thresholds thresholds, const certet::Lattice& lattice,
                              const Domain& domain);
 
+/// `IsWellShaped` with `WidestAngles`.
+bool is_well_shaped(const PlacedTet& tet);
+
 /// What is left between two vertices that move towards each other.
 enum class Gap {
   level,   ///< `LevelGap`, the product's: they may come level
@@ -154,5 +179,26 @@ enum class Gap {
 /// surface: `OpenSigns` and `OpenCuts`.
 std::vector<PlacedTet> settle(Thresholds thresholds, Gap gap, const certet::Lattice& lattice,
                               const Domain& domain);
+
+/// A domain of several materials: that of each lattice point, and the cut of each edge in
+/// steps from the end of the higher one, given first.
+struct MaterialDomain {
+  std::function<Material(Coord3)> material;
+  std::function<std::int64_t(Coord3 higher, Coord3 lower)> cut;
+};
+
+using PlacedMaterialTet = OfMaterial<Coord3>;
+
+/// The whole mesh of several materials by the warp that keeps the shape: `SettleMaterials`
+/// over all points of the lattice, `MaterialsInTurn`, and `SettledMaterialTets`; in the
+/// order of `stuff`, without those of the outside.  The lattice's outermost points count as
+/// outside.
+std::vector<PlacedMaterialTet> settle_materials(Thresholds thresholds,
+                                                const certet::Lattice& lattice,
+                                                const MaterialDomain& domain);
+
+/// The same where nobody moves and edges are cut in the middle, `MidpointCuts`.
+std::vector<PlacedMaterialTet> halve_materials(
+    const certet::Lattice& lattice, const std::function<Material(Coord3)>& material);
 
 }  // namespace certified

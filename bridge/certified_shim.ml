@@ -5,6 +5,7 @@
    - a sign is 0 for -, 1 for 0, 2 for +
    - a case or a direction is its place in [allCases] or [allDirections]
    - a coordinate triple is three integers
+   - a material is itself, and -1 is none
    - the C++ closures of a call are named by one integer, the frame. *)
 
 open Certified
@@ -18,6 +19,11 @@ external domain_sign : int -> int array -> int = "certified_domain_sign"
 external domain_cut : int -> int array -> int = "certified_domain_cut"
 external holds : int -> int array -> int = "certified_holds"
 external emit : int -> int array -> unit = "certified_emit"
+external get_material : int -> int -> int = "certified_get_material"
+external material_intersection : int -> int -> int -> int = "certified_material_intersection"
+external domain_material : int -> int array -> int = "certified_domain_material"
+external material_cut : int -> int array -> int = "certified_material_cut"
+external emit_material : int -> int -> int array -> unit = "certified_emit_material"
 
 (* Raised by the stubs after they have put a C++ exception aside. *)
 exception Parked
@@ -95,6 +101,13 @@ let unstructured_tets frame v1 v2 v3 v4 =
   let intersection = get_intersection frame in
   getUnstructuredTets sign intersection v1 v2 v3 v4
   |> List.concat_map (fun (UT (a, b, c, d)) -> [ a; b; c; d ])
+  |> Array.of_list
+
+let material_tets frame v1 v2 v3 v4 shared =
+  let material v = match get_material frame v with -1 -> None | m -> Some (z m) in
+  let intersection = material_intersection frame in
+  getMaterialTets material intersection v1 v2 v3 v4 (z shared)
+  |> List.concat_map (fun (m, UT (a, b, c, d)) -> [ int m; a; b; c; d ])
   |> Array.of_list
 
 (* {1 Warping} *)
@@ -196,6 +209,35 @@ let settle_all frame long short strict ox oy oz nx ny nz =
   let settled = Settler.settle gap (thresholds long short) lattice domain in
   Settler.iter_tets settled (emit_placed frame (Settler.position settled))
 
+(* {1 Meshes of several materials} *)
+
+let is_well_shaped ax ay az bx by bz cx cy cz dx dy dz =
+  let tet = UT (coord3 ax ay az, coord3 bx by bz, coord3 cx cy cz, coord3 dx dy dz) in
+  if isWellShaped widestAngles tet then 1 else 0
+
+let material_domain frame =
+  let material v = z (domain_material frame (Array.of_list (ints_of_coord3 v))) in
+  let cut higher lower =
+    z (material_cut frame (Array.of_list (ints_of_coord3 higher @ ints_of_coord3 lower)))
+  in
+  { Material_domain.material; cut }
+
+let emit_of_material frame (material, UT (a, b, c, d)) =
+  emit_material frame (int material)
+    (Array.of_list (List.concat_map ints_of_coord3 [ a; b; c; d ]))
+
+let settle_materials frame long short ox oy oz nx ny nz =
+  let lattice = lattice ox oy oz nx ny nz in
+  let domain = Material_domain.within lattice (material_domain frame) in
+  let iter_tets, _ = Material_mesher.settled (thresholds long short) lattice domain in
+  iter_tets (emit_of_material frame)
+
+let halve_materials frame ox oy oz nx ny nz =
+  let lattice = lattice ox oy oz nx ny nz in
+  let domain = Material_domain.within lattice (material_domain frame) in
+  Material_mesher.iter_unmoved lattice (Material_domain.midpoint domain)
+    (emit_of_material frame)
+
 let () =
   Callback.register_exception "certified.parked" Parked;
   Callback.register "certified.constants" constants;
@@ -215,4 +257,8 @@ let () =
   Callback.register "certified.voxel_sign" voxel_sign;
   Callback.register "certified.stuff_tet" stuff_one;
   Callback.register "certified.stuff" stuff_all;
-  Callback.register "certified.settle" settle_all
+  Callback.register "certified.settle" settle_all;
+  Callback.register "certified.material_tets" material_tets;
+  Callback.register "certified.is_well_shaped" is_well_shaped;
+  Callback.register "certified.settle_materials" settle_materials;
+  Callback.register "certified.halve_materials" halve_materials

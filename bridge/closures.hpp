@@ -24,6 +24,16 @@ struct Voxels {
   const std::function<bool(Coord3)>& holds;
 };
 
+struct MaterialStencil {
+  const GetMaterial& get_material;
+  const GetIntersection& get_intersection;
+};
+
+struct MaterialMesh {
+  const MaterialDomain& domain;
+  std::vector<PlacedMaterialTet>& out;
+};
+
 struct Stuffing {
   const Domain& domain;
   std::vector<PlacedTet>& out;

@@ -67,6 +67,26 @@ value certified_get_intersection(value frame, value a, value b) {
   CAMLreturn(to_ocaml(done, result));
 }
 
+value certified_get_material(value frame, value vertex) {
+  CAMLparam2(frame, vertex);
+  std::int64_t result = 0;
+  const bool done =
+      run<closures::MaterialStencil>(frame, result, [&](const closures::MaterialStencil& c) {
+        return c.get_material(Long_val(vertex)).value_or(-1);
+      });
+  CAMLreturn(to_ocaml(done, result));
+}
+
+value certified_material_intersection(value frame, value a, value b) {
+  CAMLparam3(frame, a, b);
+  std::int64_t result = 0;
+  const bool done =
+      run<closures::MaterialStencil>(frame, result, [&](const closures::MaterialStencil& c) {
+        return c.get_intersection(Long_val(a), Long_val(b));
+      });
+  CAMLreturn(to_ocaml(done, result));
+}
+
 value certified_neighbor_sign(value frame, value direction) {
   CAMLparam2(frame, direction);
   std::int64_t result = 0;
@@ -130,6 +150,41 @@ value certified_emit(value frame, value positions) {
                      coord3(positions, 9)});
     return std::int64_t{0};
   });
+  CAMLreturn(to_ocaml(done, result));
+}
+
+value certified_domain_material(value frame, value point) {
+  CAMLparam2(frame, point);
+  std::int64_t result = 0;
+  const bool done =
+      run<closures::MaterialMesh>(frame, result, [&](const closures::MaterialMesh& c) {
+        return c.domain.material(coord3(point, 0));
+      });
+  CAMLreturn(to_ocaml(done, result));
+}
+
+value certified_material_cut(value frame, value edge) {
+  CAMLparam2(frame, edge);
+  std::int64_t result = 0;
+  const bool done =
+      run<closures::MaterialMesh>(frame, result, [&](const closures::MaterialMesh& c) {
+        const Coord3 higher = coord3(edge, 0);
+        const Coord3 lower = coord3(edge, 3);
+        return c.domain.cut(higher, lower);
+      });
+  CAMLreturn(to_ocaml(done, result));
+}
+
+value certified_emit_material(value frame, value material, value positions) {
+  CAMLparam3(frame, material, positions);
+  std::int64_t result = 0;
+  const bool done =
+      run<closures::MaterialMesh>(frame, result, [&](const closures::MaterialMesh& c) {
+        c.out.push_back({Long_val(material),
+                         {coord3(positions, 0), coord3(positions, 3), coord3(positions, 6),
+                          coord3(positions, 9)}});
+        return std::int64_t{0};
+      });
   CAMLreturn(to_ocaml(done, result));
 }
 

@@ -16,7 +16,7 @@ From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
 From Certet Require Import Embedding.DiskTables Embedding.Settle.
 From Certet Require Import Topology.VoxelSpec.
 From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.Demotion.
+From Certet Require Import Material.MaterialShape Material.SettleMaterials.
 
 Extraction Language OCaml.
 
@@ -44,6 +44,6 @@ Extraction "certified.ml"
   (* the samples of a label image *)
   CubeParted VoxelSigns
   (* several materials *)
-  Outside GetMaterialTets OfMaterial MaterialNames WarpMaterialVertex
-  RuledMaterialWarping PlacedMaterial PlacedMaterialTets PlacedWhole
-  WidestAngles IsWellShaped TetsAround Demoted DemotedWarping DemotedTets.
+  Outside GetMaterialTets WarpMaterialVertex PlacedMaterial PlacedMaterialTets
+  WidestAngles IsWellShaped AreDisks FillsWouldTouch MaterialsInTurn
+  Material.SettleMaterials.SettleMaterials SettledMaterialTets.

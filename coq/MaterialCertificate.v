@@ -17,14 +17,15 @@ From Certet Require Export Lattice.Coord3 Lattice.StructuredTet.
 From Certet Require Export Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Export Warp.Cut Warp.Warp.
 From Certet Require Export Stuffing.Stuffing Stuffing.Domain.
-From Certet Require Export Embedding.WarpOrClamp.
+From Certet Require Export Embedding.WarpOrClamp Embedding.Settle.
 From Certet Require Export Material.MaterialTet Material.MaterialMesh.
+From Certet Require Export Material.MaterialShape Material.SettleMaterials.
 From Certet Require Export Material.Demotion.
 
 (** What is meant. *)
 From Certet Require Export Lattice.NeighborSpec Stencil.TriangleSpec.
 From Certet Require Export Stuffing.MeshSpec Angles.Geometry Angles.AnglesSpec.
-From Certet Require Export Angles.DegreesSpec.
+From Certet Require Export Angles.DegreesSpec Embedding.EmbeddingSpec.
 From Certet Require Export Material.MaterialSpec Material.MaterialPatterns.
 From Certet Require Export Material.OtherMaterials.
 
@@ -34,42 +35,56 @@ From Certet Require Material.MaterialReducesProof Material.MaterialMeshProof.
 From Certet Require Material.MaterialPatternsProof.
 From Certet Require Material.MaterialTwiceProof Material.MaterialFillProof.
 From Certet Require Material.MaterialBoundsProof Material.MaterialWarpProof.
+From Certet Require Material.SettleMaterialsProof.
 From Certet Require Material.MaterialDegreesProof.
 
 Open Scope Z_scope.
 
 (** ** The angles
 
-    [DemotedTets] is the whole of it: vertices that are violated move, those
-    that would spoil a tetrahedron between interfaces stay, cuts are kept alpha
-    away from both ends of their edges; read [Material/Demotion.v].  The library
-    keeps other vertices than these: what it makes, [AnyMaterialSubsetStays] and
-    [MaterialDihedralBounds] cover. *)
+    What runs is [SettleMaterials]: violated vertices have their turns one after
+    the other, and one stays where it would change the shape of a material or
+    spoil a tetrahedron between interfaces; read [Material/SettleMaterials.v].
+    [SettledMaterialTets] is the mesh that it leaves. *)
 
 (** Every tetrahedron of every material, however many there are, has positive
     volume and dihedral angles between 10.77 and 164.76 degrees, as integers tell
-    it: cot^2 10.77 > 221/8 and cot^2 164.76 > 1751/130; *)
-Theorem DemotedBounds :
-  forall material cut shared tid m t,
-    MaterialCutsOnEdges material cut -> InLattice tid -> m <> Outside ->
+    it: cot^2 10.77 > 221/8 and cot^2 164.76 > 1751/130; in whatever order the
+    vertices have their turns, *)
+Theorem SettledMaterialBounds :
+  forall material cut turns tid m t,
+    MaterialCutsOnEdges (fun v => Some (material v)) cut -> InLattice tid ->
+    m <> Outside ->
     In (m, t)
-      (DemotedTets (AB (CotSq 221 8) (CotSq 1751 130)) AngleThresholds
-         material cut shared tid) ->
+      (SettledMaterialTets AngleThresholds material cut
+         (SettleMaterials (AB (CotSq 221 8) (CotSq 1751 130)) AngleThresholds
+            material cut turns) tid) ->
     WellShaped (AB (CotSq 221 8) (CotSq 1751 130)) t.
-Proof. exact MaterialWarpProof.DemotedBounds. Qed.
+Proof. exact SettleMaterialsProof.SettledMaterialBounds. Qed.
 
 (** and in degrees. *)
-Theorem DemotedBoundsInDegrees :
-  forall material cut shared tid m t,
-    MaterialCutsOnEdges material cut -> InLattice tid -> m <> Outside ->
+Theorem SettledMaterialBoundsInDegrees :
+  forall material cut turns tid m t,
+    MaterialCutsOnEdges (fun v => Some (material v)) cut -> InLattice tid ->
+    m <> Outside ->
     In (m, t)
-      (DemotedTets (AB (CotSq 221 8) (CotSq 1751 130)) AngleThresholds
-         material cut shared tid) ->
+      (SettledMaterialTets AngleThresholds material cut
+         (SettleMaterials (AB (CotSq 221 8) (CotSq 1751 130)) AngleThresholds
+            material cut turns) tid) ->
     WithinDegrees (1077 / 100) (16476 / 100) t.
-Proof. exact MaterialDegreesProof.DemotedBoundsInDegrees. Qed.
+Proof. exact MaterialDegreesProof.SettledMaterialBoundsInDegrees. Qed.
 
-(** Nothing depends on that rule.  Whichever violated vertices stay, and however
-    the moves of the others are shortened, what is left is admissible; *)
+(** It is one of the rules of [RuledMaterialWarping], *)
+Theorem SettledMaterialsAreRuled :
+  forall bounds th material cut, AtMostHalf th ->
+    MaterialCutsOnEdges (fun v => Some (material v)) cut ->
+    forall turns, exists stays limit, forall v,
+      RuledMaterialWarping th (fun u => Some (material u)) cut stays limit v
+      = PlaceIn (SettleMaterials bounds th material cut turns) v.
+Proof. exact SettleMaterialsProof.SettledMaterialsAreRuled. Qed.
+
+(** and of all of these, whichever violated vertices stay, and however the moves
+    of the others are shortened, what is left is admissible; *)
 Theorem AnyMaterialSubsetStays :
   forall th material cut stays limit tid,
     AtMostHalf th -> MaterialCutsOnEdges material cut ->
@@ -99,6 +114,28 @@ Theorem MaterialDihedralBoundsInDegrees :
     In (m, t) (PlacedMaterialTets before warping cut shared tid) ->
     WithinDegrees (1077 / 100) (16476 / 100) t.
 Proof. exact MaterialDegreesProof.MaterialDihedralBoundsInDegrees. Qed.
+
+(** A rule that looks after the angles alone has them too: of the corners of a
+    tetrahedron between interfaces that would be spoiled the one that moves
+    farthest stays, all at once ([Material/Demotion.v]).  It runs in no program. *)
+Theorem DemotedBounds :
+  forall material cut shared tid m t,
+    MaterialCutsOnEdges material cut -> InLattice tid -> m <> Outside ->
+    In (m, t)
+      (DemotedTets (AB (CotSq 221 8) (CotSq 1751 130)) AngleThresholds
+         material cut shared tid) ->
+    WellShaped (AB (CotSq 221 8) (CotSq 1751 130)) t.
+Proof. exact MaterialWarpProof.DemotedBounds. Qed.
+
+(** and in degrees. *)
+Theorem DemotedBoundsInDegrees :
+  forall material cut shared tid m t,
+    MaterialCutsOnEdges material cut -> InLattice tid -> m <> Outside ->
+    In (m, t)
+      (DemotedTets (AB (CotSq 221 8) (CotSq 1751 130)) AngleThresholds
+         material cut shared tid) ->
+    WithinDegrees (1077 / 100) (16476 / 100) t.
+Proof. exact MaterialDegreesProof.DemotedBoundsInDegrees. Qed.
 
 (** At the thresholds that embed one material, 64/256 and 105/256, its bounds
     hold of several too: 9.27 and 161.46 degrees. *)

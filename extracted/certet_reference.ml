@@ -9,6 +9,7 @@ let usage =
   \  --solid 'sphere X Y Z R' | 'torus X Y Z R r' | 'box X0 Y0 Z0 X1 Y1 Z1'\n\
   \          with --lattice 'OX OY OZ NX NY NZ'\n\
   \  --signs FILE\n\
+  \  --materials FILE\n\
    all in lattice units, of which a long edge has two.\n\
    Exit status: 0 done, 1 failed, 2 not understood."
 
@@ -21,6 +22,7 @@ type request = {
   mutable solid : string option;
   mutable lattice : string option;
   mutable signs : string option;
+  mutable materials : string option;
   mutable guarantee : guarantee;
   mutable midpoint : bool;
   mutable output : string option;
@@ -38,6 +40,7 @@ let read_request () =
       solid = None;
       lattice = None;
       signs = None;
+      materials = None;
       guarantee = Pieces;
       midpoint = false;
       output = None;
@@ -53,6 +56,9 @@ let read_request () =
       ("--solid", Arg.String (fun s -> r.solid <- Some s), "SOLID a formula");
       ("--lattice", Arg.String (fun s -> r.lattice <- Some s), "BOX what is searched");
       ("--signs", Arg.String (fun s -> r.signs <- Some s), "FILE a sampled domain");
+      ( "--materials",
+        Arg.String (fun s -> r.materials <- Some s),
+        "FILE a sampled domain of several materials" );
       ( "--guarantee",
         Arg.Symbol ([ "pieces"; "angles"; "embedding" ], set_guarantee),
         " default pieces" );
@@ -84,39 +90,24 @@ let parse_lattice text =
 let domain_of request =
   let lattice, domain =
     match request with
-    | { signs = Some file; solid = None; lattice = None; _ } -> Sign_file.read file
-    | { signs = None; solid = Some solid; lattice = Some lattice; _ } ->
+    | { signs = Some file; solid = None; lattice = None; materials = None; _ } ->
+        Sign_file.read file
+    | { signs = None; solid = Some solid; lattice = Some lattice; materials = None; _ } ->
         ( parse_lattice lattice,
           Domain.of_position_sign (Solid.position_sign (Solid.parse solid)) )
-    | _ -> raise (Usage "give --signs, or --solid and --lattice")
+    | _ -> raise (Usage "give --signs, --materials, or --solid and --lattice")
   in
   let domain =
     if request.midpoint then Domain.midpoint domain else domain
   in
   (lattice, Domain.within lattice domain)
 
-(* How to visit the tetrahedra, and where their vertices lie. *)
-let mesh_of request lattice domain =
-  let by_the_paper thresholds =
-    (Mesher.iter_tets thresholds lattice domain, Mesher.position thresholds domain)
-  in
-  match request.guarantee with
-  | _ when request.midpoint -> by_the_paper noWarpThresholds
-  | Angles -> by_the_paper angleThresholds
-  | Embedding -> by_the_paper embeddingThresholds
-  | Pieces ->
-      let settled = Settler.settle levelGap angleThresholds lattice domain in
-      (Settler.iter_tets settled, Settler.position settled)
-
-(* Numbers vertices from 1 in order of appearance. *)
-let numbered (iter_tets, position) =
+(* Numbers vertices from 1 in order of appearance; [iter_tets] tells the material of each
+   tetrahedron, 0 where there is but one. *)
+let numbered key position iter_tets =
   let numbers = Hashtbl.create 4096 in
   let points = ref [] in
   let tets = ref [] in
-  let key = function
-    | Corner c -> (Convert.point_of_coord3 c, None)
-    | Cut (p, m) -> (Convert.point_of_coord3 p, Some (Convert.point_of_coord3 m))
-  in
   let number v =
     match Hashtbl.find_opt numbers (key v) with
     | Some n -> n
@@ -126,13 +117,54 @@ let numbered (iter_tets, position) =
         points := position v :: !points;
         n
   in
-  iter_tets (fun (UT (a, b, c, d)) ->
+  iter_tets (fun (material, UT (a, b, c, d)) ->
       let a = number a in
       let b = number b in
       let c = number c in
       let d = number d in
-      tets := (a, b, c, d) :: !tets);
+      tets := (a, b, c, d, Convert.int_of_z material) :: !tets);
   (List.rev !points, List.rev !tets)
+
+let mesh_of_one request =
+  let lattice, domain = domain_of request in
+  let key = function
+    | Corner c -> (Convert.point_of_coord3 c, None)
+    | Cut (p, m) -> (Convert.point_of_coord3 p, Some (Convert.point_of_coord3 m))
+  in
+  let made iter_tets position =
+    numbered key position (fun visit -> iter_tets (fun tet -> visit (Z0, tet)))
+  in
+  let by_the_paper thresholds =
+    made (Mesher.iter_tets thresholds lattice domain) (Mesher.position thresholds domain)
+  in
+  match request.guarantee with
+  | _ when request.midpoint -> by_the_paper noWarpThresholds
+  | Angles -> by_the_paper angleThresholds
+  | Embedding -> by_the_paper embeddingThresholds
+  | Pieces ->
+      let settled = Settler.settle levelGap angleThresholds lattice domain in
+      made (Settler.iter_tets settled) (Settler.position settled)
+
+(* Vertices lie in different places, so their places are their names. *)
+let mesh_of_several request file =
+  let lattice, domain = Sign_file.read_materials file in
+  let domain = Material_domain.within lattice domain in
+  let iter_tets =
+    if request.midpoint then
+      Material_mesher.iter_unmoved lattice (Material_domain.midpoint domain)
+    else
+      let iter_tets, _ = Material_mesher.settled angleThresholds lattice domain in
+      iter_tets
+  in
+  numbered Convert.point_of_coord3 Convert.point_of_coord3 iter_tets
+
+let mesh_of = function
+  | { materials = Some file; signs = None; solid = None; lattice = None; guarantee = Pieces; _ }
+    as request ->
+      mesh_of_several request file
+  | { materials = Some _; _ } ->
+      raise (Usage "--materials goes with --midpoint alone")
+  | request -> mesh_of_one request
 
 let run () =
   let request = read_request () in
@@ -141,8 +173,7 @@ let run () =
     | Some file -> file
     | None -> raise (Usage "the output is missing")
   in
-  let lattice, domain = domain_of request in
-  match numbered (mesh_of request lattice domain) with
+  match mesh_of request with
   | _, [] -> failwith "nothing is inside: there is no mesh to make"
   | points, tets -> Medit.write output points tets
 

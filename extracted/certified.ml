@@ -2001,13 +2001,6 @@ let getMaterialTets getMaterial getIntersection v1 v2 v3 v4 shared =
       (materialFill getMaterial (materialCut getMaterial getIntersection) v1
         v2 v3 v4)
 
-(** val ofMaterial :
-    material -> (material * 'a1 unstructuredTet) list -> 'a1 unstructuredTet
-    list **)
-
-let ofMaterial m tets =
-  map snd (filter (fun t0 -> Z.eqb (fst t0) m) tets)
-
 type materialField = coord3 -> material option
 
 (** val vertexMaterial : materialField -> meshVertex -> material option **)
@@ -2046,32 +2039,16 @@ let materialCutFrom material0 cut v d =
       | None -> cut v u)
    | None -> cut v u)
 
-(** val signBeside : materialField -> material -> coord3 -> sign **)
-
-let signBeside material0 m v =
-  match material0 v with
-  | Some n -> if Z.eqb n m then Plus else Minus
-  | None -> OnSurface
-
 (** val warpMaterialVertex :
     thresholds -> materialField -> cutField -> coord3 -> warping **)
 
 let warpMaterialVertex th material0 cut v =
   match material0 v with
   | Some m ->
-    warp th Plus (fun d -> signBeside material0 m (translate v (offset d)))
+    warp th Plus (fun d ->
+      signAmongMaterials material0 m (translate v (offset d)))
       (materialCutFrom material0 cut v)
   | None -> Stays
-
-(** val ruledMaterialWarping :
-    thresholds -> materialField -> cutField -> (coord3 -> bool) -> (coord3 ->
-    z) -> coord3 -> warping **)
-
-let ruledMaterialWarping th material0 cut stays limit v =
-  match warpMaterialVertex th material0 cut v with
-  | Stays -> Stays
-  | Moves (d, t0) ->
-    if stays v then Stays else Moves (d, (Z.max Z0 (Z.min t0 (limit v))))
 
 (** val placedMaterial :
     materialField -> (coord3 -> warping) -> coord3 -> material option **)
@@ -2127,9 +2104,9 @@ let isWellShaped bounds t0 = match t0 with
       let (y0, r) = y in let (p, q) = y0 in isAngleWithin bounds p q r s)
       (dihedralEdges t0))
 
-(** val reach : z list **)
+(** val cornerOffsets : z list **)
 
-let reach =
+let cornerOffsets =
   Z0 :: ((Zpos XH) :: ((Zpos (XO XH)) :: ((Zpos (XI XH)) :: [])))
 
 (** val anchors : coord3 -> coord3 list **)
@@ -2139,8 +2116,9 @@ let anchors v =
     let C3 (x, y, z0) = anchor in
     (&&) ((&&) (Z.even x) (Z.even y)) (Z.even z0))
     (flat_map (fun x ->
-      flat_map (fun y -> map (fun z0 -> difference (C3 (x, y, z0)) v) reach)
-        reach) reach)
+      flat_map (fun y ->
+        map (fun z0 -> difference (C3 (x, y, z0)) v) cornerOffsets)
+        cornerOffsets) cornerOffsets)
 
 (** val tetsAround : coord3 -> structuredTetId list **)
 
@@ -2149,86 +2127,200 @@ let tetsAround v =
     (flat_map (fun anchor -> map (fun x -> STId (anchor, x)) allCases)
       (anchors v))
 
-(** val fullWarping :
-    thresholds -> materialField -> cutField -> coord3 -> warping **)
+(** val signsAmong :
+    (material -> bool) -> material option link -> sign link **)
 
-let fullWarping =
-  warpMaterialVertex
+let signsAmong inner link0 =
+  gather (fun d ->
+    match at link0 d with
+    | Some m -> if inner m then Plus else Minus
+    | None -> OnSurface)
 
-(** val onInterfaces :
-    thresholds -> materialField -> cutField -> structuredTetId -> bool **)
+(** val lowestOf : material list -> material **)
 
-let onInterfaces th material0 cut tid =
+let lowestOf = function
+| [] -> outside
+| m :: rest -> fold_left Z.min rest m
+
+(** val areDisks : material list -> material option link -> bool **)
+
+let areDisks materials link0 =
+  let lowest = lowestOf materials in
+  (&&)
+    (forallb (fun m ->
+      (||) (Z.eqb m lowest) (isDisk (signsAmong (Z.eqb m) link0))) materials)
+    (isDisk (signsAmong (fun m -> negb (Z.eqb m lowest)) link0))
+
+(** val fillsWouldTouch : material option link -> bool **)
+
+let fillsWouldTouch link0 =
+  existsb (fun pat ->
+    let (y, y0) = pat in
+    let (d, e) = y in
+    let (f, g) = y0 in
+    (match directionKind d with
+     | Long -> false
+     | Short ->
+       (match directionKind e with
+        | Long -> false
+        | Short ->
+          (match at link0 d with
+           | Some m ->
+             (match at link0 e with
+              | Some n ->
+                (match at link0 f with
+                 | Some side ->
+                   (match at link0 g with
+                    | Some side' ->
+                      (&&)
+                        ((&&) ((&&) (negb (Z.eqb m n)) (Z.eqb side side'))
+                          (negb (Z.eqb side m))) (negb (Z.eqb side n))
+                    | None -> false)
+                 | None -> false)
+              | None -> false)
+           | None -> false)))) wallTable
+
+(** val lowerOf : (coord3 -> material) -> coord3 -> direction -> material **)
+
+let lowerOf material0 v e =
+  Z.min (material0 v) (material0 (translate v (offset e)))
+
+(** val isHigher : (coord3 -> material) -> coord3 -> direction -> bool **)
+
+let isHigher material0 v e =
+  Z.ltb (material0 (translate v (offset e))) (material0 v)
+
+(** val materialSide :
+    thresholds -> (coord3 -> material) -> cutField -> signField **)
+
+let materialSide th material0 cut v =
+  match warpMaterialVertex th (fun v0 -> Some (material0 v0)) cut v with
+  | Stays -> Minus
+  | Moves (e, _) -> if isHigher material0 v e then Plus else Minus
+
+(** val materialLink :
+    (coord3 -> material) -> zeros -> coord3 -> material option link **)
+
+let materialLink material0 zeros0 v =
+  gather (fun d ->
+    placedMaterial (fun v0 -> Some (material0 v0)) (placeIn zeros0)
+      (translate v (offset d)))
+
+(** val materialsAround :
+    (coord3 -> material) -> coord3 -> direction -> material option link ->
+    material list **)
+
+let materialsAround material0 v e link0 =
+  materialsOf (fun m -> m) ((Some (material0 v)) :: ((Some
+    (material0 (translate v (offset e)))) :: (map (at link0) allDirections)))
+
+(** val lowerIn :
+    (coord3 -> material) -> zeros -> coord3 -> material option **)
+
+let lowerIn material0 zeros0 v =
+  match placeIn zeros0 v with
+  | Stays -> None
+  | Moves (e, _) -> Some (lowerOf material0 v e)
+
+(** val sharedIn :
+    (coord3 -> material) -> zeros -> structuredTetId -> material **)
+
+let sharedIn material0 zeros0 tid =
+  match map (lowerIn material0 zeros0) (corners tid) with
+  | [] -> outside
+  | o :: _ -> (match o with
+               | Some m -> m
+               | None -> outside)
+
+(** val haveMoved : zeros -> structuredTetId -> bool **)
+
+let haveMoved zeros0 tid =
   forallb (fun v ->
-    match placedMaterial material0 (fullWarping th material0 cut) v with
-    | Some _ -> false
-    | None -> true) (corners tid)
+    match placeIn zeros0 v with
+    | Stays -> false
+    | Moves (_, _) -> true) (corners tid)
 
-(** val spoiled :
-    angleBounds -> thresholds -> materialField -> cutField ->
-    (structuredTetId -> material) -> structuredTetId -> bool **)
+(** val mayShare :
+    angleBounds -> (coord3 -> material) -> cutField -> zeros ->
+    structuredTetId -> bool **)
 
-let spoiled bounds th material0 cut shared tid =
-  if Z.eqb (shared tid) outside
-  then false
-  else if onInterfaces th material0 cut tid
-       then negb
-              (isWellShaped bounds
-                (placedWhole (fullWarping th material0 cut) cut tid))
-       else false
+let mayShare bounds material0 cut zeros0 tid =
+  if haveMoved zeros0 tid
+  then let shared = sharedIn material0 zeros0 tid in
+       (&&)
+         (forallb (fun v ->
+           match lowerIn material0 zeros0 v with
+           | Some m -> Z.eqb m shared
+           | None -> false) (corners tid))
+         ((||) (Z.eqb shared outside)
+           (isWellShaped bounds (placedWhole (placeIn zeros0) cut tid)))
+  else true
 
-(** val fartherOf :
-    thresholds -> materialField -> cutField -> coord3 option -> coord3 ->
-    coord3 option **)
+(** val settleOneMaterial :
+    angleBounds -> thresholds -> (coord3 -> material) -> cutField -> zeros ->
+    coord3 -> zeros **)
 
-let fartherOf th material0 cut best v =
-  match fullWarping th material0 cut v with
-  | Stays -> best
+let settleOneMaterial bounds th material0 cut zeros0 v =
+  match warpMaterialVertex th (fun v0 -> Some (material0 v0)) cut v with
+  | Stays -> zeros0
+  | Moves (e, t0) ->
+    let link0 = materialLink material0 zeros0 v in
+    if (&&) (areDisks (materialsAround material0 v e link0) link0)
+         (negb (fillsWouldTouch link0))
+    then let reached =
+           shortened (materialSide th material0 cut) levelGap zeros0 v e t0
+         in
+         let moved = PositiveMap.add (pointKey v) (Moves (e, reached)) zeros0
+         in
+         if forallb (mayShare bounds material0 cut moved) (tetsAround v)
+         then moved
+         else zeros0
+    else zeros0
+
+(** val settleMaterials :
+    angleBounds -> thresholds -> (coord3 -> material) -> cutField -> coord3
+    list -> zeros **)
+
+let settleMaterials bounds th material0 cut vs =
+  fold_left (settleOneMaterial bounds th material0 cut) vs noZeros
+
+(** val materialTurn :
+    thresholds -> (coord3 -> material) -> cutField -> coord3 -> nat **)
+
+let materialTurn th material0 cut v =
+  match warpMaterialVertex th (fun v0 -> Some (material0 v0)) cut v with
+  | Stays -> O
   | Moves (d, t0) ->
-    (match best with
-     | Some u ->
-       (match fullWarping th material0 cut u with
-        | Stays -> Some v
-        | Moves (e, s) ->
-          if Z.ltb (Z.mul s (thresholdSteps th (directionKind d)))
-               (Z.mul t0 (thresholdSteps th (directionKind e)))
-          then Some v
-          else best)
-     | None -> Some v)
+    add
+      (add
+        (mul (S (S (S (S (S (S (S (S O))))))))
+          (Z.to_nat
+            (Z.div (Z.mul (Zpos (XO (XO XH))) t0)
+              (thresholdSteps th (directionKind d)))))
+        (if isHigher material0 v d then S (S (S (S O))) else O)) (colour v)
 
-(** val farthest :
-    thresholds -> materialField -> cutField -> structuredTetId -> coord3
-    option **)
+(** val materialsInTurn :
+    thresholds -> (coord3 -> material) -> cutField -> coord3 list -> coord3
+    list **)
 
-let farthest th material0 cut tid =
-  fold_left (fartherOf th material0 cut) (corners tid) None
+let materialsInTurn th material0 cut vs =
+  let violated0 = fun v ->
+    match warpMaterialVertex th (fun v0 -> Some (material0 v0)) cut v with
+    | Stays -> false
+    | Moves (_, _) -> true
+  in
+  let turned =
+    map (fun v -> ((materialTurn th material0 cut v), v))
+      (filter violated0 vs)
+  in
+  flat_map (fun n ->
+    map snd (filter (fun pat -> let (m, _) = pat in Nat.eqb m n) turned))
+    (seq O turns)
 
-(** val demoted :
-    angleBounds -> thresholds -> materialField -> cutField ->
-    (structuredTetId -> material) -> coord3 -> bool **)
+(** val settledMaterialTets :
+    thresholds -> (coord3 -> material) -> cutField -> zeros ->
+    structuredTetId -> (material * coord3 unstructuredTet) list **)
 
-let demoted bounds th material0 cut shared v =
-  existsb (fun tid ->
-    if spoiled bounds th material0 cut shared tid
-    then (match farthest th material0 cut tid with
-          | Some u -> coord3Equal u v
-          | None -> false)
-    else false) (tetsAround v)
-
-(** val demotedWarping :
-    angleBounds -> thresholds -> materialField -> cutField ->
-    (structuredTetId -> material) -> coord3 -> warping **)
-
-let demotedWarping bounds th material0 cut shared =
-  ruledMaterialWarping th material0 cut
-    (demoted bounds th material0 cut shared) (fun _ -> steps)
-
-(** val demotedTets :
-    angleBounds -> thresholds -> materialField -> cutField ->
-    (structuredTetId -> material) -> structuredTetId -> (material * coord3
-    unstructuredTet) list **)
-
-let demotedTets bounds th material0 cut shared tid =
-  placedMaterialTets material0
-    (demotedWarping bounds th material0 cut shared) (clampedCut th cut)
-    shared tid
+let settledMaterialTets th material0 cut zeros0 tid =
+  placedMaterialTets (fun v -> Some (material0 v)) (placeIn zeros0)
+    (clampedCut th cut) (sharedIn material0 zeros0) tid

@@ -500,10 +500,6 @@ val getMaterialTets :
   ('a1 -> material option) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 -> 'a1
   -> material -> (material * 'a1 unstructuredTet) list
 
-val ofMaterial :
-  material -> (material * 'a1 unstructuredTet) list -> 'a1 unstructuredTet
-  list
-
 type materialField = coord3 -> material option
 
 val vertexMaterial : materialField -> meshVertex -> material option
@@ -518,14 +514,8 @@ val materialNames :
 
 val materialCutFrom : materialField -> cutField -> coord3 -> direction -> z
 
-val signBeside : materialField -> material -> coord3 -> sign
-
 val warpMaterialVertex :
   thresholds -> materialField -> cutField -> coord3 -> warping
-
-val ruledMaterialWarping :
-  thresholds -> materialField -> cutField -> (coord3 -> bool) -> (coord3 ->
-  z) -> coord3 -> warping
 
 val placedMaterial :
   materialField -> (coord3 -> warping) -> coord3 -> material option
@@ -542,36 +532,57 @@ val isAngleWithin :
 
 val isWellShaped : angleBounds -> coord3 unstructuredTet -> bool
 
-val reach : z list
+val cornerOffsets : z list
 
 val anchors : coord3 -> coord3 list
 
 val tetsAround : coord3 -> structuredTetId list
 
-val fullWarping : thresholds -> materialField -> cutField -> coord3 -> warping
+val signsAmong : (material -> bool) -> material option link -> sign link
 
-val onInterfaces :
-  thresholds -> materialField -> cutField -> structuredTetId -> bool
+val lowestOf : material list -> material
 
-val spoiled :
-  angleBounds -> thresholds -> materialField -> cutField -> (structuredTetId
-  -> material) -> structuredTetId -> bool
+val areDisks : material list -> material option link -> bool
 
-val fartherOf :
-  thresholds -> materialField -> cutField -> coord3 option -> coord3 ->
-  coord3 option
+val fillsWouldTouch : material option link -> bool
 
-val farthest :
-  thresholds -> materialField -> cutField -> structuredTetId -> coord3 option
+val lowerOf : (coord3 -> material) -> coord3 -> direction -> material
 
-val demoted :
-  angleBounds -> thresholds -> materialField -> cutField -> (structuredTetId
-  -> material) -> coord3 -> bool
+val isHigher : (coord3 -> material) -> coord3 -> direction -> bool
 
-val demotedWarping :
-  angleBounds -> thresholds -> materialField -> cutField -> (structuredTetId
-  -> material) -> coord3 -> warping
+val materialSide : thresholds -> (coord3 -> material) -> cutField -> signField
 
-val demotedTets :
-  angleBounds -> thresholds -> materialField -> cutField -> (structuredTetId
-  -> material) -> structuredTetId -> (material * coord3 unstructuredTet) list
+val materialLink :
+  (coord3 -> material) -> zeros -> coord3 -> material option link
+
+val materialsAround :
+  (coord3 -> material) -> coord3 -> direction -> material option link ->
+  material list
+
+val lowerIn : (coord3 -> material) -> zeros -> coord3 -> material option
+
+val sharedIn : (coord3 -> material) -> zeros -> structuredTetId -> material
+
+val haveMoved : zeros -> structuredTetId -> bool
+
+val mayShare :
+  angleBounds -> (coord3 -> material) -> cutField -> zeros -> structuredTetId
+  -> bool
+
+val settleOneMaterial :
+  angleBounds -> thresholds -> (coord3 -> material) -> cutField -> zeros ->
+  coord3 -> zeros
+
+val settleMaterials :
+  angleBounds -> thresholds -> (coord3 -> material) -> cutField -> coord3
+  list -> zeros
+
+val materialTurn :
+  thresholds -> (coord3 -> material) -> cutField -> coord3 -> nat
+
+val materialsInTurn :
+  thresholds -> (coord3 -> material) -> cutField -> coord3 list -> coord3 list
+
+val settledMaterialTets :
+  thresholds -> (coord3 -> material) -> cutField -> zeros -> structuredTetId
+  -> (material * coord3 unstructuredTet) list

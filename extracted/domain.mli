@@ -14,3 +14,6 @@ val of_position_sign : Certified.positionSigns -> t
 val within : Lattice.t -> t -> t
 (** The domain with everything outside but the inner points of the lattice, and
     with every answer remembered, so that each is asked for once. *)
+
+val remembered : ('key, 'answer) Hashtbl.t -> 'key -> (unit -> 'answer) -> 'answer
+(** The answer in the table, or one that is computed and put there. *)

@@ -10,7 +10,8 @@ let print channel points tets =
     points;
   Printf.fprintf channel "\nTetrahedra\n%d\n" (List.length tets);
   List.iter
-    (fun (a, b, c, d) -> Printf.fprintf channel "%d %d %d %d 0\n" a b c d)
+    (fun (a, b, c, d, material) ->
+      Printf.fprintf channel "%d %d %d %d %d\n" a b c d material)
     tets;
   Printf.fprintf channel "\nEnd\n"
 

@@ -14,6 +14,8 @@ let settle gap thresholds lattice { Domain.sign = sample; cut } =
   let order = inTurn thresholds sign cut (Lattice.points lattice) in
   { thresholds; lattice; sign; cut; zeros = settle thresholds sign cut gap order }
 
+let place { zeros; _ } = placeIn zeros
+
 let iter_tets { lattice; sign; zeros; _ } visit =
   Lattice.iter_tets lattice (fun id ->
       List.iter visit (placedNames sign (placeIn zeros) id))

@@ -8,6 +8,9 @@ val settle : Certified.gap -> Certified.thresholds -> Lattice.t -> Domain.t -> t
     order; samples on the surface count as outside.  The domain is used as it is
     given: see {!Domain.within}. *)
 
+val place : t -> Certified.coord3 -> Certified.warping
+(** What became of a point of the lattice. *)
+
 val iter_tets : t -> (Mesher.tet -> unit) -> unit
 (** Visits the tetrahedra of the mesh in the order of {!Mesher.iter_tets}. *)
 

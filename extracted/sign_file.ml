@@ -42,14 +42,15 @@ let read_lattice source =
       { Lattice.origin; cells }
   | _ -> fail source "the lattice is missing"
 
-(* One grid of signs; [shift] is 0 for the even points and 1 for the odd. *)
-let read_grid source { Lattice.origin; cells } shift signs =
+(* One grid of rows of answers; [shift] is 0 for the even points and 1 for the odd. *)
+let read_grid source { Lattice.origin; cells } shift read_row answers =
   for k = 0 to cells.z - 1 do
     for j = 0 to cells.y - 1 do
-      match next source with
-      | Some row when String.length row = cells.x ->
-          String.iteri
-            (fun i c ->
+      let row = Option.map (read_row source) (next source) in
+      match row with
+      | Some row when List.length row = cells.x ->
+          List.iteri
+            (fun i answer ->
               let p =
                 {
                   x = origin.x + (2 * i) + shift;
@@ -57,11 +58,21 @@ let read_grid source { Lattice.origin; cells } shift signs =
                   z = origin.z + (2 * k) + shift;
                 }
               in
-              Hashtbl.replace signs p (sign_of_char source c))
+              Hashtbl.replace answers p answer)
             row
-      | _ -> fail source (Printf.sprintf "a row of %d signs is missing" cells.x)
+      | _ -> fail source (Printf.sprintf "a row of %d answers is missing" cells.x)
     done
   done
+
+let signs_of_row source row = List.map (sign_of_char source) (List.of_seq (String.to_seq row))
+
+let materials_of_row source row =
+  let material word =
+    match int_of_string_opt word with
+    | Some m when m >= 0 -> z_of_int m
+    | _ -> fail source (Printf.sprintf "'%s' is no material" word)
+  in
+  List.map material (words row)
 
 let rec read_cuts source cuts =
   match next source with
@@ -76,31 +87,42 @@ let rec read_cuts source cuts =
           read_cuts source cuts
       | _ -> fail source "a cut is seven whole numbers")
 
-let read_source source =
-  let signs = Hashtbl.create 4096 in
+(* The lattice, what is told of its points, and the cuts of edges. *)
+let read_source title read_row otherwise source =
+  let answers = Hashtbl.create 4096 in
   let cuts = Hashtbl.create 4096 in
-  expect source "certet-signs";
+  expect source title;
   let lattice = read_lattice source in
   expect source "even";
-  read_grid source lattice 0 signs;
+  read_grid source lattice 0 read_row answers;
   expect source "odd";
-  read_grid source lattice 1 signs;
+  read_grid source lattice 1 read_row answers;
   (match next source with
   | None | Some "" -> ()
   | Some "cuts" -> read_cuts source cuts
   | Some _ -> fail source "'cuts' or the end is expected");
-  let sign v =
-    Option.value (Hashtbl.find_opt signs (point_of_coord3 v)) ~default:Minus
+  let answer v =
+    Option.value (Hashtbl.find_opt answers (point_of_coord3 v)) ~default:otherwise
   in
-  let cut plus minus =
+  let cut first last =
     Option.value
-      (Hashtbl.find_opt cuts (point_of_coord3 plus, point_of_coord3 minus))
+      (Hashtbl.find_opt cuts (point_of_coord3 first, point_of_coord3 last))
       ~default:midpointCut
   in
-  (lattice, { Domain.sign; cut })
+  (lattice, answer, cut)
 
-let read name =
+let with_file name read =
   let channel = open_in name in
   Fun.protect
     ~finally:(fun () -> close_in_noerr channel)
-    (fun () -> read_source { name; channel; line = 0 })
+    (fun () -> read { name; channel; line = 0 })
+
+let read name =
+  let lattice, sign, cut = with_file name (read_source "certet-signs" signs_of_row Minus) in
+  (lattice, { Domain.sign; cut })
+
+let read_materials name =
+  let lattice, material, cut =
+    with_file name (read_source "certet-materials" materials_of_row outside)
+  in
+  (lattice, { Material_domain.material; cut })

@@ -15,6 +15,10 @@ v}
 
 exception Malformed of string
 
+val read_materials : string -> Lattice.t * Material_domain.t
+(** The same of several materials: the first line is [certet-materials], a row has numbers
+    from 0, the outside, and a cut has the end of the higher material first. *)
+
 val read : string -> Lattice.t * Domain.t
 (** Raises {!Malformed} with one sentence that names the file and the line, or
     [Sys_error]. *)

@@ -8,6 +8,7 @@
 
 #include "certet/domain.hpp"
 #include "certet/stuffing.hpp"
+#include "random_blocks.hpp"
 #include "seed.hpp"
 
 namespace extents {
@@ -21,11 +22,7 @@ std::string contradiction(Random& random, const certet::Domain& domain,
   using certet::Extent;
   using certet::Sign;
   constexpr int side = 6, last = 2 * side - 1;
-  const auto at = [&](std::int32_t from, std::int32_t count) {
-    return from + 2 * between(random, 0, count - side);
-  };
-  const Coord3 low{at(lattice.origin.x, lattice.cells[0]), at(lattice.origin.y, lattice.cells[1]),
-                   at(lattice.origin.z, lattice.cells[2])};
+  const Coord3 low = random_block(random, lattice, side);
   const Extent extent = domain.extent({low, low + Coord3{last, last, last}});
   if (extent == Extent::mixed) return "";
   ++decided;
@@ -47,10 +44,39 @@ std::string contradiction(Random& random, const certet::Domain& domain,
 template <class Random>
 std::string first_contradiction(Random& random, const certet::Domain& domain,
                                 const certet::Lattice& lattice, int blocks, int& decided) {
-  for (int i = 0; i < blocks; ++i)
-    if (std::string found = contradiction(random, domain, lattice, decided); !found.empty())
-      return found;
-  return "";
+  return first_fault(blocks, [&] { return contradiction(random, domain, lattice, decided); });
+}
+
+/// How many blocks of 16 cells a side are known to be on one side, and where one has a point
+/// on the other; looked at in four rows of each.
+struct Known {
+  int inside = 0, outside = 0;
+  std::string contradiction;
+};
+
+inline Known known_blocks(const certet::Domain& domain, const certet::Lattice& lattice) {
+  using certet::Coord3;
+  using certet::Extent;
+  using certet::Sign;
+  Known known;
+  std::array<Sign, 16> row;
+  for (int k = 0; k < lattice.cells[2]; k += 16)
+    for (int j = 0; j < lattice.cells[1]; j += 16)
+      for (int i = 0; i < lattice.cells[0]; i += 16) {
+        const Coord3 low = lattice.origin + 2 * Coord3{i, j, k};
+        const Extent extent = domain.extent({low, low + Coord3{31, 31, 31}});
+        if (extent == Extent::mixed) continue;
+        ++(extent == Extent::inside ? known.inside : known.outside);
+        for (int n = 0; n < 16; n += 5) {
+          domain.row(low + Coord3{0, 2 * n, 2 * ((7 * n) % 16)}, row);
+          for (const Sign sign : row)
+            if (sign != (extent == Extent::inside ? Sign::plus : Sign::minus))
+              known.contradiction = "the block at " + std::to_string(i) + " " +
+                                    std::to_string(j) + " " + std::to_string(k) +
+                                    " has points on both sides";
+        }
+      }
+  return known;
 }
 
 }  // namespace extents

@@ -3,6 +3,7 @@
 /// Domains of several materials, and whether what a domain says of its materials
 /// is what it says of its solid.
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>
@@ -13,6 +14,8 @@
 
 #include "certet/domain.hpp"
 #include "certet/lattice.hpp"
+#include "domains.hpp"
+#include "random_blocks.hpp"
 #include "seed.hpp"
 
 namespace materials {
@@ -72,6 +75,34 @@ inline Positional cubes(std::uint64_t seed, std::int32_t side, std::vector<std::
           }};
 }
 
+/// Noise of every frequency: each position has its own random material.
+inline Positional noise(std::uint64_t seed, std::vector<std::int32_t> labels, unsigned outside) {
+  const auto count = labels.size();
+  return {std::move(labels), [=](Coord3 p) -> Material {
+            const std::uint64_t h = mixed(seed, p.x, p.y, p.z);
+            return h % 256 < outside ? 0 : 1 + static_cast<Material>(h / 256 % count);
+          }};
+}
+
+/// Lattice points have random materials, and an edge between two is cut where `cuts` say:
+/// one of them by chance, in steps from the end of the higher material.
+inline Positional random_cuts(std::uint64_t seed, std::vector<std::int32_t> labels,
+                              unsigned outside, std::vector<std::int32_t> cuts) {
+  const auto count = labels.size();
+  const auto corner = [=](Coord3 v) -> Material {
+    const std::uint64_t h = mixed(seed, v.x, v.y, v.z);
+    return h % 256 < outside ? 0 : 1 + static_cast<Material>(h / 256 % count);
+  };
+  return {std::move(labels), [=, cuts = std::move(cuts)](Coord3 p) -> Material {
+            const auto [a, b, t] = domains::edge_of(p);
+            const auto [low, high] = std::minmax(corner(a), corner(b));
+            if (t == 0 || low == high) return corner(a);
+            const std::int32_t from_high = corner(a) == high ? t : certet::steps - t;
+            const std::uint64_t h = mixed(seed + 1, a.x, a.y, a.z, b.x, b.y, b.z);
+            return from_high <= cuts[h % cuts.size()] ? high : low;
+          }};
+}
+
 inline std::string text(Coord3 p) {
   return std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z);
 }
@@ -82,11 +113,7 @@ template <class Random>
 std::string contradiction(Random& random, const certet::Domain& domain,
                           const certet::Lattice& lattice, int& decided) {
   constexpr int side = 4, last = 2 * side - 1;
-  const auto at = [&](std::int32_t from, std::int32_t count) {
-    return from + 2 * between(random, 0, count - side);
-  };
-  const Coord3 low{at(lattice.origin.x, lattice.cells[0]), at(lattice.origin.y, lattice.cells[1]),
-                   at(lattice.origin.z, lattice.cells[2])};
+  const Coord3 low = random_block(random, lattice, side);
   const std::optional<Material> whole =
       domain.material_of({low, low + Coord3{last, last, last}});
   if (whole) ++decided;
@@ -118,10 +145,7 @@ std::string contradiction(Random& random, const certet::Domain& domain,
 template <class Random>
 std::string first_contradiction(Random& random, const certet::Domain& domain,
                                 const certet::Lattice& lattice, int blocks, int& decided) {
-  for (int i = 0; i < blocks; ++i)
-    if (std::string found = contradiction(random, domain, lattice, decided); !found.empty())
-      return found;
-  return "";
+  return first_fault(blocks, [&] { return contradiction(random, domain, lattice, decided); });
 }
 
 }  // namespace materials

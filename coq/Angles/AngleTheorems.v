@@ -3,18 +3,13 @@
     Closed under the global context. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Forms.CheckerProof Angles.Cases.Configurations.
-From Certet Require Import Angles.Cases.SymmetryProof.
-From Certet Require Import Angles.Cases.ReductionProof Angles.Cases.AdmissibleProof.
-From Certet Require Import Angles.Jobs.AnglesFewSurface.
-From Certet Require Import Angles.Jobs.AnglesManySurface.
-From Certet Require Import Angles.Jobs.EmbeddingFewSurface.
-From Certet Require Import Angles.Jobs.EmbeddingManySurface.
-From Certet Require Import Angles.Jobs.MidpointFixed.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Angles.Forms.CheckerProof Angles.Cases.Configurations
+  Angles.Cases.SymmetryProof Angles.Cases.ReductionProof
+  Angles.Cases.AdmissibleProof Angles.Jobs.AnglesFewSurface
+  Angles.Jobs.AnglesManySurface Angles.Jobs.EmbeddingFewSurface
+  Angles.Jobs.EmbeddingManySurface Angles.Jobs.MidpointFixed.
 Import ListNotations.
 Open Scope Z_scope.
 

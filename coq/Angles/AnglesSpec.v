@@ -7,9 +7,8 @@
     the remaining cuts are, all in [Steps]. *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions.
 From Certet Require Import Angles.Geometry.
 Import ListNotations.
 Open Scope Z_scope.

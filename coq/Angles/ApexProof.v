@@ -1,9 +1,9 @@
 (** * The two tetrahedra at a face lie on its two sides: proof *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Lattice.NeighborSpec Lattice.FaceProof.
-From Certet Require Import Stuffing.MeshSpec Angles.Geometry.
+From Certet Require Import Lattice.Definitions Stuffing.Definitions
+  Angles.Definitions.
+From Certet Require Import Lattice.FaceProof.
 Import ListNotations.
 Open Scope Z_scope.
 

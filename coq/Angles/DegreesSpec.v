@@ -4,8 +4,8 @@
     would define it, so that the integer bounds can be read in degrees. *)
 
 From Coq Require Import ZArith Reals List.
-From Certet Require Import Lattice.Coord3 Stencil.UnstructuredTet.
-From Certet Require Import Angles.Geometry.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Angles.Definitions.
 Open Scope R_scope.
 
 (** The angle between the faces [abc] and [abd] of a tetrahedron, in degrees. *)

@@ -3,15 +3,11 @@
     The theorems that ask for [CutsOnEdges], without asking. *)
 
 From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Stencil.StencilSet Stencil.TriangleSpec.
-From Certet Require Import Warp.Cut Warp.Warp Warp.CutProof.
-From Certet Require Import Stuffing.Stuffing Stuffing.Domain.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Cases.AdmissibleProof Angles.AngleTheorems.
-From Certet Require Import Angles.LatticeProof.
-From Certet Require Import Stuffing.NameProof Stuffing.VerticesProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Warp.CutProof Angles.Cases.AdmissibleProof
+  Angles.AngleTheorems Angles.LatticeProof Stuffing.NameProof
+  Stuffing.VerticesProof.
 Import ListNotations.
 Open Scope Z_scope.
 

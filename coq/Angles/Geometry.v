@@ -11,7 +11,7 @@
     fraction. *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Coord3 Stencil.UnstructuredTet.
+From Certet Require Import Lattice.Definitions Stencil.Definitions.
 From Certet Require Export Stencil.StencilSet.
 Import ListNotations.
 Open Scope Z_scope.

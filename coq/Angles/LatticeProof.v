@@ -5,16 +5,13 @@
     tetrahedron's is positive, and no corner reaches the far end. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Forms.BoxFormProof.
-From Certet Require Import Angles.Forms.EdgeProof Angles.Forms.CheckerProof.
-From Certet Require Import Angles.Cases.SymmetryProof.
-From Certet Require Import Angles.Cases.Configurations Angles.Cases.Isometry.
-From Certet Require Import Angles.Cases.ReductionProof Angles.Cases.AdmissibleProof.
-From Certet Require Import Angles.AngleTheorems Angles.Jobs.LatticeKeepsVolume.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Angles.Forms.BoxFormProof Angles.Forms.EdgeProof
+  Angles.Forms.CheckerProof Angles.Cases.SymmetryProof
+  Angles.Cases.Configurations Angles.Cases.Isometry Angles.Cases.ReductionProof
+  Angles.Cases.AdmissibleProof Angles.AngleTheorems
+  Angles.Jobs.LatticeKeepsVolume.
 Import ListNotations.
 Open Scope Z_scope.
 

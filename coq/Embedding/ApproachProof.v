@@ -5,9 +5,8 @@
     so that one of them leads nearer to any point that is not near already. *)
 
 From Coq Require Import ZArith Lia Wf_nat.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.Rounding.
-From Certet Require Import Embedding.LatticeEmbedsProof.
+From Certet Require Import Lattice.Definitions Embedding.Definitions.
+From Certet Require Import Embedding.Rounding Embedding.LatticeEmbedsProof.
 Open Scope Z_scope.
 
 (** ** One more count *)

@@ -5,20 +5,14 @@
     from + to +. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol Stencil.SymbolProof.
-From Certet Require Import Stencil.CompatibilityChecker Stencil.TriangleSpec.
-From Certet Require Import Stencil.TriangleChecker Stencil.TriangleCheckerProof.
-From Certet Require Import Warp.Cut Warp.Warp.
-From Certet Require Import Stuffing.Stuffing Stuffing.MeshSpec.
-From Certet Require Import Stuffing.NameProof Stuffing.MeshProof.
-From Certet Require Import Angles.AnglesSpec Angles.AngleTheorems.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
-From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
-From Certet Require Import Embedding.MeshApartProof.
-From Certet Require Import Embedding.LeavingProof Embedding.StarProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.SymbolProof
+  Stencil.CompatibilityChecker Stencil.TriangleChecker
+  Stencil.TriangleCheckerProof Stuffing.NameProof Stuffing.MeshProof
+  Angles.AngleTheorems Embedding.EdgeRank Embedding.GreedyProof
+  Embedding.MeshApartProof Embedding.LeavingProof Embedding.StarProof.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -1,17 +1,12 @@
 (** * The mesh of the strict disk has the pieces of the samples: proof *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.NeighborSpec.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
-From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
-From Certet Require Import Embedding.GreedyProof.
-From Certet Require Import Embedding.LeavingProof Embedding.LinkProof.
-From Certet Require Import Embedding.DiskRuleProof Embedding.PiecesProof.
-From Certet Require Import Embedding.RuledMeshProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Embedding.GreedyProof Embedding.LeavingProof
+  Embedding.LinkProof Embedding.DiskRuleProof Embedding.PiecesProof
+  Embedding.RuledMeshProof.
 Import ListNotations.
 
 (** Checking a proof needs its name, never what it is. *)

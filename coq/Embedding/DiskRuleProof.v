@@ -1,17 +1,11 @@
 (** * The rule of the strict disk, turn by turn *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec Angles.Cases.Isometry.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
-From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
-From Certet Require Import Embedding.SettleSpec.
-From Certet Require Import Embedding.GreedyProof.
-From Certet Require Import Embedding.LeavingProof Embedding.LinkProof.
-From Certet Require Import Embedding.DiskStepProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.GreedyProof
+  Embedding.LeavingProof Embedding.LinkProof Embedding.DiskStepProof.
 Import ListNotations.
 
 (** Checking a proof needs their names, never what they are. *)
@@ -105,7 +99,7 @@ Section Rule.
     sign v = Plus -> MayLeave Coord3 Adjacent (fun x => now n x = Plus) v.
   Proof.
     intros S S' P. destruct (SettledMeans n v S S') as (_ & _ & D).
-    split; [apply NowPlus; auto|]. split; [apply NeverNext|].
+    split; [apply NowPlus; auto|]. split; [apply NeverAdjacent|].
     exact (InsideAround (now n) v D).
   Qed.
 
@@ -153,7 +147,7 @@ Section Rule.
   Proof.
     intros S S'. destruct (SettledMeans n v S S') as (_ & _ & D).
     split; [unfold outside; rewrite NowPlus, S; intros [H _]; discriminate H|].
-    split; [apply NeverNext|].
+    split; [apply NeverAdjacent|].
     apply (PieceAround v (fun d => negb (IsInner (LinkOf (now n) v) d))).
     - unfold StrictDisk in D. rewrite !andb_true_iff in D. apply D.
     - intros d. set (u := Translate v (Offset d)).

@@ -1,22 +1,12 @@
 (** * What a vertex finds when its link is a strict disk *)
 
 From Coq Require Import List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec Angles.Cases.Isometry.
-From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
-From Certet Require Import Embedding.SettleSpec.
-From Certet Require Import Embedding.LeavingProof Embedding.LinkProof.
-From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.LeavingProof
+  Embedding.LinkProof Embedding.EdgeRank Embedding.GreedyProof.
 Import ListNotations.
-
-Lemma NeverNext v : ~ Adjacent v v.
-Proof.
-  intros [d E]. destruct v as [x y z], d; cbn [Translate Offset] in E;
-    injection E; lia.
-Qed.
 
 (** No face of the lattice that is 0 has + on both sides. *)
 Definition NoWallIn (now : SignField) : Prop :=
@@ -122,7 +112,7 @@ Section Steps.
       + apply (AllLeave_one Adjacent v _ _ _ IH).
         destruct (InsideAround before v D) as [(x & X & I) J].
         assert (N : forall u, Adjacent v u -> u <> v)
-          by (intros u A ->; exact (NeverNext v A)).
+          by (intros u A ->; exact (NeverAdjacent v A)).
         split; [exact W|]. split; [rewrite V; discriminate|]. split; [exact K|].
         split; [exists x; split; [exact X|apply K; auto]|].
         intros u w U W' Iu Iw.
@@ -164,7 +154,7 @@ Section Steps.
       assert (Z : forall x, now x = OnSurface -> x <> v -> before x = OnSurface).
       { intros x X N. rewrite <- (E x N). exact X. }
       assert (N : forall x y, Adjacent x y -> x = v -> y <> v).
-      { intros x y X -> ->. exact (NeverNext v X). }
+      { intros x y X -> ->. exact (NeverAdjacent v X). }
       destruct (SamePoint3 a v) as [->|Na];
         [|destruct (SamePoint3 b v) as [->|Nb];
           [|destruct (SamePoint3 c v) as [->|Nc]]].

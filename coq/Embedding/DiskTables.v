@@ -4,8 +4,7 @@
     laid out once, what depends on the + of a link once for all its 0. *)
 
 From Coq Require Import List Bool Arith.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet.
+From Certet Require Import Lattice.Definitions Stencil.Definitions.
 From Certet Require Import Embedding.DiskRule.
 Import ListNotations.
 

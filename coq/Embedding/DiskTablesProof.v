@@ -1,11 +1,10 @@
 (** * The strict disk by tables is the strict disk *)
 
 From Coq Require Import List Bool Arith Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Angles.Cases.Isometry.
-From Certet Require Import Embedding.DiskRule Embedding.DiskTables.
-From Certet Require Import Embedding.LinkProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Embedding.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.DiskTables
+  Embedding.LinkProof.
 Import ListNotations.
 
 Lemma AtGather {A} (f : Direction -> A) d : At (Gather f) d = f d.
@@ -14,9 +13,6 @@ Proof. destruct d; reflexivity. Qed.
 Lemma GatherSame {A} (f g : Direction -> A) : (forall d, f d = g d) ->
   Gather f = Gather g.
 Proof. intros E. unfold Gather. rewrite !E. reflexivity. Qed.
-
-Lemma SameDirectionRefl d : SameDirection d d = true.
-Proof. destruct d; reflexivity. Qed.
 
 Lemma EqualIfBothWays (a b : bool) : (a = true <-> b = true) -> a = b.
 Proof. destruct a, b; intuition congruence. Qed.

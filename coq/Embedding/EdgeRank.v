@@ -12,14 +12,12 @@
     the third. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol Stencil.SymbolProof.
-From Certet Require Import Stencil.CompatibilityChecker Stencil.TriangleSpec.
-From Certet Require Import Warp.Cut Warp.Warp.
-From Certet Require Import Stuffing.Stuffing Stuffing.NameProof.
-From Certet Require Import Angles.AnglesSpec Embedding.EmbeddingSpec.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.SymbolProof
+  Stencil.CompatibilityChecker Stuffing.NameProof.
+From Certet Require Angles.Cases.SymmetryProof.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -66,15 +64,11 @@ Definition PlaceRank (i j : Place) : Z :=
 Definition DirectionTo (u v : Coord3) : option Direction :=
   find (fun d => Coord3Equal (Offset d) (Difference u v)) AllDirections.
 
-Lemma DifferenceTranslate a u v :
-  Difference (Translate a u) (Translate a v) = Difference u v.
-Proof. destruct a, u, v. cbn [Translate Difference]. f_equal; lia. Qed.
-
 Lemma EdgeRankTranslate a b c u v :
   let even := C3 (2 * a) (2 * b) (2 * c) in
   EdgeRank (Translate even u) (Translate even v) = EdgeRank u v.
 Proof.
-  cbv zeta. unfold EdgeRank. rewrite DifferenceTranslate.
+  cbv zeta. unfold EdgeRank. rewrite SymmetryProof.TranslatedDifference.
   destruct (Difference u v), u. cbn [Translate]. rewrite Z.add_comm, Z.even_add_mul_2. reflexivity.
 Qed.
 
@@ -106,7 +100,7 @@ Section Structured.
       exists d. apply DirectionToMeans, D. }
     unfold at_, DirectionTo. destruct tid as [anchor case].
     destruct case, i, j; try congruence; cbn [GetStructuredTet VertexAt];
-      rewrite DifferenceTranslate; discriminate.
+      rewrite SymmetryProof.TranslatedDifference; discriminate.
   Qed.
 
   Lemma PlaceOf c : In c (Corners tid) <-> exists i, c = at_ i.

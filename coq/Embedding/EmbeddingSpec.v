@@ -7,14 +7,13 @@
     that nothing is rounded here. *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions.
 Import ListNotations.
 Open Scope Z_scope.
+
+Definition SixVolumeOf (t : UnstructuredTet Coord3) : Z :=
+  match t with UT _ a b c d => SixVolume a b c d end.
 
 (** ** Points by weights *)
 

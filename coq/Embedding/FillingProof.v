@@ -4,11 +4,9 @@
     along one placed short edge. *)
 
 From Coq Require Import ZArith Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.NeighborSpec.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.Rounding.
-From Certet Require Import Embedding.LatticeEmbedsProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Embedding.Definitions.
+From Certet Require Import Embedding.Rounding Embedding.LatticeEmbedsProof.
 Open Scope Z_scope.
 
 (** ** Every count *)

@@ -6,21 +6,14 @@
     corners, and the parts are more than that. *)
 
 From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.NeighborSpec.
-From Certet Require Import Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.TriangleSpec.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Cases.AdmissibleProof.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.Rounding.
-From Certet Require Import Embedding.LatticeEmbedsProof Embedding.EdgeRank.
-From Certet Require Import Embedding.WarpedLatticeProof Embedding.MeshEmbedsProof.
-From Certet Require Import Embedding.GreedyProof.
-From Certet Require Import Embedding.LevelProof Embedding.LatticeVolumeProof.
-From Certet Require Import Embedding.StarProof.
-From Certet Require Import Embedding.FillingProof Embedding.ApproachProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Angles.Cases.AdmissibleProof Embedding.Rounding
+  Embedding.LatticeEmbedsProof Embedding.EdgeRank Embedding.WarpedLatticeProof
+  Embedding.MeshEmbedsProof Embedding.GreedyProof Embedding.LevelProof
+  Embedding.LatticeVolumeProof Embedding.StarProof Embedding.FillingProof
+  Embedding.ApproachProof.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -56,7 +49,7 @@ Proof.
 Qed.
 
 Lemma InsideByVolumes t w x m e : 0 <= m -> 0 <= e ->
-  NonNegative w -> 0 < TetVolume t -> 6 * (m * m) * e < Total w ->
+  NonNegative w -> 0 < SixVolumeOf t -> 6 * (m * m) * e < Total w ->
   (forall p q, In p (TetCorners t) -> In q (TetCorners t) ->
      Near m (Difference p q)) ->
   Near e (Difference (PointOf w t) (Scale (Total w) x)) ->
@@ -78,7 +71,7 @@ Proof.
     In k [p; q; r; s] -> Z.abs (Dot (Normal i j k) d) <= 6 * (m * m) * e).
   { intros i j k I J K. apply NormalDotBound; auto. }
   cbn [In] in Bound.
-  cbn [TetVolume] in V. set (volume := SixVolume p q r s) in *.
+  cbn [SixVolumeOf] in V. set (volume := SixVolume p q r s) in *.
   pose proof (fun i => Z.mul_nonneg_nonneg volume i (Z.lt_le_incl _ _ V)) as VW.
   repeat split.
   - apply (WholeUnits n (6 * (m * m) * e) _ (Dot (Normal q r s) d)); auto 8.

@@ -9,11 +9,9 @@
     falls along the others: this is what it means that short edges are kept. *)
 
 From Coq Require Import ZArith Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.NeighborSpec.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Stencil.StencilSet.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.Rounding.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Embedding.Definitions.
+From Certet Require Import Embedding.Rounding.
 Open Scope Z_scope.
 
 (** ** Coordinates *)

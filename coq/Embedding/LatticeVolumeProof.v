@@ -5,10 +5,9 @@
     them, and their sum is the fourth one's opposite. *)
 
 From Coq Require Import ZArith Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Angles.Geometry.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.StarProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Angles.Definitions Embedding.Definitions.
+From Certet Require Import Embedding.StarProof.
 Open Scope Z_scope.
 
 Lemma DeterminantPositive a1 b1 c1 a2 b2 c2 a3 b3 c3 :

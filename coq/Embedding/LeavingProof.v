@@ -1,7 +1,7 @@
 (** * Whoever leaves so, no piece is lost, cut or joined to another: proof *)
 
 From Coq Require Import List.
-From Certet Require Import Embedding.PiecesSpec.
+From Certet Require Import Embedding.Definitions.
 
 Section Joined.
   Variables (V : Type) (inside : V -> Prop) (next : V -> V -> Prop).

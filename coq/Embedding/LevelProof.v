@@ -6,17 +6,12 @@
     little enough, if their volumes are positive; so there was none. *)
 
 From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.NeighborSpec.
-From Certet Require Import Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Embedding.EmbeddingSpec.
-From Certet Require Import Embedding.LatticeEmbedsProof.
-From Certet Require Import Embedding.WarpedLatticeProof.
-From Certet Require Import Embedding.GreedyProof Embedding.MeshEmbedsProof.
-From Certet Require Import Embedding.MeshApartProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Embedding.LatticeEmbedsProof
+  Embedding.WarpedLatticeProof Embedding.GreedyProof Embedding.MeshEmbedsProof
+  Embedding.MeshApartProof.
 Open Scope Z_scope.
 
 (** ** A point's weights from volumes *)
@@ -31,23 +26,20 @@ Definition Parts (n : Z) (y : Coord3) (t : UnstructuredTet Coord3) : Weights :=
            (Dot (Normal a b c) (Difference (Scale n a) y))
   end.
 
-Definition TetVolume (t : UnstructuredTet Coord3) : Z :=
-  match t with UT _ a b c d => SixVolume a b c d end.
-
 Ltac coordinates :=
   repeat match goal with v : Coord3 |- _ => destruct v end;
-  unfold Parts, TetVolume, SixVolume, Normal;
+  unfold Parts, SixVolumeOf, SixVolume, Normal;
   cbn [Difference Cross Dot Scale Translate PointOf Total Blend].
 
-Lemma PartsPoint n y t : PointOf (Parts n y t) t = Scale (TetVolume t) y.
+Lemma PartsPoint n y t : PointOf (Parts n y t) t = Scale (SixVolumeOf t) y.
 Proof. destruct t as [a b c d]. coordinates. f_equal; ring. Qed.
 
-Lemma PartsTotal n y t : Total (Parts n y t) = TetVolume t * n.
+Lemma PartsTotal n y t : Total (Parts n y t) = SixVolumeOf t * n.
 Proof. destruct t as [a b c d]. coordinates. ring. Qed.
 
 (** They are the weights, but for the volume. *)
 Lemma PartsOfPoint w t :
-  Parts (Total w) (PointOf w t) t = Blend (TetVolume t) w 0 w.
+  Parts (Total w) (PointOf w t) t = Blend (SixVolumeOf t) w 0 w.
 Proof. destruct w as [p q r s], t as [a b c d]. coordinates. f_equal; ring. Qed.
 
 Lemma PointOfBlend x w t : PointOf (Blend x w 0 w) t = Scale x (PointOf w t).
@@ -141,7 +133,7 @@ Proof.
   set (y := PointOf w (MapTet old t)) in *. clearbody y.
   set (k := Total w) in *. clearbody k.
   destruct w as [p q r s], t as [a b c d]. cbn [MapTet Positive AllPositive] in *.
-  unfold Parts, TetVolume, Normal in *. cbn [Blend] in E.
+  unfold Parts, SixVolumeOf, Normal in *. cbn [Blend] in E.
   injection E as Ea Eb Ec Ed. destruct W as (Wa & Wb & Wc & Wd).
   repeat apply EventuallyAnd.
   all: eapply EventuallyMeans;
@@ -174,7 +166,7 @@ Proof.
   rewrite <- O, <- PointNearly, <- T in H.
   set (near := fun v => Nearly n (old v) (new v)) in *.
   set (y := PointOf w (MapTet near t)) in *.
-  set (volume := TetVolume (MapTet near t')).
+  set (volume := SixVolumeOf (MapTet near t')).
   pose proof (PartsTotal (Total w) y (MapTet near t')) as PT.
   assert (0 < volume).
   { assert (A : forall u, AllPositive u -> 0 < Total u) by (intros []; cbn; lia).

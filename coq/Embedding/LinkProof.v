@@ -1,11 +1,18 @@
 (** * The link of a vertex: what its checks tell *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Angles.Cases.Isometry.
-From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
-From Certet Require Import Embedding.LeavingProof.
+From Certet Require Import Lattice.Definitions Embedding.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.LeavingProof.
 Import ListNotations.
+
+Lemma NeverAdjacent v : ~ Adjacent v v.
+Proof.
+  intros [d E]. destruct v as [x y z], d; cbn [Translate Offset] in E;
+    injection E; lia.
+Qed.
+
+Lemma SameDirectionRefl d : SameDirection d d = true.
+Proof. destruct d; reflexivity. Qed.
 
 Lemma AdjacentMutual u v : Adjacent u v -> Adjacent v u.
 Proof.

@@ -5,8 +5,7 @@
     made good by another that is lighter. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Stencil.UnstructuredTet Stencil.TriangleSpec.
-From Certet Require Import Embedding.EmbeddingSpec.
+From Certet Require Import Stencil.Definitions Embedding.Definitions.
 Import ListNotations.
 Open Scope Z_scope.
 

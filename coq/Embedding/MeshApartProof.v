@@ -6,21 +6,14 @@
     same vertices. *)
 
 From Coq Require Import ZArith List Bool Permutation Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.StructuredTetProof.
-From Certet Require Import Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol Stencil.SymbolProof.
-From Certet Require Import Stencil.CompatibilityChecker Stencil.TriangleSpec.
-From Certet Require Import Stencil.TriangleChecker Stencil.TriangleCheckerProof.
-From Certet Require Import Warp.Cut Warp.Warp.
-From Certet Require Import Stuffing.Stuffing Stuffing.NameProof.
-From Certet Require Import Angles.AnglesSpec.
-From Certet Require Import Embedding.EmbeddingSpec.
-From Certet Require Import Embedding.LatticeEmbedsProof.
-From Certet Require Import Embedding.WarpedLatticeProof.
-From Certet Require Import Embedding.Measure Embedding.EdgeRank.
-From Certet Require Import Embedding.GreedyProof Embedding.MeshEmbedsProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Lattice.StructuredTetProof Stencil.Symbol
+  Stencil.SymbolProof Stencil.CompatibilityChecker Stencil.TriangleChecker
+  Stencil.TriangleCheckerProof Stuffing.NameProof Embedding.LatticeEmbedsProof
+  Embedding.WarpedLatticeProof Embedding.Measure Embedding.EdgeRank
+  Embedding.GreedyProof Embedding.MeshEmbedsProof.
 Import ListNotations.
 Open Scope Z_scope.
 

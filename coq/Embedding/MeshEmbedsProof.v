@@ -7,17 +7,12 @@
     filled in one way. *)
 
 From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.NeighborSpec.
-From Certet Require Import Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.TriangleSpec.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec Angles.Cases.AdmissibleProof.
-From Certet Require Import Embedding.EmbeddingSpec.
-From Certet Require Import Embedding.LatticeEmbedsProof.
-From Certet Require Import Embedding.WarpedLatticeProof.
-From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Angles.Cases.AdmissibleProof
+  Embedding.LatticeEmbedsProof Embedding.WarpedLatticeProof Embedding.EdgeRank
+  Embedding.GreedyProof.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -5,12 +5,9 @@
     common faces. *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.NeighborSpec.
-From Certet Require Import Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.TriangleSpec.
-From Certet Require Import Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec Embedding.EmbeddingSpec.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Embedding.EmbeddingSpec.
 Import ListNotations.
 
 (** Joined by steps, all of them inside. *)

@@ -1,12 +1,11 @@
 (** * Any subset stays: the angles *)
 
 From Coq Require Import ZArith Reals List Lra.
-From Certet Require Import Lattice.Coord3 Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
-From Certet Require Import Angles.Degrees.DegreesProof.
-From Certet Require Import Embedding.WarpOrClamp Embedding.RuledMeshProof.
-From Certet Require Import Embedding.Settle Embedding.SettledMeshProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Angles.DegreesSpec Angles.Degrees.DegreesProof
+  Embedding.RuledMeshProof Embedding.SettledMeshProof.
 
 Theorem RuledBoundsInDegrees sign cut stays limit tid t : CutsOnEdges sign cut ->
   In t (WarpOrClamp AngleThresholds sign cut stays limit tid) ->

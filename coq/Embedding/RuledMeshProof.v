@@ -1,16 +1,11 @@
 (** * The mesh of a rule: it embeds if no short edge is crossed *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.NeighborSpec.
-From Certet Require Import Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Cases.Isometry Angles.AngleTheorems.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.WarpOrClamp.
-From Certet Require Import Embedding.MeshEmbedsProof Embedding.LevelProof.
-From Certet Require Import Embedding.WarpOrClampProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Angles.Cases.Isometry Angles.AngleTheorems
+  Embedding.MeshEmbedsProof Embedding.LevelProof Embedding.WarpOrClampProof.
 Open Scope Z_scope.
 
 Section Mesh.

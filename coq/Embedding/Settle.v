@@ -31,12 +31,10 @@
     All of it is integers. *)
 
 From Coq Require Import ZArith List Bool FMapPositive.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
-From Certet Require Import Embedding.DiskTables.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule
+  Embedding.DiskTables.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -1,14 +1,12 @@
 (** * The order: each violated vertex has a turn, and those of a colour are free *)
 
 From Coq Require Import ZArith List Bool Permutation Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec Angles.Cases.AdmissibleProof.
-From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
-From Certet Require Import Embedding.DiskTables Embedding.Settle.
-From Certet Require Import Embedding.GreedyProof Embedding.DiskStepProof.
-From Certet Require Import Embedding.DiskPiecesProof Embedding.SettleProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Angles.Cases.AdmissibleProof Embedding.DiskTables
+  Embedding.GreedyProof Embedding.DiskStepProof Embedding.DiskPiecesProof
+  Embedding.SettleProof.
 Import ListNotations.
 
 (** Checking a proof needs their names, never what they are. *)

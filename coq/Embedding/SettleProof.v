@@ -1,17 +1,12 @@
 (** * One sweep over a list of vertices: what it leaves *)
 
 From Coq Require Import ZArith List Bool Lia FMapPositive.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.Cases.Isometry.
-From Certet Require Import Angles.Cases.AdmissibleProof.
-From Certet Require Import Embedding.EmbeddingSpec.
-From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
-From Certet Require Import Embedding.DiskTables Embedding.SettleSpec.
-From Certet Require Import Embedding.Settle.
-From Certet Require Import Embedding.GreedyProof Embedding.DiskTablesProof.
-From Certet Require Import Embedding.DiskStepProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Angles.Cases.Isometry Angles.Cases.AdmissibleProof
+  Embedding.DiskTables Embedding.GreedyProof Embedding.LinkProof
+  Embedding.DiskTablesProof Embedding.DiskStepProof.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -274,7 +269,7 @@ Section Settle.
       destruct (OneMeans zeros v) as [->|(f & s & _ & _ & ->)]; [exact A|].
       intros u d e e' t t' D E O P U W.
       set (w := Translate u (Offset d)) in *.
-      assert (N : u <> w) by (intros H; apply (NeverNext u); exists d; exact H).
+      assert (N : u <> w) by (intros H; apply (NeverAdjacent u); exists d; exact H).
       destruct (SamePoint3 u v) as [->|Nu]; [|destruct (SamePoint3 w v) as [Ew|Nw]].
       + rewrite PlacedHere in U. injection U as -> <-.
         rewrite PlacedElsewhere in W by congruence.

@@ -5,9 +5,8 @@
     steps.  Where the vertices then lie does not matter here. *)
 
 From Coq Require Import ZArith.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Stuffing.Stuffing.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Stuffing.Definitions.
 From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
 
 (** ** What a strict disk is *)

@@ -1,21 +1,13 @@
 (** * The mesh of one sweep: it embeds, and has the pieces of the samples *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.NeighborSpec Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.AngleTheorems.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
-From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
-From Certet Require Import Embedding.SettleSpec Embedding.Settle.
-From Certet Require Import Embedding.GreedyProof.
-From Certet Require Import Embedding.MeshEmbedsProof Embedding.LevelProof.
-From Certet Require Import Embedding.WarpOrClampProof Embedding.RuledMeshProof.
-From Certet Require Import Embedding.LeavingProof Embedding.LinkProof.
-From Certet Require Import Embedding.PiecesProof.
-From Certet Require Import Embedding.DiskStepProof Embedding.SettleProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Angles.AngleTheorems Embedding.GreedyProof
+  Embedding.MeshEmbedsProof Embedding.LevelProof Embedding.WarpOrClampProof
+  Embedding.RuledMeshProof Embedding.LeavingProof Embedding.LinkProof
+  Embedding.PiecesProof Embedding.DiskStepProof Embedding.SettleProof.
 Import ListNotations.
 Open Scope Z_scope.
 

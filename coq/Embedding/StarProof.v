@@ -5,11 +5,10 @@
     around the few points near the origin and moved. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Stuffing.MeshSpec.
-From Certet Require Import Angles.AnglesSpec Angles.Cases.Isometry.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.EdgeRank.
+From Certet Require Import Lattice.Definitions Stuffing.Definitions
+  Angles.Definitions Embedding.Definitions.
+From Certet Require Import Lattice.FaceProof Angles.Cases.Isometry
+  Embedding.EdgeRank.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -64,18 +63,8 @@ Qed.
 
 (** ** Looking up *)
 
-Definition AllPlaces : list Place := [First; Second; Third; Fourth].
-
 Definition IsAmong (p : Coord3) (ps : list Coord3) : bool :=
   existsb (Coord3Equal p) ps.
-
-Definition CaseEqual (c c' : StructuredTetCase) : bool :=
-  if (ltac:(decide equality) : {c = c'} + {c <> c'}) then true else false.
-
-Definition IdEqual (tid tid' : StructuredTetId) : bool :=
-  match tid, tid' with
-    STId a c, STId a' c' => Coord3Equal a a' && CaseEqual c c'
-  end.
 
 (** In so many steps. *)
 Fixpoint Reaches (steps : nat) (p : Coord3) (target tid : StructuredTetId)
@@ -95,22 +84,13 @@ Proof.
   apply Coord3EqualTrue in E. subst q. exact I.
 Qed.
 
-Lemma IdEqualMeans tid tid' : IdEqual tid tid' = true -> tid = tid'.
-Proof.
-  destruct tid as [a c], tid' as [a' c']. cbn [IdEqual]. unfold CaseEqual.
-  intros E. apply andb_prop in E. destruct E as [A C].
-  apply Coord3EqualTrue in A. subst a'.
-  match type of C with (if ?d then _ else _) = _ => destruct d as [-> |] end;
-    [reflexivity|discriminate C].
-Qed.
-
 Lemma ReachesMeans steps p target : forall tid,
   Reaches steps p target tid = true -> AroundPoint p tid target.
 Proof.
   induction steps as [|fewer IH]; intros tid R; cbn [Reaches] in R;
     apply andb_prop in R; destruct R as [I R]; apply IsAmongMeans in I;
     apply orb_prop in R; destruct R as [R|R]; try discriminate R;
-    try (apply IdEqualMeans in R; subst target; constructor; exact I).
+    try (apply SameId in R; subst target; constructor; exact I).
   apply existsb_exists in R. destruct R as (i & _ & R).
   apply andb_prop in R. destruct R as [F R].
   apply Around_step with i; auto using IsAmongMeans.
@@ -156,9 +136,6 @@ Proof.
   repeat split; [exists (a + i)|exists (b + j)|exists (c + k)]; ring.
 Qed.
 
-Lemma InAllCases case : In case AllCases.
-Proof. destruct case; cbn; tauto. Qed.
-
 (** A structured tetrahedron and its corner, moved from the origin. *)
 Lemma FromOrigin tid p : InLattice tid -> In p (Corners tid) ->
   exists a b c case i, let even := C3 (2 * a) (2 * b) (2 * c) in
@@ -189,10 +166,9 @@ Lemma StarAt case i :
     In p (Corners other) /\ In (Translate p (Offset d)) (Corners other).
 Proof.
   intros p. pose proof StarsChecked as C. unfold CheckStars in C.
-  rewrite forallb_forall in C. specialize (C case (InAllCases case)).
+  rewrite forallb_forall in C. specialize (C case (AllCasesHas case)).
   rewrite forallb_forall in C.
-  assert (J : In i AllPlaces) by (destruct i; cbn; tauto).
-  specialize (C i J). cbv zeta in C. fold p in C.
+  specialize (C i (AllPlacesHas i)). cbv zeta in C. fold p in C.
   apply andb_prop in C. destruct C as [C E]. apply andb_prop in C.
   destruct C as [H R]. split; [exact H|].
   split; [exact (ReachesMeans 6 p (Home p) _ R)|].

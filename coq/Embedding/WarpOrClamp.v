@@ -7,10 +7,8 @@
     not fold, and that the shape stays in one piece. *)
 
 From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions.
 Open Scope Z_scope.
 
 (** The kind of the edge from [a] to [b]. *)

@@ -1,17 +1,11 @@
 (** * Any subset stays: proof *)
 
 From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.NeighborSpec.
-From Certet Require Import Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.SymbolProof Stencil.TriangleSpec.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Cases.AdmissibleProof.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.WarpOrClamp.
-From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
-From Certet Require Import Embedding.MeshEmbedsProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Stencil.SymbolProof Angles.Cases.AdmissibleProof
+  Embedding.EdgeRank Embedding.GreedyProof Embedding.MeshEmbedsProof.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -1,9 +1,9 @@
 (** * Face neighbours stand in one of the six arrangements *)
 
 From Coq Require Import List.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Lattice.NeighborSpec Lattice.Tiling.
-From Certet Require Import Lattice.TilingProof Lattice.Arrangement.
+From Certet Require Import Lattice.Definitions.
+From Certet Require Import Lattice.Tiling Lattice.TilingProof
+  Lattice.Arrangement.
 Import ListNotations.
 
 Definition AllDistinct (a b c d : Coord3) : Prop :=

@@ -6,8 +6,7 @@
     is a computation. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Lattice.NeighborSpec.
+From Certet Require Import Lattice.Definitions.
 Import ListNotations.
 Open Scope Z_scope.
 

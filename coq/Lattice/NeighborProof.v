@@ -1,7 +1,6 @@
 (** * Neighbours are mutual: the lattice in the words of its own functions *)
 
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Lattice.NeighborSpec.
+From Certet Require Import Lattice.Definitions.
 From Certet Require Import Lattice.Tiling Lattice.TilingProof.
 
 Theorem NeighborInvolution :

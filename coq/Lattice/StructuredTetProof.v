@@ -3,8 +3,7 @@
     What [TilingFacesCorrect] says for every place, written out for four. *)
 
 From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Lattice.StructuredTetSpec Lattice.NeighborSpec.
+From Certet Require Import Lattice.Definitions.
 From Certet Require Import Lattice.Tiling Lattice.TilingProof.
 Open Scope Z_scope.
 

@@ -6,8 +6,7 @@
     words in [PaperCertificate]. *)
 
 From Coq Require Import List.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Lattice.NeighborSpec.
+From Certet Require Import Lattice.Definitions.
 Import ListNotations.
 
 Record Tiling := MakeTiling {

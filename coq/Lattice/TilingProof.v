@@ -4,8 +4,8 @@
     at fixed offsets from the reference point. *)
 
 From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Lattice.NeighborSpec Lattice.Tiling.
+From Certet Require Import Lattice.Definitions.
+From Certet Require Import Lattice.Tiling.
 Import ListNotations.
 Open Scope Z_scope.
 

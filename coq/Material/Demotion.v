@@ -9,52 +9,12 @@
     ends of their edges. *)
 
 From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Embedding.WarpOrClamp.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
+  Material.Definitions.
+From Certet Require Import Material.MaterialShape.
 Import ListNotations.
 Open Scope Z_scope.
-
-(** ** The test *)
-
-(** [AngleAtLeast] and [AngleAtMost], decided. *)
-Definition IsAngleWithin (bounds : AngleBounds) (a b c d : Coord3) : bool :=
-  match bounds with
-    AB (CotSq num den) (CotSq num' den') =>
-      let n := NormalsProduct a b c d in
-      let scale := SixVolume a b c d ^ 2 * EdgeSquared a b in
-      ((n <=? 0) || (den * n ^ 2 <=? num * scale)) &&
-      ((0 <=? n) || (den' * n ^ 2 <=? num' * scale))
-  end.
-
-Definition IsWellShaped (bounds : AngleBounds) (t : UnstructuredTet Coord3)
-  : bool :=
-  match t with
-    UT _ a b c d =>
-      (0 <? SixVolume a b c d) &&
-      forallb (fun e => let '(p, q, r, s) := e in IsAngleWithin bounds p q r s)
-        (DihedralEdges t)
-  end.
-
-(** ** The structured tetrahedra around a lattice point *)
-
-(** Corners are no farther from the reference point. *)
-Definition Reach : list Z := [0; 1; 2; 3].
-
-Definition Anchors (v : Coord3) : list Coord3 :=
-  filter (fun anchor =>
-    match anchor with C3 x y z => Z.even x && Z.even y && Z.even z end)
-    (flat_map (fun x => flat_map (fun y =>
-       map (fun z => Difference (C3 x y z) v) Reach) Reach) Reach).
-
-Definition TetsAround (v : Coord3) : list StructuredTetId :=
-  filter (fun tid => existsb (Coord3Equal v) (Corners tid))
-    (flat_map (fun anchor => map (STId anchor) AllCases) (Anchors v)).
-
-(** ** The rule *)
 
 Section Demotion.
   Variables (bounds : AngleBounds) (th : Thresholds).

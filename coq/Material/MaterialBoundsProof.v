@@ -5,26 +5,15 @@
     and the fill. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing Stuffing.Domain.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Forms.CheckerProof.
-From Certet Require Import Angles.Cases.Configurations.
-From Certet Require Import Angles.Cases.SymmetryProof.
-From Certet Require Import Angles.Cases.ReductionProof.
-From Certet Require Import Angles.Cases.AdmissibleProof.
-From Certet Require Import Angles.Jobs.AnglesFewSurface.
-From Certet Require Import Angles.Jobs.AnglesManySurface.
-From Certet Require Import Angles.Jobs.EmbeddingFewSurface.
-From Certet Require Import Angles.Jobs.EmbeddingManySurface.
-From Certet Require Import Angles.Jobs.MidpointFixed.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.MaterialSpec.
-From Certet Require Import Material.MaterialConfigurations.
-From Certet Require Import Material.MaterialReductionProof.
-From Certet Require Import Material.MaterialWithinProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Material.Definitions.
+From Certet Require Import Angles.Forms.CheckerProof Angles.Cases.Configurations
+  Angles.Cases.SymmetryProof Angles.Cases.ReductionProof
+  Angles.Cases.AdmissibleProof Angles.LatticeProof Angles.Jobs.AnglesFewSurface
+  Angles.Jobs.AnglesManySurface Angles.Jobs.EmbeddingFewSurface
+  Angles.Jobs.EmbeddingManySurface Angles.Jobs.MidpointFixed
+  Material.MaterialConfigurations Material.MaterialReductionProof
+  Material.MaterialWithinProof.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -76,12 +65,6 @@ Proof.
   destruct B as [e B]. exists e. split; [exact B|]. exact (OppositeDirection v d e B).
 Qed.
 
-Lemma ThresholdInRange th k : ThresholdSteps th k = 256 * Alpha th k.
-Proof.
-  destruct th as [long short]. unfold ThresholdSteps, Alpha.
-  change (Steps / 256) with 256. destruct k; ring.
-Qed.
-
 Section Admissible.
   Variables (th : Thresholds) (before : MaterialField).
   Variables (warping : Coord3 -> Warping) (cut : CutField) (corners : list Coord3).
@@ -90,7 +73,7 @@ Section Admissible.
   Lemma AdmissibleWithin : MovesWithin warping (RangesOf th) corners.
   Proof.
     intros v d t I E. destruct Placed as [M _]. destruct (M v d t I E) as [B _].
-    rewrite ThresholdInRange in B. exact B.
+    rewrite ThresholdIsAlpha in B. exact B.
   Qed.
 
   Lemma AdmissibleNeverMutual v d t e s :
@@ -116,9 +99,9 @@ Section Admissible.
     unfold EitherCut. rewrite E, F. destruct (Z.ltb_spec m n) as [L|L].
     - destruct (SomeWayBack v d) as (e & B & K).
       pose proof (C (Translate v (Offset d)) e n m J) as H. rewrite B in H.
-      specialize (H I F E L). rewrite ThresholdInRange, K in H. lia.
+      specialize (H I F E L). rewrite ThresholdIsAlpha, K in H. lia.
     - pose proof (C v d m n I J E F ltac:(lia)) as H.
-      rewrite ThresholdInRange in H. lia.
+      rewrite ThresholdIsAlpha in H. lia.
   Qed.
 End Admissible.
 
@@ -228,7 +211,7 @@ Proof.
   - intros k. unfold QuadOf.
     assert (N : forall c, PlacedSign (BeforeAmong (fun v => Some (material v)) k)
       (fun _ => Stays) (Corner c) <> OnSurface).
-    { intros c. cbn. unfold BeforeAmong, SignBeside. destruct (_ =? _); discriminate. }
+    { intros c. cbn. unfold BeforeAmong, SignAmongMaterials. destruct (_ =? _); discriminate. }
     set (s := PlacedSign _ _) in *.
     pose proof (N (Of (CornersOf (STId anchor case)) V1)).
     pose proof (N (Of (CornersOf (STId anchor case)) V2)).

@@ -6,10 +6,8 @@
     same: 203 patterns of five vertices, 52 of four. *)
 
 From Coq Require Import ZArith List Bool.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol Stencil.TriangleSpec.
-From Certet Require Import Stencil.TriangleChecker.
-From Certet Require Import Material.MaterialTet.
+From Certet Require Import Stencil.Definitions Material.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.TriangleChecker.
 Import ListNotations.
 Open Scope Z_scope.
 

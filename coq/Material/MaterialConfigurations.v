@@ -5,11 +5,9 @@
     tetrahedra comes the fill. *)
 
 From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Angles.Geometry Angles.Forms.Checker.
-From Certet Require Import Angles.Cases.Configurations.
-From Certet Require Import Material.MaterialTet.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Angles.Definitions Material.Definitions.
+From Certet Require Import Angles.Forms.Checker Angles.Cases.Configurations.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -1,16 +1,11 @@
 (** * The angles of several materials, in degrees *)
 
 From Coq Require Import ZArith Reals List Lra.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing Stuffing.Domain.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
-From Certet Require Import Angles.Degrees.DegreesProof.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.MaterialSpec Material.Demotion.
-From Certet Require Import Material.MaterialBoundsProof.
-From Certet Require Import Material.MaterialWarpProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Material.Definitions.
+From Certet Require Import Angles.DegreesSpec Angles.Degrees.DegreesProof
+  Material.Demotion Material.MaterialBoundsProof Material.MaterialWarpProof
+  Material.SettleMaterials Material.SettleMaterialsProof.
 
 Theorem MaterialDihedralBoundsInDegrees : forall before warping cut shared tid m t,
   AdmissibleMaterials before warping cut AngleThresholds (Corners tid) ->
@@ -23,6 +18,20 @@ Proof.
   replace (16476 / 100)%R with (180 - 1524 / 100)%R by lra.
   exact (DegreesBounds _ _ _ _ _ Cotangent10_77 Cotangent15_24
            (MaterialDihedralBounds before warping cut shared tid A W m t I)).
+Qed.
+
+Theorem SettledMaterialBoundsInDegrees : forall material cut turns tid m t,
+  MaterialCutsOnEdges (fun v => Some (material v)) cut -> InLattice tid ->
+  m <> Outside ->
+  In (m, t)
+    (SettledMaterialTets AngleThresholds material cut
+       (SettleMaterials WidestAngles AngleThresholds material cut turns) tid) ->
+  WithinDegrees (1077 / 100) (16476 / 100) t.
+Proof.
+  intros material cut turns tid m t C E N I.
+  replace (16476 / 100)%R with (180 - 1524 / 100)%R by lra.
+  exact (DegreesBounds _ _ _ _ _ Cotangent10_77 Cotangent15_24
+           (SettledMaterialBounds material cut turns tid m t C E N I)).
 Qed.
 
 Theorem DemotedBoundsInDegrees : forall material cut shared tid m t,

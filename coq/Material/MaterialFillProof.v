@@ -5,16 +5,13 @@
     each pattern of materials their sum is that of the whole. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol Stencil.TriangleSpec.
-From Certet Require Import Stencil.TriangleChecker.
-From Certet Require Import Warp.Cut Warp.Warp.
-From Certet Require Import Stuffing.Stuffing Stuffing.NameProof Stuffing.MeshProof.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.Cases.Isometry.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.MaterialSpec Material.MaterialChecker.
-From Certet Require Import Material.MaterialNameProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
+  Material.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.TriangleChecker
+  Stuffing.NameProof Stuffing.MeshProof Angles.Cases.Isometry
+  Angles.Cases.SymmetryProof Material.MaterialProof Material.MaterialChecker
+  Material.MaterialNameProof.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -129,10 +126,6 @@ Section Space.
       cbn [Scale Translate]. f_equal; ring.
   Qed.
 
-  Lemma DifferenceTranslated x y z :
-    Difference (Translate x y) (Translate x z) = Difference y z.
-  Proof. destruct x, y, z. cbn [Difference Translate]. f_equal; ring. Qed.
-
   Lemma ScaledVolume k a b c d :
     SixVolume (Scale k a) (Scale k b) (Scale k c) (Scale k d)
     = k ^ 3 * SixVolume a b c d.
@@ -152,7 +145,7 @@ Section Space.
     rewrite <- ScaledVolume.
     rewrite (PositionByWeights a Pa La), (PositionByWeights b Pb Lb),
       (PositionByWeights c Pc Lc), (PositionByWeights d Pd Ld).
-    unfold SixVolume, Normal. rewrite !DifferenceTranslated, <- !ApplyDifference.
+    unfold SixVolume, Normal. rewrite !TranslatedDifference, <- !ApplyDifference.
     rewrite ApplyTriple. apply Z.mul_comm.
   Qed.
 
@@ -171,14 +164,11 @@ End Space.
 
 (** ** In the mesh *)
 
-Definition HandSign (h : Handedness) : Z :=
-  match h with RightHanded => 1 | LeftHanded => -1 end.
-
 Lemma OrientedVolume (place : MeshVertex -> Coord3) h u :
   SixVolumeOf (MapTet place (Orient h u))
-  = HandSign h * SixVolumeOf (MapTet place u).
+  = HandDeterminant h * SixVolumeOf (MapTet place u).
 Proof.
-  destruct u as [a b c d]. destruct h; cbn [Orient MapTet SixVolumeOf HandSign]; [ring|].
+  destruct u as [a b c d]. destruct h; cbn [Orient MapTet SixVolumeOf HandDeterminant]; [ring|].
   destruct (place a), (place b), (place c), (place d).
   unfold SixVolume, Normal. cbn [Difference Cross Dot]. ring.
 Qed.
@@ -201,7 +191,7 @@ Proof.
   set (name := MaterialName f1 f2 f3 p q material).
   set (locate := LocateFive f1 f2 f3 p q).
   assert (W : SixVolumeOf (PlacedWhole warping cut tid)
-    = HandSign (Hand tid) * SixVolume (place (Corner (locate F1)))
+    = HandDeterminant (Hand tid) * SixVolume (place (Corner (locate F1)))
         (place (Corner (locate F2))) (place (Corner (locate F3)))
         (place (Corner (locate P)))).
   { revert vertices. unfold VerticesAre, PlacedWhole, Hand.
@@ -212,7 +202,7 @@ Proof.
   assert (Sum : forall ts, TotalSixVolume
       (map (fun u => (fst u, MapTet place (snd u)))
         (map (NameTet f1 f2 f3 p q material shared tid) ts))
-    = HandSign (Hand tid) * fold_right
+    = HandDeterminant (Hand tid) * fold_right
         (fun u sum => SixVolumeOf (MapTet (fun s => place (name s)) (snd u)) + sum) 0 ts).
   { induction ts as [|u ts IH]; cbn [map TotalSixVolume fold_right snd NameTet]; [ring|].
     unfold TotalSixVolume in IH. rewrite IH. unfold NameTet. cbn [snd].

@@ -5,11 +5,9 @@
     structured tetrahedron, and their positions. *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec Embedding.WarpOrClamp.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
 From Certet Require Import Material.MaterialTet.
 Open Scope Z_scope.
 
@@ -59,20 +57,14 @@ Section Warping.
     | _, _ => cut v u
     end.
 
-  (** Own material or on an interface, against any other. *)
-  Definition SignBeside (m : Material) (v : Coord3) : Sign :=
-    match material v with
-    | None => OnSurface
-    | Some n => if n =? m then Plus else Minus
-    end.
-
   (** A vertex is violated by the cut of an edge to any other material, and
       moves to the nearest such cut. *)
   Definition WarpMaterialVertex (v : Coord3) : Warping :=
     match material v with
     | None => Stays
     | Some m =>
-        Warp th Plus (fun d => SignBeside m (Translate v (Offset d)))
+        Warp th Plus
+          (fun d => SignAmongMaterials Coord3 material m (Translate v (Offset d)))
           (MaterialCutFrom v)
     end.
 

@@ -4,17 +4,12 @@
     structured tetrahedron of the lattice. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Lattice.NeighborSpec Lattice.ArrangementProof.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol Stencil.SymbolProof.
-From Certet Require Import Stencil.TriangleSpec Stencil.TriangleChecker.
-From Certet Require Import Stencil.TriangleCheckerProof.
-From Certet Require Import Stuffing.Stuffing Stuffing.MeshSpec.
-From Certet Require Import Stuffing.NameProof Stuffing.MeshProof.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.MaterialChecker.
-From Certet Require Import Material.MaterialNameProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Stuffing.Definitions Material.Definitions.
+From Certet Require Import Lattice.ArrangementProof Stencil.Symbol
+  Stencil.SymbolProof Stencil.TriangleChecker Stencil.TriangleCheckerProof
+  Stuffing.NameProof Stuffing.MeshProof Material.MaterialChecker
+  Material.MaterialProof Material.MaterialNameProof.
 Import ListNotations.
 Open Scope Z_scope.
 

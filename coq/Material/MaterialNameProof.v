@@ -4,15 +4,11 @@
     of materials, holds of [MaterialNames]. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol Stencil.SymbolProof.
-From Certet Require Import Stencil.TriangleSpec Stencil.TriangleChecker.
-From Certet Require Import Stencil.TriangleCheckerProof.
-From Certet Require Import Stuffing.Stuffing Stuffing.MeshSpec.
-From Certet Require Import Stuffing.NameProof.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.MaterialProof Material.MaterialChecker.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Stuffing.Definitions Material.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.SymbolProof
+  Stencil.TriangleChecker Stencil.TriangleCheckerProof Stuffing.NameProof
+  Material.MaterialProof Material.MaterialChecker.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -128,9 +124,6 @@ Section Pattern.
     rewrite (LeaderSame l k S) in E. congruence.
   Qed.
 End Pattern.
-
-Definition Hand (tid : StructuredTetId) : Handedness :=
-  match tid with STId _ case => CaseHandedness case end.
 
 Lemma CodeInjective a b : Code a = Code b -> a = b.
 Proof. destruct a, b; reflexivity || discriminate. Qed.

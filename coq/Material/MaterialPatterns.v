@@ -7,8 +7,7 @@
     patterns there are two materials or one, and no fill. *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Material.MaterialTet.
+From Certet Require Import Stencil.Definitions Material.Definitions.
 Import ListNotations.
 Open Scope Z_scope.
 

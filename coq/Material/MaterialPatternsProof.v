@@ -1,10 +1,9 @@
 (** * Three or four materials in full: proof *)
 
 From Coq Require Import ZArith List Bool.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol.
-From Certet Require Import Material.MaterialTet Material.MaterialPatterns.
-From Certet Require Import Material.MaterialChecker Material.MaterialNameProof.
+From Certet Require Import Stencil.Definitions Material.Definitions.
+From Certet Require Import Stencil.Symbol Material.MaterialPatterns
+  Material.MaterialChecker Material.MaterialNameProof.
 Import ListNotations.
 Open Scope Z_scope.
 

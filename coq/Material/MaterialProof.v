@@ -4,10 +4,13 @@
     them apart; the cuts that it asks for lie between different materials. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Material.MaterialTet.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Material.Definitions.
 Import ListNotations.
 Open Scope Z_scope.
+
+Definition Hand (tid : StructuredTetId) : Handedness :=
+  match tid with STId _ case => CaseHandedness case end.
 
 (** ** Stencils ask for cuts from + to - alone *)
 

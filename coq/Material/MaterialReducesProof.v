@@ -1,13 +1,10 @@
 (** * One material and the outside: today's stencils; and bad sets refused *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Lattice.Direction Warp.Cut Warp.Warp.
-From Certet Require Import Stuffing.Stuffing Angles.AnglesSpec.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.MaterialSpec Material.OtherMaterials.
-From Certet Require Import Material.MaterialProof Material.MaterialChecker.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Material.Definitions.
+From Certet Require Import Material.OtherMaterials Material.MaterialProof
+  Material.MaterialChecker.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -245,12 +242,12 @@ Proof.
   assert (L : (m <? Outside) = false) by (apply Z.ltb_ge; lia).
   assert (L' : (Outside <? m) = true) by (apply Z.ltb_lt; lia).
   destruct (sign v) eqn:S; cbn [OneMaterial].
-  - apply WarpDepends; intros d; unfold Violates, SignBeside, MaterialCutFrom, CutFrom;
+  - apply WarpDepends; intros d; unfold Violates, SignAmongMaterials, MaterialCutFrom, CutFrom;
       cbv zeta; rewrite S; destruct (sign (Translate v (Offset d)));
       cbn [OneMaterial Opposite andb]; rewrite ?Z.eqb_refl, ?Out, ?L; try reflexivity;
       discriminate.
   - symmetry. apply OnSurfaceStays.
-  - apply WarpDepends; intros d; unfold Violates, SignBeside, MaterialCutFrom, CutFrom;
+  - apply WarpDepends; intros d; unfold Violates, SignAmongMaterials, MaterialCutFrom, CutFrom;
       cbv zeta; rewrite S; destruct (sign (Translate v (Offset d)));
       cbn [OneMaterial Opposite andb]; rewrite ?Z.eqb_refl, ?Out', ?L'; try reflexivity;
       discriminate.

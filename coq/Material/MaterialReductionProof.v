@@ -4,20 +4,13 @@
     placement of that material against the rest; or from the fill. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Forms.Checker Angles.Forms.EdgeProof.
-From Certet Require Import Angles.Forms.CheckerProof.
-From Certet Require Import Angles.Cases.Configurations Angles.Cases.Isometry.
-From Certet Require Import Angles.Cases.SymmetryProof.
-From Certet Require Import Angles.Cases.ReductionProof.
-From Certet Require Import Angles.Cases.AdmissibleProof.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.MaterialSpec Material.MaterialProof.
-From Certet Require Import Material.MaterialConfigurations.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Material.Definitions.
+From Certet Require Import Angles.Forms.Checker Angles.Forms.EdgeProof
+  Angles.Forms.CheckerProof Angles.Cases.Configurations Angles.Cases.Isometry
+  Angles.Cases.SymmetryProof Angles.Cases.ReductionProof
+  Angles.Cases.AdmissibleProof Material.MaterialProof
+  Material.MaterialConfigurations.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -94,7 +87,8 @@ Section Placement.
   Local Notation material := (PlacedMaterial before warping).
 
   (** Signs before warping, as material [m] sees them. *)
-  Definition BeforeAmong (m : Material) (c : Coord3) : Sign := SignBeside before m c.
+  Definition BeforeAmong (m : Material) (c : Coord3) : Sign :=
+    SignAmongMaterials Coord3 before m c.
 
   (** Steps to the cut of an edge from either end. *)
   Definition EitherCut (a b : Coord3) : Z :=
@@ -107,7 +101,7 @@ Section Placement.
     SignAmongMaterials MeshVertex (VertexMaterial material) m (Corner c)
     = PlacedSign (BeforeAmong m) warping (Corner c).
   Proof.
-    unfold SignAmongMaterials, BeforeAmong, SignBeside, PlacedMaterial.
+    unfold SignAmongMaterials, BeforeAmong, PlacedMaterial.
     cbn [VertexMaterial PlacedSign].
     destruct (warping c); cbn [WarpedSign]; reflexivity.
   Qed.
@@ -193,9 +187,6 @@ Section Placement.
   Definition MaterialQuad : Quad (option Material) :=
     QuadOf (fun l => material (Of corners l)).
 
-  Definition HandOfTet : Handedness :=
-    match tid with STId _ case => CaseHandedness case end.
-
   Definition OrientPoints (h : Handedness) (t : UnstructuredTet Coord3)
     : UnstructuredTet Coord3 :=
     match h, t with RightHanded, u => u | LeftHanded, UT _ a b c d => UT _ a b d c end.
@@ -205,10 +196,10 @@ Section Placement.
     (InterfacesAlone before warping tid /\ t = PlacedWhole warping cut tid) \/
     In t (PlacedTets (BeforeAmong m) warping EitherCut tid) \/
     (exists s, In (m, s) (FillOf MaterialQuad) /\
-       t = OrientPoints HandOfTet (MapTet Stand s)).
+       t = OrientPoints (Hand tid) (MapTet Stand s)).
   Proof.
     intros I. unfold PlacedMaterialTets, MaterialNames in I.
-    unfold InterfacesAlone, PlacedWhole, PlacedTets, MaterialQuad, HandOfTet,
+    unfold InterfacesAlone, PlacedWhole, PlacedTets, MaterialQuad, Hand,
       CornersOf, Corners.
     destruct tid as [anchor case].
     destruct (GetStructuredTet (STId anchor case)) as [v1 v2 v3 v4].

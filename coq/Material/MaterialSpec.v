@@ -1,11 +1,9 @@
 (** * What is meant by a mesh of materials that fits, fills, and is well shaped *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
 From Certet Require Import Material.MaterialTet Material.MaterialMesh.
 Import ListNotations.
 Open Scope Z_scope.
@@ -16,9 +14,6 @@ Definition OneMaterial (m : Material) (s : Sign) : option Material :=
   match s with Plus => Some m | OnSurface => None | Minus => Some Outside end.
 
 (** ** Volumes *)
-
-Definition SixVolumeOf (t : UnstructuredTet Coord3) : Z :=
-  match t with UT _ a b c d => SixVolume a b c d end.
 
 Definition TotalSixVolume (tets : list (Material * UnstructuredTet Coord3)) : Z :=
   fold_right (fun t sum => SixVolumeOf (snd t) + sum) 0 tets.

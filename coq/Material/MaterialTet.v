@@ -10,7 +10,7 @@
     the outside in particular. *)
 
 From Coq Require Import ZArith List Bool.
-From Certet Require Import Stencil.UnstructuredTet.
+From Certet Require Import Stencil.Definitions.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -1,19 +1,13 @@
 (** * What warping leaves of several materials: proofs *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Warp.WarpProof.
-From Certet Require Import Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Cases.AdmissibleProof Angles.AngleTheorems.
-From Certet Require Import Embedding.WarpOrClamp Embedding.WarpOrClampProof.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.MaterialSpec.
-From Certet Require Import Material.MaterialProof.
-From Certet Require Import Material.MaterialBoundsProof.
-From Certet Require Import Material.MaterialReducesProof Material.Demotion.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
+  Material.Definitions.
+From Certet Require Import Warp.WarpProof Angles.Cases.AdmissibleProof
+  Angles.AngleTheorems Embedding.WarpOrClampProof Embedding.SettledMeshProof
+  Material.MaterialProof Material.MaterialBoundsProof
+  Material.MaterialReducesProof Material.MaterialShape Material.Demotion.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -34,11 +28,11 @@ Section Warped.
     unfold WarpMaterialVertex. intros E. destruct (material v) as [m|] eqn:M;
       [|discriminate E].
     pose proof (WarpIsCorrect th Plus
-      (fun d => SignBeside material m (Translate v (Offset d)))
+      (fun d => SignAmongMaterials Coord3 material m (Translate v (Offset d)))
       (MaterialCutFrom material cut v)) as C.
     rewrite E in C. destruct C as (T & V & _).
     unfold Violates in V. apply andb_prop in V as [O L]. apply Z.ltb_lt in L.
-    unfold SignBeside in O.
+    unfold SignAmongMaterials in O.
     destruct (material (Translate v (Offset d))) as [n|]; [|discriminate O].
     destruct (Z.eqb_spec n m) as [|D]; [discriminate O|].
     exists m, n. repeat split; auto. rewrite T. exact L.
@@ -121,7 +115,7 @@ Proof.
   - destruct tid as [anchor case]. apply in_flat_map. exists anchor.
     split; [|apply in_map; destruct case; cbn; tauto].
     unfold Anchors. apply filter_In. split.
-    + assert (O : exists x y z, In x Reach /\ In y Reach /\ In z Reach /\
+    + assert (O : exists x y z, In x CornerOffsets /\ In y CornerOffsets /\ In z CornerOffsets /\
         v = Translate anchor (C3 x y z)).
       { destruct case; cbn [Corners GetStructuredTet In] in I;
           destruct I as [<-|[<-|[<-|[<-|[]]]]]; do 3 eexists;
@@ -135,6 +129,36 @@ Proof.
       apply Z.even_spec in X, Y, Z. rewrite X, Y, Z. reflexivity.
   - apply existsb_exists. exists v. split; [exact I|].
     destruct v. cbn. rewrite !Z.eqb_refl. reflexivity.
+Qed.
+
+Lemma PlacedWholeSame warping warping' c c' tid :
+  (forall v, In v (Corners tid) -> warping v = warping' v) ->
+  PlacedWhole warping c tid = PlacedWhole warping' c' tid.
+Proof.
+  unfold PlacedWhole, Corners. destruct tid as [anchor case].
+  destruct (GetStructuredTet (STId anchor case)) as [v1 v2 v3 v4].
+  cbn [In]. intros E.
+  destruct (CaseHandedness case); cbn [Orient MapTet PlacedPosition];
+    rewrite (E v1), (E v2), (E v3), (E v4) by tauto; reflexivity.
+Qed.
+
+(** A tetrahedron with all corners on interfaces is of the material that is told. *)
+Lemma AloneAreShared before warping cut shared tid m t :
+  InterfacesAlone before warping tid ->
+  In (m, t) (PlacedMaterialTets before warping cut shared tid) -> m = shared tid.
+Proof.
+  intros Alone I. unfold PlacedMaterialTets, MaterialNames in I.
+  unfold InterfacesAlone, Corners in Alone. destruct tid as [anchor case].
+  destruct (GetStructuredTet (STId anchor case)) as [v1 v2 v3 v4].
+  apply in_map_iff in I as ([k u] & E & I). cbn [fst snd] in E. injection E as -> _.
+  apply in_map_iff in I as ([k s] & E & I). unfold OrientMaterialTet in E.
+  cbn [fst snd] in E. injection E as -> _.
+  set (G := VertexMaterial (PlacedMaterial before warping)) in I.
+  assert (N : forall v, In v [Corner v1; Corner v2; Corner v3; Corner v4] -> G v = None).
+  { intros v [<-|[<-|[<-|[<-|[]]]]]; apply Alone; cbn; tauto. }
+  apply MaterialTetFrom in I as [(_ & _ & _ & _ & E & _)|[I|I]]; [exact E| |]; exfalso.
+  - rewrite NoneWithoutInside in I; [exact I|]. intros v J. rewrite (N v J). discriminate.
+  - unfold MaterialFill in I. cbn [In] in N. rewrite !N in I by tauto. exact I.
 Qed.
 
 Section Demotion.
@@ -182,17 +206,6 @@ Section Demotion.
     destruct (fold_left _ _ _) as [u|].
     - destruct H as [[I|E] N]; [auto|discriminate E].
     - exact (proj2 H).
-  Qed.
-
-  Lemma PlacedWholeSame warping warping' c c' tid :
-    (forall v, In v (Corners tid) -> warping v = warping' v) ->
-    PlacedWhole warping c tid = PlacedWhole warping' c' tid.
-  Proof.
-    unfold PlacedWhole, Corners. destruct tid as [anchor case].
-    destruct (GetStructuredTet (STId anchor case)) as [v1 v2 v3 v4].
-    cbn [In]. intros E.
-    destruct (CaseHandedness case); cbn [Orient MapTet PlacedPosition];
-      rewrite (E v1), (E v2), (E v3), (E v4) by tauto; reflexivity.
   Qed.
 
   (** The lattice as it is. *)
@@ -247,23 +260,6 @@ Section Demotion.
       apply UnmovedWhole.
   Qed.
 
-  Lemma AloneAreShared tid m t : InterfacesAlone material demoted tid ->
-    In (m, t) (DemotedTets bounds th material cut shared tid) -> m = shared tid.
-  Proof.
-    intros Alone I. unfold DemotedTets, PlacedMaterialTets, MaterialNames in I.
-    unfold InterfacesAlone, Corners in Alone. destruct tid as [anchor case].
-    destruct (GetStructuredTet (STId anchor case)) as [v1 v2 v3 v4].
-    apply in_map_iff in I as ([k u] & E & I). cbn [fst snd] in E. injection E as -> _.
-    apply in_map_iff in I as ([k s] & E & I). unfold OrientMaterialTet in E.
-    cbn [fst snd] in E. injection E as -> _.
-    set (G := VertexMaterial (PlacedMaterial material demoted)) in I.
-    assert (N : forall v, In v [Corner v1; Corner v2; Corner v3; Corner v4] -> G v = None).
-    { intros v [<-|[<-|[<-|[<-|[]]]]]; apply Alone; cbn; tauto. }
-    apply MaterialTetFrom in I as [(_ & _ & _ & _ & E & _)|[I|I]]; [exact E| |]; exfalso.
-    - rewrite NoneWithoutInside in I; [exact I|]. intros v J. rewrite (N v J). discriminate.
-    - unfold MaterialFill in I. cbn [In] in N. rewrite !N in I by tauto. exact I.
-  Qed.
-
   Theorem DemotedWithin tid m t : InLattice tid -> m <> Outside ->
     In (m, t) (DemotedTets bounds th material cut shared tid) -> WellShaped bounds t.
   Proof.
@@ -271,7 +267,7 @@ Section Demotion.
       shared tid _ _ m t I).
     - apply AnyMaterialSubsetStays; [exact AngleThresholdsAtMostHalf|exact OnEdges].
     - intros Alone. apply DemotedWhole; [exact Even| |exact Alone].
-      rewrite <- (AloneAreShared tid m t Alone I). exact Inner.
+      rewrite <- (AloneAreShared _ _ _ _ tid m t Alone I). exact Inner.
   Qed.
 End Demotion.
 
@@ -282,16 +278,6 @@ Theorem DemotedBounds : forall material cut shared tid m t,
 Proof. intros material cut shared tid m t C. apply DemotedWithin, C. Qed.
 
 (** ** One material and the outside *)
-
-Lemma PlacedTetsDepend before warping warping' cut tid :
-  (forall c, warping c = warping' c) ->
-  PlacedTets before warping cut tid = PlacedTets before warping' cut tid.
-Proof.
-  intros E. rewrite !PlacedByName, (PlacedNamesExt _ _ _ _ E). apply map_ext.
-  assert (P : forall v, PlacedPosition warping cut v = PlacedPosition warping' cut v)
-    by (intros [c|a b]; cbn [PlacedPosition]; rewrite ?E; reflexivity).
-  intros []. cbn [MapTet]. rewrite !P. reflexivity.
-Qed.
 
 Theorem DemotedReduces : forall bounds th sign cut tid m,
   Outside < m -> AtMostHalf th -> CutsOnEdges sign cut -> InLattice tid ->
@@ -312,6 +298,6 @@ Proof.
   { intros v. unfold demoted, warping, DemotedWarping, RuledMaterialWarping, RuledWarping.
     unfold material. rewrite (MaterialWarpReduces th sign cut m v Above).
     fold material. rewrite Nobody. reflexivity. }
-  rewrite <- (PlacedTetsDepend sign demoted warping _ tid W).
+  rewrite <- (PlacedTetsExt sign demoted warping _ tid W).
   unfold DemotedTets. apply PlacedReduces. exact Above.
 Qed.

@@ -1,20 +1,12 @@
 (** * Every tetrahedron of every material is within bounds, if the checker says so *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Forms.Checker Angles.Forms.EdgeProof.
-From Certet Require Import Angles.Forms.CheckerProof.
-From Certet Require Import Angles.Cases.Configurations Angles.Cases.Isometry.
-From Certet Require Import Angles.Cases.SymmetryProof.
-From Certet Require Import Angles.Cases.ReductionProof.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.MaterialSpec Material.MaterialProof.
-From Certet Require Import Material.MaterialConfigurations.
-From Certet Require Import Material.MaterialReductionProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Material.Definitions.
+From Certet Require Import Angles.Forms.Checker Angles.Forms.EdgeProof
+  Angles.Forms.CheckerProof Angles.Cases.Configurations Angles.Cases.Isometry
+  Angles.Cases.SymmetryProof Angles.Cases.ReductionProof Material.MaterialProof
+  Material.MaterialConfigurations Material.MaterialReductionProof.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -113,7 +105,7 @@ Section Within.
   (** ** The fill's *)
 
   Lemma FillTetWithin m s : In (m, s) (FillOf (MaterialQuad before warping tid)) ->
-    WellShaped bounds (OrientPoints (HandOfTet tid) (MapTet (fun v =>
+    WellShaped bounds (OrientPoints (Hand tid) (MapTet (fun v =>
       PlacedPosition warping (EitherCut before warping cut)
         (Stands (CornersOf tid) v)) s)).
   Proof.
@@ -165,7 +157,7 @@ Section Within.
     pose proof (CheckTetSound 256 ltac:(lia) _ _ _ _ _ _ _ _ _ Hbounds
       (On p Bp) (On q' Bq) (On u Bu) (On w Bw) C) as S.
     pose proof (IsometryOrthonormal mm Hm) as O.
-    unfold HandOfTet, tid.
+    unfold Hand, tid.
     destruct (CaseHandedness case); cbn [OrientPoints HandDeterminant] in *.
     - exact (WellShapedMoved _ mm _ _ _ _ _ O D S).
     - exact (WellShapedMirrored _ mm _ _ _ _ _ O D S).

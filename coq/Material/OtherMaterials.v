@@ -4,8 +4,7 @@
     can say no. *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Material.MaterialTet.
+From Certet Require Import Stencil.Definitions Material.Definitions.
 Import ListNotations.
 Open Scope Z_scope.
 

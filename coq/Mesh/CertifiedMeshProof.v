@@ -3,23 +3,15 @@
     The angles are theorems of their own; the rest holds of any placement. *)
 
 From Coq Require Import ZArith Reals List Lra Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp.
-From Certet Require Import Stuffing.Stuffing Stuffing.Domain.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
-From Certet Require Import Angles.AngleTheorems Angles.DomainProof.
-From Certet Require Import Angles.Degrees.DegreesProof.
-From Certet Require Import Angles.Degrees.DomainDegreesProof.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.WarpOrClamp.
-From Certet Require Import Embedding.WarpOrClampProof.
-From Certet Require Import Embedding.RuledDegreesProof.
-From Certet Require Import Embedding.Settle Embedding.SettleProof.
-From Certet Require Import Embedding.SettledMeshProof.
-From Certet Require Import Range.RangeSpec Range.RangeProof.
-From Certet Require Import Mesh.Method Mesh.CertifiedSpec.
-From Certet Require Import Mesh.PlacedMeshProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Angles.DegreesSpec Angles.AngleTheorems
+  Angles.DomainProof Angles.Degrees.DegreesProof
+  Angles.Degrees.DomainDegreesProof Embedding.WarpOrClampProof
+  Embedding.RuledDegreesProof Embedding.SettleProof Embedding.SettledMeshProof
+  Range.RangeSpec Range.RangeProof Mesh.Method Mesh.CertifiedSpec
+  Mesh.PlacedMeshProof.
 Open Scope Z_scope.
 
 Local Strategy 1000 [WarpVertex Bisect Settle].

@@ -5,12 +5,9 @@
     is another case of each definition here. *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Warp.Warp.
-From Certet Require Import Stuffing.Stuffing Stuffing.Domain.
-From Certet Require Import Angles.AnglesSpec.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.WarpOrClamp.
-From Certet Require Import Embedding.Settle.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
 Open Scope Z_scope.
 
 (** Cuts found by bisection, and the widest angles; cuts found by bisection, and

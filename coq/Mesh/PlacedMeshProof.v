@@ -5,17 +5,12 @@
     nothing overflows.  A method has its angles to prove, and no more. *)
 
 From Coq Require Import ZArith Reals List Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.TriangleSpec.
-From Certet Require Import Warp.Cut Warp.Warp.
-From Certet Require Import Stuffing.Stuffing Stuffing.MeshSpec.
-From Certet Require Import Stuffing.MeshProof.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.AroundProof.
-From Certet Require Import Range.RangeSpec Range.RangeProof.
-From Certet Require Import Mesh.Method Mesh.CertifiedSpec.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Stuffing.MeshProof Angles.DegreesSpec
+  Embedding.AroundProof Range.RangeSpec Range.RangeProof Mesh.Method
+  Mesh.CertifiedSpec.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -1,18 +1,12 @@
 (** * Machine integers suffice: proof *)
 
 From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Lattice.Tiling Lattice.FaceProof.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Stencil.StencilSet Stencil.TriangleSpec.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Stuffing.NameProof Stuffing.VerticesProof.
-From Certet Require Import Stuffing.Domain.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Cases.AdmissibleProof Angles.DomainProof.
-From Certet Require Import Embedding.EmbeddingSpec.
-From Certet Require Import Range.RangeSpec.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Lattice.Tiling Lattice.FaceProof Stuffing.NameProof
+  Stuffing.VerticesProof Angles.Cases.AdmissibleProof Angles.DomainProof
+  Range.RangeSpec.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -6,10 +6,9 @@
     value lies in its type, so that nothing overflows. *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Coord3 Lattice.Direction Lattice.Tiling.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Lattice.Tiling.
 Open Scope Z_scope.
 
 (** ** Formulas *)

@@ -5,8 +5,8 @@
     proved in [CompatibilityCheckerProof]. *)
 
 From Coq Require Import List Bool.
-From Certet Require Import Stencil.UnstructuredTet Stencil.CompatibilitySpec.
-From Certet Require Import Stencil.StencilSet Stencil.Symbol.
+From Certet Require Import Stencil.Definitions.
+From Certet Require Import Stencil.Symbol.
 Import ListNotations.
 Open Scope bool_scope.
 

@@ -5,9 +5,9 @@
     vertices that the symbols stand for. *)
 
 From Coq Require Import List Bool.
-From Certet Require Import Stencil.UnstructuredTet Stencil.CompatibilitySpec.
-From Certet Require Import Stencil.StencilSet Stencil.Symbol.
-From Certet Require Import Stencil.CompatibilityChecker Stencil.SymbolProof.
+From Certet Require Import Stencil.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.CompatibilityChecker
+  Stencil.SymbolProof.
 Import ListNotations.
 
 (** Takes hypotheses [a || b = true] and [a && b = true] apart. *)

@@ -3,10 +3,9 @@
     Section 5.2 of the paper.  The checker looks at 6 arrangements, 243 sign
     assignments each, and every pair of edges. *)
 
-From Certet Require Import Stencil.UnstructuredTet Stencil.CompatibilitySpec.
-From Certet Require Import Stencil.StencilSet Stencil.CompatibilityChecker.
-From Certet Require Import Stencil.SymbolProof.
-From Certet Require Import Stencil.CompatibilityCheckerProof.
+From Certet Require Import Stencil.Definitions.
+From Certet Require Import Stencil.CompatibilityChecker Stencil.SymbolProof
+  Stencil.CompatibilityCheckerProof.
 
 Lemma CompatibilityOrders :
   forall Vertex GetSign GetIntersection f1 f2 f3 p q,

@@ -4,13 +4,10 @@
     neighbours stand in the six arrangements any compatible set of stencils
     fits; that the paper's fit the lattice is written out for the four faces. *)
 
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Lattice.NeighborSpec Lattice.Arrangement.
-From Certet Require Import Lattice.Tiling Lattice.TilingProof.
-From Certet Require Import Lattice.ArrangementProof.
-From Certet Require Import Stencil.UnstructuredTet Stencil.CompatibilitySpec.
-From Certet Require Import Stencil.StencilSet Stencil.TilingSpec.
-From Certet Require Import Stencil.CompatibilityProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions.
+From Certet Require Import Lattice.Arrangement Lattice.Tiling
+  Lattice.TilingProof Lattice.ArrangementProof Stencil.TilingSpec
+  Stencil.CompatibilityProof.
 
 Lemma ArrangedCompatible S Vertex GetSign GetIntersection f1 f2 f3 p q
     u1 u2 u3 u4 v1 v2 v3 v4 :

@@ -4,7 +4,7 @@
     can say no, and what it does not ask. *)
 
 From Coq Require Import List.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
+From Certet Require Import Stencil.Definitions.
 Import ListNotations.
 
 (** The Parity Rule mirrored.  Exchanging [v1] and [v2] keeps long edges long,

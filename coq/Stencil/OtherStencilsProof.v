@@ -4,11 +4,10 @@
     itself is shown to be false, so that the checker's no was no false alarm. *)
 
 From Coq Require Import List.
-From Certet Require Import Stencil.UnstructuredTet Stencil.CompatibilitySpec.
-From Certet Require Import Stencil.StencilSet Stencil.OtherStencils.
-From Certet Require Import Stencil.Symbol Stencil.CompatibilityChecker.
-From Certet Require Import Stencil.SymbolProof.
-From Certet Require Import Stencil.CompatibilityCheckerProof.
+From Certet Require Import Stencil.Definitions.
+From Certet Require Import Stencil.OtherStencils Stencil.Symbol
+  Stencil.CompatibilityChecker Stencil.SymbolProof
+  Stencil.CompatibilityCheckerProof.
 Import ListNotations.
 
 Lemma MirroredStencilsNatural : Natural MirroredStencils.

@@ -6,7 +6,7 @@
     Symbols can be compared and enumerated, which vertices cannot. *)
 
 From Coq Require Import List Bool.
-From Certet Require Import Stencil.UnstructuredTet.
+From Certet Require Import Stencil.Definitions.
 Import ListNotations.
 
 (** The three vertices of the shared face and the one on either side. *)

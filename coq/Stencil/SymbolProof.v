@@ -5,8 +5,8 @@
     does on any vertices. *)
 
 From Coq Require Import List Bool.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Stencil.StencilSet Stencil.Symbol.
+From Certet Require Import Stencil.Definitions.
+From Certet Require Import Stencil.Symbol.
 Import ListNotations.
 
 Lemma SameLabelEqual (a b : Label) : SameLabel a b = true <-> a = b.

@@ -3,8 +3,8 @@
     Any set of stencils in any tiling: no two edges of the stencils on the two
     sides of a face cross. *)
 
-From Certet Require Import Lattice.Coord3 Lattice.NeighborSpec Lattice.Tiling.
-From Certet Require Import Stencil.StencilSet.
+From Certet Require Import Lattice.Definitions Stencil.Definitions.
+From Certet Require Import Lattice.Tiling.
 
 Definition CompatibleInTiling (S : StencilSet) (T : Tiling) : Prop :=
   forall GetSign GetIntersection (id : Identifier T) (i : Place),

@@ -6,9 +6,8 @@
     [TriangleCheckerProof]. *)
 
 From Coq Require Import List Bool.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
+From Certet Require Import Stencil.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.CompatibilityChecker.
-From Certet Require Import Stencil.TriangleSpec.
 Import ListNotations.
 Open Scope bool_scope.
 

@@ -3,10 +3,9 @@
     Still on symbols: from boolean functions to propositions. *)
 
 From Coq Require Import List Bool.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol Stencil.SymbolProof.
-From Certet Require Import Stencil.CompatibilityChecker Stencil.TriangleChecker.
-From Certet Require Import Stencil.TriangleSpec.
+From Certet Require Import Stencil.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.SymbolProof
+  Stencil.CompatibilityChecker Stencil.TriangleChecker.
 Import ListNotations.
 
 (** ** Comparing *)

@@ -1,12 +1,10 @@
 (** * What compatible edges do not tell: proofs *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Coord3.
-From Certet Require Import Stencil.UnstructuredTet Stencil.CompatibilitySpec.
-From Certet Require Import Stencil.StencilSet Stencil.OtherStencils.
-From Certet Require Import Stencil.TriangleSpec Stencil.TriangleChecker.
-From Certet Require Import Stencil.CompatibilityProof.
-From Certet Require Import Stuffing.Stuffing.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Stuffing.Definitions.
+From Certet Require Import Stencil.OtherStencils Stencil.TriangleChecker
+  Stencil.CompatibilityProof.
 Import ListNotations.
 Open Scope Z_scope.
 

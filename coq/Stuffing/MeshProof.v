@@ -4,16 +4,11 @@
     every structured tetrahedron of the lattice. *)
 
 From Coq Require Import List Bool.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Lattice.StructuredTetProof.
-From Certet Require Import Lattice.NeighborSpec Lattice.Arrangement.
-From Certet Require Import Lattice.ArrangementProof.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol Stencil.CompatibilityChecker.
-From Certet Require Import Stencil.TriangleSpec Stencil.TriangleChecker.
-From Certet Require Import Stencil.TriangleCheckerProof.
-From Certet Require Import Warp.Warp Stuffing.Stuffing Stuffing.MeshSpec.
-From Certet Require Import Stuffing.NameProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions.
+From Certet Require Import Lattice.StructuredTetProof Lattice.Arrangement
+  Lattice.ArrangementProof Stencil.Symbol Stencil.CompatibilityChecker
+  Stencil.TriangleChecker Stencil.TriangleCheckerProof Stuffing.NameProof.
 Import ListNotations.
 
 Local Opaque WarpVertex.

@@ -5,9 +5,8 @@
     so nothing depends on where exactly the cuts lie. *)
 
 From Coq Require Import List.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet Stuffing.Stuffing.
+From Certet Require Import Lattice.Definitions Stencil.Definitions.
+From Certet Require Import Stuffing.Stuffing.
 
 (** The vertex belongs to the lattice face with these corners: it is one of
     them, or the cut of an edge between two of them. *)

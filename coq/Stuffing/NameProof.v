@@ -5,12 +5,10 @@
     holds of the stencils on symbols holds of [StuffTet]. *)
 
 From Coq Require Import List Bool.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol Stencil.SymbolProof.
-From Certet Require Import Stencil.CompatibilityChecker Stencil.TriangleSpec.
-From Certet Require Import Stencil.TriangleChecker.
-From Certet Require Import Warp.Warp Stuffing.Stuffing Stuffing.MeshSpec.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.SymbolProof
+  Stencil.CompatibilityChecker Stencil.TriangleChecker.
 Import ListNotations.
 
 (** How a vertex is warped plays no part, and is costly to look into. *)

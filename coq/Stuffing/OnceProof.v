@@ -6,14 +6,11 @@
 
 From Coq Require Import List Bool.
 From Coq Require Logic.FinFun.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Lattice.NeighborSpec Lattice.FaceProof.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol Stencil.SymbolProof.
-From Certet Require Import Stencil.CompatibilityChecker Stencil.TriangleSpec.
-From Certet Require Import Stencil.TriangleChecker Stencil.CompatibilityCheckerProof.
-From Certet Require Import Warp.Warp Stuffing.Stuffing Stuffing.MeshSpec.
-From Certet Require Import Stuffing.NameProof Stuffing.MeshProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions.
+From Certet Require Import Lattice.FaceProof Stencil.Symbol Stencil.SymbolProof
+  Stencil.CompatibilityChecker Stencil.TriangleChecker
+  Stencil.CompatibilityCheckerProof Stuffing.NameProof Stuffing.MeshProof.
 Import ListNotations.
 
 Local Opaque WarpVertex.

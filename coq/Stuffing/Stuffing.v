@@ -5,9 +5,8 @@
     fill one structured tetrahedron, with their positions. *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions.
 Open Scope Z_scope.
 
 (** A domain as the mesher sees it: the sign of each lattice vertex, and for

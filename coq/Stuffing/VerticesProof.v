@@ -1,8 +1,8 @@
 (** * What the vertices of the output are made of *)
 
 From Coq Require Import List.
-From Certet Require Import Stencil.UnstructuredTet Stencil.TriangleSpec.
-From Certet Require Import Warp.Warp Stuffing.Stuffing.
+From Certet Require Import Stencil.Definitions Warp.Definitions
+  Stuffing.Definitions.
 Import ListNotations.
 
 Local Opaque WarpVertex.

@@ -5,24 +5,16 @@
     adjacent. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Angles.AnglesSpec Angles.Cases.Isometry.
-From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
-From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
-From Certet Require Import Embedding.MeshApartProof.
-From Certet Require Import Embedding.LinkProof Embedding.StarProof.
+From Certet Require Import Lattice.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Lattice.FaceProof Angles.Cases.Isometry
+  Embedding.EdgeRank Embedding.GreedyProof Embedding.MeshApartProof
+  Embedding.LinkProof Embedding.StarProof.
 Import ListNotations.
 Open Scope Z_scope.
 
 Definition LatticePoint (v : Coord3) : Prop :=
   exists tid, InLattice tid /\ In v (Corners tid).
-
-Lemma NeverAdjacent v : ~ Adjacent v v.
-Proof.
-  intros [d E]. destruct v as [x y z], d; cbn [Translate Offset] in E;
-    injection E; lia.
-Qed.
 
 Lemma LatticePointNext v w : LatticePoint v -> Adjacent v w -> LatticePoint w.
 Proof.

@@ -1,13 +1,10 @@
 (** * The corners of a structured tetrahedron *)
 
 From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Angles.AnglesSpec Angles.Cases.Isometry.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
-From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
-From Certet Require Import Embedding.MeshApartProof.
-From Certet Require Import Topology.CliqueProof.
+From Certet Require Import Lattice.Definitions Angles.Definitions
+  Embedding.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.EdgeRank
+  Embedding.GreedyProof Embedding.MeshApartProof Topology.CliqueProof.
 Import ListNotations.
 
 Lemma FourApart {A} (a b c d : A) : NoDup [a; b; c; d] <->

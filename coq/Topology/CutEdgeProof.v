@@ -5,22 +5,13 @@
 
 From Coq Require Import ZArith List Bool Arith Lia.
 From Coq Require Logic.FinFun.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet Stencil.TriangleSpec.
-From Certet Require Import Warp.Cut Warp.Warp.
-From Certet Require Import Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec Angles.Cases.Isometry.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
-From Certet Require Import Embedding.DiskRule.
-From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
-From Certet Require Import Embedding.MeshApartProof.
-From Certet Require Import Embedding.LinkProof.
-From Certet Require Import Embedding.SettleSpec.
-From Certet Require Import Topology.SurfaceSpec Topology.CliqueProof.
-From Certet Require Import Topology.CornersProof.
-From Certet Require Import Topology.LocalSurfaceProof Topology.SurfaceProof.
-From Certet Require Import Topology.RingProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
+  Topology.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.EdgeRank
+  Embedding.GreedyProof Embedding.MeshApartProof Embedding.LinkProof
+  Topology.CliqueProof Topology.CornersProof Topology.LocalSurfaceProof
+  Topology.SurfaceProof Topology.RingProof.
 Import ListNotations.
 
 Section Mesh.

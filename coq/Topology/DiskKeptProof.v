@@ -1,16 +1,11 @@
 (** * Who becomes 0 by a strict disk leaves the others their strict disks *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Stuffing.Stuffing.
-From Certet Require Import Angles.Cases.Isometry.
-From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
-From Certet Require Import Embedding.GreedyProof.
-From Certet Require Import Embedding.LeavingProof Embedding.LinkProof.
-From Certet Require Import Embedding.SettleSpec.
-From Certet Require Import Topology.SurfaceSpec Topology.CliqueProof.
-From Certet Require Import Topology.DiskPointProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Stuffing.Definitions Embedding.Definitions Topology.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.GreedyProof
+  Embedding.LeavingProof Embedding.LinkProof Topology.CliqueProof
+  Topology.DiskPointProof.
 Import ListNotations.
 
 (** The last step of a walk to [v]. *)

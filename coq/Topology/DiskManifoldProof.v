@@ -1,19 +1,13 @@
 (** * The rule of the strict disk gives a manifold: proof *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing Stuffing.Domain.
-From Certet Require Import Angles.AnglesSpec Angles.AngleTheorems.
-From Certet Require Import Embedding.PiecesSpec.
-From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
-From Certet Require Import Embedding.DiskRuleProof Embedding.DiskPiecesProof.
-From Certet Require Import Embedding.SettleSpec.
-From Certet Require Import Topology.SurfaceSpec Topology.LocalSurfaceProof.
-From Certet Require Import Topology.SurfaceProof.
-From Certet Require Import Topology.EdgeProof Topology.FanProof.
-From Certet Require Import Topology.CutEdgeProof.
-From Certet Require Import Topology.DiskPointProof Topology.DiskKeptProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
+  Topology.Definitions.
+From Certet Require Import Angles.AngleTheorems Embedding.DiskRuleProof
+  Embedding.DiskPiecesProof Topology.LocalSurfaceProof Topology.SurfaceProof
+  Topology.EdgeProof Topology.FanProof Topology.CutEdgeProof
+  Topology.DiskPointProof Topology.DiskKeptProof.
 
 (** Checking a proof needs their names, never what they are. *)
 Local Strategy 1000 [WarpVertex Settled StrictDisk].

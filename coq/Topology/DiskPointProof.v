@@ -4,14 +4,11 @@
     them, so that the same edge can be seen from both its ends. *)
 
 From Coq Require Import ZArith List Bool Arith Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Stuffing.Stuffing.
-From Certet Require Import Angles.Cases.Isometry.
-From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
-From Certet Require Import Embedding.LeavingProof Embedding.LinkProof.
-From Certet Require Import Topology.CliqueProof Topology.RingProof.
-From Certet Require Import Topology.SeparationProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Stuffing.Definitions Embedding.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.LeavingProof
+  Embedding.LinkProof Topology.CliqueProof Topology.RingProof
+  Topology.SeparationProof.
 Import ListNotations.
 Open Scope bool_scope.
 

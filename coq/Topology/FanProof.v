@@ -5,21 +5,14 @@
     edges is met by the surface in one vertex. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet Stencil.TriangleSpec.
-From Certet Require Import Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec Angles.Cases.Isometry.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
-From Certet Require Import Embedding.DiskRule.
-From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
-From Certet Require Import Embedding.LeavingProof Embedding.LinkProof.
-From Certet Require Import Embedding.SettleSpec.
-From Certet Require Import Topology.SurfaceSpec Topology.CliqueProof.
-From Certet Require Import Topology.LocalSurfaceProof Topology.SurfaceProof.
-From Certet Require Import Topology.RingProof Topology.EdgeProof.
-From Certet Require Import Topology.CornersProof.
-From Certet Require Import Topology.SeparationProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
+  Topology.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.EdgeRank
+  Embedding.GreedyProof Embedding.LeavingProof Embedding.LinkProof
+  Topology.CliqueProof Topology.LocalSurfaceProof Topology.SurfaceProof
+  Topology.RingProof Topology.EdgeProof Topology.CornersProof
+  Topology.SeparationProof.
 Import ListNotations.
 
 Lemma RingsWhole : forallb (fun d => OnePiece (NextInLink d)) AllDirections = true.

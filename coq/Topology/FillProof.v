@@ -6,15 +6,12 @@
     weight fits one tetrahedron of the stencils, or of those for the other side. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol Stencil.SymbolProof.
-From Certet Require Import Stencil.CompatibilityChecker Stencil.TriangleSpec.
-From Certet Require Import Stencil.TriangleChecker.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.Measure.
-From Certet Require Import Embedding.EdgeRank.
-From Certet Require Import Topology.TwoSidesSpec Topology.StencilSurface.
-From Certet Require Import Topology.EdgeProof.
-From Certet Require Import Topology.CornersProof.
+From Certet Require Import Stencil.Definitions Embedding.Definitions
+  Topology.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.SymbolProof
+  Stencil.CompatibilityChecker Stencil.TriangleChecker Embedding.Measure
+  Embedding.EdgeRank Topology.StencilSurface Topology.EdgeProof
+  Topology.CornersProof.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -4,19 +4,13 @@
     of the mesh. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol Stencil.SymbolProof.
-From Certet Require Import Stencil.CompatibilityChecker Stencil.TriangleSpec.
-From Certet Require Import Stencil.TriangleChecker Stencil.TriangleCheckerProof.
-From Certet Require Import Warp.Cut Warp.Warp.
-From Certet Require Import Stuffing.Stuffing Stuffing.NameProof.
-From Certet Require Import Angles.AnglesSpec.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
-From Certet Require Import Embedding.EdgeRank Embedding.MeshApartProof.
-From Certet Require Import Embedding.LeavingProof.
-From Certet Require Import Topology.SurfaceSpec Topology.StencilSurface.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
+  Topology.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.SymbolProof
+  Stencil.CompatibilityChecker Stencil.TriangleChecker
+  Stencil.TriangleCheckerProof Stuffing.NameProof Embedding.EdgeRank
+  Embedding.MeshApartProof Embedding.LeavingProof Topology.StencilSurface.
 Import ListNotations.
 
 (** ** What checks of lists tell *)

@@ -4,11 +4,10 @@
     around it, + begins as often as it ends. *)
 
 From Coq Require Import ZArith List Bool Arith Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet Stencil.Symbol.
-From Certet Require Import Stencil.SymbolProof.
-From Certet Require Import Angles.Cases.Isometry.
-From Certet Require Import Embedding.DiskRule Embedding.LinkProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Embedding.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.SymbolProof
+  Angles.Cases.Isometry Embedding.LinkProof.
 Import ListNotations.
 Open Scope bool_scope.
 
@@ -49,9 +48,6 @@ Fixpoint ForAllSignsOn (ds : list Direction) (test : (Direction -> Sign) -> bool
   | d :: rest =>
       ForAllSigns (fun s => ForAllSignsOn rest (fun now => test (Put d s now)))
   end.
-
-Lemma SameDirectionRefl d : SameDirection d d = true.
-Proof. apply Coord3EqualRefl. Qed.
 
 Lemma ForAllSignsOnSound now ds : forall test, ForAllSignsOn ds test = true ->
   exists now', (forall e, In e ds -> now' e = now e) /\ test now' = true.

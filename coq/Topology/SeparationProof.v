@@ -8,12 +8,10 @@
     all over + and all over the rest. *)
 
 From Coq Require Import ZArith List Bool Arith Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Angles.Cases.Isometry.
-From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
-From Certet Require Import Embedding.LeavingProof Embedding.LinkProof.
-From Certet Require Import Topology.CliqueProof Topology.RingProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Embedding.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.LeavingProof
+  Embedding.LinkProof Topology.CliqueProof Topology.RingProof.
 Import ListNotations.
 Open Scope bool_scope.
 

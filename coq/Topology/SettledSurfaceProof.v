@@ -1,18 +1,13 @@
 (** * The surface of the mesh that keeps the shape: proof *)
 
 From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Cases.Isometry.
-From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
-From Certet Require Import Embedding.Settle Embedding.SettleSpec.
-From Certet Require Import Embedding.GreedyProof.
-From Certet Require Import Embedding.LeavingProof Embedding.LinkProof.
-From Certet Require Import Embedding.SettleProof Embedding.SettledMeshProof.
-From Certet Require Import Topology.SurfaceSpec Topology.CliqueProof.
-From Certet Require Import Topology.DiskPointProof Topology.DiskKeptProof.
-From Certet Require Import Topology.DiskManifoldProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Embedding.Definitions
+  Topology.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.GreedyProof
+  Embedding.LeavingProof Embedding.LinkProof Embedding.SettleProof
+  Embedding.SettledMeshProof Topology.CliqueProof Topology.DiskPointProof
+  Topology.DiskKeptProof Topology.DiskManifoldProof.
 
 (** Checking a proof needs their names, never what they are. *)
 Local Strategy 1000 [WarpVertex Settle StrictDisk].

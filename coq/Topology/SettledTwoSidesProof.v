@@ -1,16 +1,12 @@
 (** * Inside and outside of the warp that keeps the shape: proof *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Coord3 Lattice.NeighborSpec.
-From Certet Require Import Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec Angles.AngleTheorems.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.WarpOrClamp.
-From Certet Require Import Embedding.Settle Embedding.SettleProof.
-From Certet Require Import Embedding.SettledMeshProof.
-From Certet Require Import Topology.SurfaceSpec Topology.TwoSidesSpec.
-From Certet Require Import Topology.TwoSidesFillProof Topology.TwoSidesMeetProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
+  Topology.Definitions.
+From Certet Require Import Angles.AngleTheorems Embedding.SettleProof
+  Embedding.SettledMeshProof Topology.TwoSidesFillProof
+  Topology.TwoSidesMeetProof.
 Open Scope Z_scope.
 
 (** Checking a proof needs their names, never what they are. *)

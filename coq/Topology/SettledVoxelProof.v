@@ -1,15 +1,11 @@
 (** * The pieces of a label image and of the mesh that keeps the shape: proof *)
 
 From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
-From Certet Require Import Embedding.Settle Embedding.LeavingProof.
-From Certet Require Import Embedding.SettledMeshProof.
-From Certet Require Import Topology.VoxelSpec Topology.VoxelProof.
-From Certet Require Import Topology.VoxelMeshProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
+  Topology.Definitions.
+From Certet Require Import Embedding.LeavingProof Embedding.SettledMeshProof
+  Topology.VoxelProof Topology.VoxelMeshProof.
 Open Scope Z_scope.
 
 (** Checking a proof needs their names, never what they are. *)

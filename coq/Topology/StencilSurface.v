@@ -5,10 +5,9 @@
     [LocalSurfaceProof]. *)
 
 From Coq Require Import List Bool Arith.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol Stencil.CompatibilityChecker.
-From Certet Require Import Stencil.TriangleChecker.
-From Certet Require Import Embedding.EdgeRank Embedding.MeshApartProof.
+From Certet Require Import Stencil.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.CompatibilityChecker
+  Stencil.TriangleChecker Embedding.EdgeRank Embedding.MeshApartProof.
 Import ListNotations.
 Open Scope bool_scope.
 

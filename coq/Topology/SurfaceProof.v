@@ -5,18 +5,12 @@
     exactly one side. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet Stencil.TriangleSpec.
-From Certet Require Import Warp.Cut Warp.Warp.
-From Certet Require Import Stuffing.Stuffing Stuffing.MeshSpec Stuffing.MeshProof.
-From Certet Require Import Angles.AnglesSpec.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
-From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
-From Certet Require Import Embedding.MeshApartProof.
-From Certet Require Import Embedding.LinkProof Embedding.AroundProof.
-From Certet Require Import Topology.SurfaceSpec Topology.CliqueProof.
-From Certet Require Import Topology.LocalSurfaceProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
+  Topology.Definitions.
+From Certet Require Import Stuffing.MeshProof Embedding.EdgeRank
+  Embedding.GreedyProof Embedding.MeshApartProof Embedding.LinkProof
+  Embedding.AroundProof Topology.CliqueProof Topology.LocalSurfaceProof.
 Import ListNotations.
 
 (** ** One structured tetrahedron *)

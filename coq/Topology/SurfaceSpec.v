@@ -6,11 +6,9 @@
     lies in two, they are a single cycle as soon as they hang together. *)
 
 From Coq Require Import List Arith.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet Stencil.TriangleSpec.
-From Certet Require Import Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec.
-From Certet Require Import Embedding.PiecesSpec.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions
+  Embedding.Definitions.
 
 (** ** The surface *)
 

@@ -1,21 +1,15 @@
 (** * The meshes of both sides leave no gaps: proof *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.Symbol Stencil.SymbolProof.
-From Certet Require Import Stencil.CompatibilityChecker Stencil.TriangleChecker.
-From Certet Require Import Warp.Cut Warp.Warp.
-From Certet Require Import Stuffing.Stuffing Stuffing.NameProof.
-From Certet Require Import Angles.AnglesSpec Angles.Cases.AdmissibleProof.
-From Certet Require Import Embedding.EmbeddingSpec.
-From Certet Require Import Embedding.LatticeEmbedsProof.
-From Certet Require Import Embedding.WarpedLatticeProof.
-From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof.
-From Certet Require Import Embedding.MeshEmbedsProof Embedding.LatticeCoversProof.
-From Certet Require Import Topology.SurfaceSpec Topology.TwoSidesSpec.
-From Certet Require Import Topology.StencilSurface Topology.FillProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
+  Topology.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.SymbolProof
+  Stencil.CompatibilityChecker Stencil.TriangleChecker Stuffing.NameProof
+  Angles.Cases.AdmissibleProof Embedding.LatticeEmbedsProof
+  Embedding.WarpedLatticeProof Embedding.EdgeRank Embedding.GreedyProof
+  Embedding.MeshEmbedsProof Embedding.LatticeCoversProof Topology.StencilSurface
+  Topology.FillProof.
 Import ListNotations.
 Open Scope Z_scope.
 

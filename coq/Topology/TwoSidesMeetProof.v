@@ -8,22 +8,14 @@
     only one of the two pairs. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Stencil.TriangleSpec.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec.
-From Certet Require Import Embedding.EmbeddingSpec.
-From Certet Require Import Embedding.LatticeEmbedsProof.
-From Certet Require Import Embedding.WarpedLatticeProof.
-From Certet Require Import Embedding.Measure Embedding.EdgeRank.
-From Certet Require Import Embedding.GreedyProof Embedding.MeshEmbedsProof.
-From Certet Require Import Embedding.MeshApartProof Embedding.LinkProof.
-From Certet Require Import Topology.SurfaceSpec Topology.TwoSidesSpec.
-From Certet Require Import Topology.EdgeProof Topology.CliqueProof.
-From Certet Require Import Topology.CornersProof.
-From Certet Require Import Topology.TwoSidesFillProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
+  Topology.Definitions.
+From Certet Require Import Embedding.LatticeEmbedsProof
+  Embedding.WarpedLatticeProof Embedding.Measure Embedding.EdgeRank
+  Embedding.GreedyProof Embedding.MeshEmbedsProof Embedding.MeshApartProof
+  Embedding.LinkProof Topology.EdgeProof Topology.CliqueProof
+  Topology.CornersProof Topology.TwoSidesFillProof.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -5,10 +5,8 @@
     can be compared. *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Embedding.EmbeddingSpec.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Embedding.Definitions.
 Open Scope Z_scope.
 
 Definition Negate (s : Sign) : Sign :=

@@ -1,15 +1,11 @@
 (** * The pieces of a label image and of its mesh: proof *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.AnglesSpec.
-From Certet Require Import Embedding.EmbeddingSpec Embedding.PiecesSpec.
-From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
-From Certet Require Import Embedding.LeavingProof Embedding.DiskPiecesProof.
-From Certet Require Import Topology.VoxelSpec Topology.VoxelProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
+  Topology.Definitions.
+From Certet Require Import Embedding.LeavingProof Embedding.DiskPiecesProof
+  Topology.VoxelProof.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -4,12 +4,10 @@
     point has an even one of its own voxel next to it, and joins no two groups. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet Stuffing.Stuffing.
-From Certet Require Import Angles.Cases.Isometry.
-From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
-From Certet Require Import Embedding.LeavingProof Embedding.LinkProof.
-From Certet Require Import Topology.VoxelSpec.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Stuffing.Definitions Embedding.Definitions Topology.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.LeavingProof
+  Embedding.LinkProof.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -6,9 +6,8 @@
     join. *)
 
 From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Coord3 Lattice.Direction Lattice.NeighborSpec.
-From Certet Require Import Stencil.UnstructuredTet Stuffing.Stuffing.
-From Certet Require Import Embedding.DiskRule.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Stuffing.Definitions Embedding.Definitions.
 Import ListNotations.
 Open Scope Z_scope.
 

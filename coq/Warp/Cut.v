@@ -5,7 +5,7 @@
     else. *)
 
 From Coq Require Import ZArith.
-From Certet Require Import Lattice.Coord3 Stencil.UnstructuredTet.
+From Certet Require Import Lattice.Definitions Stencil.Definitions.
 Open Scope Z_scope.
 
 Definition StepBits : nat := 16.

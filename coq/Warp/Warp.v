@@ -9,8 +9,8 @@
     wins. *)
 
 From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet Warp.Cut.
+From Certet Require Import Lattice.Definitions Stencil.Definitions.
+From Certet Require Import Warp.Cut.
 Open Scope Z_scope.
 
 (** [TH long short]: alpha of long and of short edges, in 256ths. *)

@@ -1,8 +1,8 @@
 (** * [Warp] keeps its promise: proof *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Direction Stencil.UnstructuredTet.
-From Certet Require Import Warp.Warp Warp.WarpSpec.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -5,7 +5,8 @@
     order is this product's own. *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Direction Warp.Warp.
+From Certet Require Import Lattice.Definitions.
+From Certet Require Import Warp.Warp.
 Open Scope Z_scope.
 
 (** Among the directions of a list that violate, [d] is the first of the

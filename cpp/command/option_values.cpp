@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "refusal.hpp"
@@ -25,6 +26,17 @@ bool take_range(std::string_view& text, LabelRange& range) {
   return take_integer(text, range.last) && range.first <= range.last;
 }
 
+/// The number that all of a text is, if it is a finite one of its kind.
+template <class Number>
+std::optional<Number> number_of(std::string_view text) {
+  Number value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, failure] = std::from_chars(text.data(), end, value);
+  if (failure != std::errc{} || stop != end || !std::isfinite(static_cast<double>(value)))
+    return std::nullopt;
+  return value;
+}
+
 }  // namespace
 
 std::vector<LabelRange> parse_labels(const std::string& text) {
@@ -41,30 +53,28 @@ std::vector<LabelRange> parse_labels(const std::string& text) {
 }
 
 double parse_number(const std::string& option, const std::string& text) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, failure] = std::from_chars(text.data(), end, value);
-  if (failure != std::errc{} || stop != end || !std::isfinite(value))
-    refuse(option + " takes finite numbers, not '" + text + "'");
+  const auto value = number_of<double>(text);
+  if (!value) refuse(option + " takes finite numbers, not '" + text + "'");
+  return *value;
+}
+
+double parse_positive(const std::string& option, const std::string& text) {
+  const double value = parse_number(option, text);
+  if (value <= 0) refuse(option + " takes a positive number, not '" + text + "'");
   return value;
 }
 
 std::uint64_t parse_count(const std::string& option, const std::string& text) {
-  std::uint64_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, failure] = std::from_chars(text.data(), end, value);
-  if (failure != std::errc{} || stop != end || value == 0)
+  const auto value = number_of<std::uint64_t>(text);
+  if (!value || *value == 0)
     refuse(option + " takes a whole number of at least 1, not '" + text + "'");
-  return value;
+  return *value;
 }
 
 std::uint64_t parse_whole(const std::string& option, const std::string& text) {
-  std::uint64_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, failure] = std::from_chars(text.data(), end, value);
-  if (failure != std::errc{} || stop != end)
-    refuse(option + " takes a whole number, 0 or more, not '" + text + "'");
-  return value;
+  const auto value = number_of<std::uint64_t>(text);
+  if (!value) refuse(option + " takes a whole number, 0 or more, not '" + text + "'");
+  return *value;
 }
 
 KeepRule parse_keep(const std::string& text) {
@@ -74,13 +84,11 @@ KeepRule parse_keep(const std::string& text) {
   if (text.size() == through.size() + 1 && text.starts_with(through) &&
       axes.find(text.back()) != std::string_view::npos)
     return KeepPercolating{axes.find(text.back())};
-  std::uint64_t count = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, failure] = std::from_chars(text.data(), end, count);
-  if (failure != std::errc{} || stop != end || count == 0)
+  const auto count = number_of<std::uint64_t>(text);
+  if (!count || *count == 0)
     refuse("--keep takes largest, a number of pieces, or percolating:x, y or z, not '" + text +
            "'");
-  return KeepLargest{count};
+  return KeepLargest{*count};
 }
 
 std::vector<double> parse_numbers(const std::string& option, const std::string& text) {

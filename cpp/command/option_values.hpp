@@ -34,4 +34,7 @@ std::uint64_t parse_whole(const std::string& option, const std::string& text);
 /// A finite number.  \throws Error `bad_option` naming the option.
 double parse_number(const std::string& option, const std::string& text);
 
+/// A positive one.
+double parse_positive(const std::string& option, const std::string& text);
+
 }  // namespace certet::command

@@ -4,10 +4,17 @@
 
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "outputs.hpp"
 
 namespace certet::command {
+
+/// To stderr, a line each.
+inline void warn(const std::vector<std::string>& sentences) {
+  for (const std::string& sentence : sentences)
+    std::fprintf(stderr, "certet: warning: %s\n", sentence.c_str());
+}
 
 /// To stdout and to where --json says; the table gives way to JSON on stdout.
 /// A report has a `table` for people and a `json` for programs.

@@ -26,18 +26,19 @@ std::int32_t label_of(const std::string& word, const LabelNames& names) {
 
 void declare_surface_choice(CLI::App& app, std::string& text) {
   app.add_option("--surface", text,
-                 "With .stl and .ply: the surface of region A alone or, of two, where they touch; "
-                 "labels or names (default: the boundary of all)")
+                 "With .stl and .ply: the surface of region A alone or, of two, where they touch, "
+                 "labels or names; interfaces: wherever two touch (default: the boundary of all)")
       ->option_text("A[,B]");
 }
 
 void check_surface_choice(const std::string& text, Format format) {
   if (!text.empty() && format != Format::stl && format != Format::ply)
-    refuse("--surface goes with .stl and .ply; other formats have all surfaces");
+    refuse("--surface goes with .stl and .ply; .vtp has all surfaces, each by itself");
 }
 
 void choose_surface(const std::string& text, const LabelNames& names, Survey& survey) {
   if (text.empty()) return;
+  if (text == "interfaces") return keep_interfaces(survey);
   const std::size_t comma = text.find(',');
   std::vector<std::int32_t> labels{label_of(text.substr(0, comma), names)};
   if (comma != std::string::npos) labels.push_back(label_of(text.substr(comma + 1), names));

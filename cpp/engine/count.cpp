@@ -34,14 +34,13 @@ std::uint64_t count_tets(const SignPlanes& planes, int j, int k) {
 
 /// The same where several materials meet.
 std::uint64_t count_material_tets(const SignPlanes& planes, int j, int k) {
-  const SignRows signs(planes, j, k);
+  const MaterialCells cells(planes, j, k);
   std::uint64_t count = 0;
   for (int w = 0; w < planes.words(); ++w) {
-    const CellKinds cells = kinds_of_cells(planes, signs, j, k, w);
-    count += cell_tet_count * static_cast<std::uint64_t>(std::popcount(cells.whole));
-    for_each_bit(cells.any & ~cells.whole, [&](int b) {
-      for_each_material_tet(planes, 64 * w + b, j, k, [&](auto...) { ++count; });
-    });
+    const auto [any, whole] = cells.kinds(w);
+    count += cell_tet_count * static_cast<std::uint64_t>(std::popcount(whole));
+    for_each_bit(any & ~whole,
+                 [&](int b) { cells.for_each_tet(64 * w + b, [&](auto...) { ++count; }); });
   }
   return count;
 }

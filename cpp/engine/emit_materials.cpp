@@ -11,17 +11,17 @@ namespace {
 
 /// The materials of the tetrahedra of row (j,k), from `out` on.
 void emit_row_materials(const SignPlanes& planes, int j, int k, Material* out) {
-  const SignRows signs(planes, j, k);
+  const MaterialCells cells(planes, j, k);
   for (int w = 0; w < planes.words(); ++w) {
-    const CellKinds cells = kinds_of_cells(planes, signs, j, k, w);
-    for_each_bit(cells.any, [&](int b) {
-      if ((cells.whole >> b & 1) != 0)
-        out = std::fill_n(out, cell_tet_count, material_of_whole_cell(planes, 64 * w + b, j, k));
+    const auto [any, whole] = cells.kinds(w);
+    for_each_bit(any, [&, whole = whole](int b) {
+      const int i = 64 * w + b;
+      if ((whole >> b & 1) != 0)
+        out = std::fill_n(out, cell_tet_count, cells.material_of_whole(i));
       else
-        for_each_material_tet(planes, 64 * w + b, j, k,
-                              [&](std::size_t, const UnstructuredTet&, Material material) {
-                                *out++ = material;
-                              });
+        cells.for_each_tet(i, [&](std::size_t, const UnstructuredTet&, Material material) {
+          *out++ = material;
+        });
     });
   }
 }

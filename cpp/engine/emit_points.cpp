@@ -2,6 +2,7 @@
 
 #include "emit.hpp"
 #include "emit_loop.hpp"
+#include "places.hpp"
 
 namespace certet::core {
 namespace {
@@ -14,13 +15,9 @@ Coord3* emit_corners(const WarpedLattice& warped, const Lattice& lattice, Grid g
     const std::uint64_t plus = planes.plus(grid, j, k)[w];
     const std::uint64_t zero = planes.zero(grid, j, k)[w];
     for_each_bit(plus | zero, [&](int b) {
-      Coord3 position = steps * lattice_point(lattice, {grid, {}}, 64 * w + b, j, k);
-      if (zero >> b & 1) {
-        position = position +
-                   std::int32_t{displacement->distance} * tiling.directions[displacement->direction];
-        ++displacement;
-      }
-      *out++ = position;
+      const bool moved = (zero >> b & 1) != 0;
+      *out++ = moved_place(lattice, {grid, 64 * w + b, j, k},
+                           moved ? *displacement++ : Displacement{});
     });
   }
   return out;
@@ -29,18 +26,13 @@ Coord3* emit_corners(const WarpedLattice& warped, const Lattice& lattice, Grid g
 /// Cuts of one family.
 Coord3* emit_cuts(const WarpedLattice& warped, const Lattice& lattice, const RowRanks& row,
                   std::size_t f, int j, int k, const std::uint16_t*& cut, Coord3* out) {
-  const Family& family = families[f];
   for (int w = 0; w < row.words(); ++w) {
     const std::uint64_t mask = row.mask(corner_kinds + f, w);
     if (mask == 0) continue;
     const std::uint64_t from_first = warped.planes.measured_from_first(f, j, k, w);
     for_each_bit(mask, [&](int b) {
-      const Coord3 first = lattice_point(lattice, family.first, 64 * w + b, j, k);
-      const Coord3 second = lattice_point(lattice, family.second, 64 * w + b, j, k);
       const bool forward = (from_first >> b & 1) != 0;
-      const Coord3 from = forward ? first : second;
-      const Coord3 to = forward ? second : first;
-      *out++ = steps * from + std::int32_t{*cut++} * (to - from);
+      *out++ = cut_place(lattice, families[f], {64 * w + b, j, k}, forward, *cut++);
     });
   }
   return out;

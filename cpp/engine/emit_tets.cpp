@@ -19,9 +19,13 @@ class TetEmitter {
   void emit_row() {
     first_point_ = {{{row_number(j_, k_), row_number(j_, k_ + 1)},
                      {row_number(j_ + 1, k_), row_number(j_ + 1, k_ + 1)}}};
-    const SignRows signs(planes_, j_, k_);
-    for (int w = 0; w < planes_.words(); ++w)
-      planes_.materials() == nullptr ? emit_word(signs, w) : emit_material_word(signs, w);
+    if (planes_.materials() == nullptr) {
+      const SignRows signs(planes_, j_, k_);
+      for (int w = 0; w < planes_.words(); ++w) emit_word(signs, w);
+    } else {
+      const MaterialCells cells(planes_, j_, k_);
+      for (int w = 0; w < planes_.words(); ++w) emit_material_word(cells, w);
+    }
     ++j_;
     window_.next();
   }
@@ -58,8 +62,8 @@ class TetEmitter {
   }
 
   /// The same where several materials meet.
-  void emit_material_word(const SignRows& signs, int w) {
-    auto [any, whole] = kinds_of_cells(planes_, signs, j_, k_, w);
+  void emit_material_word(const MaterialCells& cells, int w) {
+    auto [any, whole] = cells.kinds(w);
     while (any != 0) {
       const int b = std::countr_zero(any);
       if ((whole >> b & 1) != 0) {
@@ -67,10 +71,9 @@ class TetEmitter {
         emit_interior(w, b, length);
         any = b + length == 64 ? 0 : any & ~below(b + length);
       } else {
-        for_each_material_tet(planes_, 64 * w + b, j_, k_,
-                              [&](std::size_t c, const UnstructuredTet& tet, Material) {
-                                emit_tet(c, tet, w, b);
-                              });
+        cells.for_each_tet(64 * w + b, [&](std::size_t c, const UnstructuredTet& tet, Material) {
+          emit_tet(c, tet, w, b);
+        });
         any &= any - 1;
       }
     }

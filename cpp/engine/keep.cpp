@@ -9,24 +9,25 @@
 #include <utility>
 
 #include "layer_loop.hpp"
-#include "piece_count.hpp"
-#include "plus_runs.hpp"
-#include "region_pieces.hpp"
+#include "joined_parts.hpp"
+#include "piece_tets.hpp"
 #include "row_ranks.hpp"
 
 namespace certet::core {
 namespace {
 
-/// Calls visit(run, mask) for the runs of the cursor's next word.
+/// Calls visit(run, j, w, mask) for the runs of the words of a layer and a grid.
 template <class Visit>
-void for_runs_of_word(RunCursor& cursor, int w, const Visit& visit) {
-  std::uint64_t plus = cursor.next(w);
-  while (plus != 0) {
-    const int b = std::countr_zero(plus);
-    const int end = b + std::countr_one(plus >> b);
-    const std::uint64_t mask = end == 64 ? plus : plus & below(end);
-    visit(cursor.run(b), mask);
-    plus &= ~mask;
+void for_each_run(const PlusRuns& runs, Grid grid, int k, const Visit& visit) {
+  for (int j = 0; j < runs.planes().cells()[1]; ++j) {
+    RunCursor cursor = runs.cursor({grid, {}}, j, k);
+    for (int w = 0; w < runs.planes().words(); ++w)
+      for (std::uint64_t plus = cursor.next(w); plus != 0;) {
+        const int b = std::countr_zero(plus);
+        const std::uint64_t mask = cursor.rest_of_run(b);
+        visit(cursor.run(b), j, w, mask);
+        plus &= ~mask;
+      }
   }
 }
 
@@ -42,20 +43,15 @@ struct Reach {
 };
 
 std::vector<Reach> reaches(const PlusRuns& runs, const NumberedSets& pieces, std::size_t axis) {
-  const SignPlanes& planes = runs.planes();
   std::vector<Reach> reach(pieces.count);
-  for (int k = 0; k < planes.cells()[2]; ++k)
-    for (int j = 0; j < planes.cells()[1]; ++j)
-      for (const Grid grid : grids) {
-        RunCursor cursor(planes.plus(grid, j, k), 0, runs.first(grid, j, k));
-        for (int w = 0; w < planes.words(); ++w)
-          for_runs_of_word(cursor, w, [&](std::uint32_t run, std::uint64_t mask) {
-            for (const int b : {std::countr_zero(mask), static_cast<int>(std::bit_width(mask)) - 1}) {
-              const Coord3 at = 2 * Coord3{64 * w + b, j, k} + tiling.grids[grid];
-              reach[pieces.of[run]].add(std::array{at.x, at.y, at.z}[axis]);
-            }
-          });
-      }
+  for (int k = 0; k < runs.planes().cells()[2]; ++k)
+    for (const Grid grid : grids)
+      for_each_run(runs, grid, k, [&](std::uint32_t run, int j, int w, std::uint64_t mask) {
+        for (const int b : {std::countr_zero(mask), static_cast<int>(std::bit_width(mask)) - 1}) {
+          const Coord3 at = 2 * Coord3{64 * w + b, j, k} + tiling.grids[grid];
+          reach[pieces.of[run]].add(std::array{at.x, at.y, at.z}[axis]);
+        }
+      });
   return reach;
 }
 
@@ -84,18 +80,6 @@ std::vector<bool> choose(const std::vector<Reach>& reach) {
   for (const Reach& piece : reach)
     stays.push_back(piece.low <= all.low + tolerance && piece.high >= all.high - tolerance);
   return stays;
-}
-
-/// Turns the plus vertices of a layer that do not stay to minus.
-void drop_runs(SignPlanes& planes, const PlusRuns& runs, const std::vector<bool>& stays, int k) {
-  for (int j = 0; j < planes.cells()[1]; ++j)
-    for (const Grid grid : grids) {
-      RunCursor cursor(runs.planes().plus(grid, j, k), 0, runs.first(grid, j, k));
-      for (int w = 0; w < planes.words(); ++w)
-        for_runs_of_word(cursor, w, [&](std::uint32_t run, std::uint64_t mask) {
-          if (!stays[run]) planes.plus(grid, j, k)[w] &= ~mask;
-        });
-    }
 }
 
 /// The cuts of a layer whose plus ends are left.  One is measured from its other end
@@ -156,114 +140,71 @@ WarpedLattice what_is_left(const WarpedLattice& warped, SignPlanes after, const 
   return {std::move(after), std::move(cuts), std::move(zeros), warped.figures};
 }
 
-/// Calls visit(run, v) for every vertex of every run.
-template <class Visit>
-void for_each_run_place(const RegionRuns& runs, const SignPlanes& planes, const Visit& visit) {
-  for (std::int32_t k = 0; k < planes.cells()[2]; ++k)
-    for (std::int32_t j = 0; j < planes.cells()[1]; ++j)
-      for (const Grid grid : grids) {
-        std::uint32_t run = runs.first(grid, j, k);
-        for (const RegionRun& row : runs.row(grid, j, k)) {
-          for (std::int32_t i = row.begin; i < row.end; ++i) visit(run, VertexIndex{grid, i, j, k});
-          ++run;
-        }
-      }
-}
-
-std::vector<Reach> reaches(const RegionRuns& runs, const SignPlanes& planes,
-                           const NumberedSets& pieces, std::size_t axis) {
-  std::vector<Reach> reach(pieces.count);
-  for_each_run_place(runs, planes, [&](std::uint32_t run, const VertexIndex& v) {
-    const Coord3 at = 2 * Coord3{v.i, v.j, v.k} + tiling.grids[v.grid];
-    reach[pieces.of[run]].add(std::array{at.x, at.y, at.z}[axis]);
-  });
-  return reach;
-}
-
-std::vector<bool> runs_that_stay(const PlusRuns& runs, const WarpedLattice& warped,
-                                 const Lattice& lattice, const KeepRule& rule, Context& context) {
-  JoinedRuns joined = join_runs(runs, warped, lattice, {}, context);
-  const NumberedSets pieces = number_sets(joined.by_faces);
+/// Of each part, whether it stays.
+std::vector<bool> parts_that_stay(MeshParts& parts, const KeepRule& rule, Context& context) {
+  const NumberedSets pieces = number_sets(parts.whole.by_faces);
   const std::vector<bool> pieces_stay = std::visit(
       [&]<class Rule>(const Rule& which) {
         if constexpr (std::is_same_v<Rule, KeepLargest>)
-          return choose(which, count_tets_of_pieces(runs, pieces.of, pieces.count, context));
+          return choose(which, count_tets_of_pieces(parts, pieces, context));
         else
-          return choose(reaches(runs, pieces, which.axis));
-      },
-      rule);
-  std::vector<bool> stays(runs.size());
-  for (std::size_t run = 0; run < stays.size(); ++run) stays[run] = pieces_stay[pieces.of[run]];
-  return stays;
-}
-
-WarpedLattice with_runs(const WarpedLattice& warped, const PlusRuns& runs,
-                        const std::vector<bool>& stays, const Lattice& lattice,
-                        Context& context) {
-  SignPlanes after = warped.planes;
-  for_each_layer(context, Stage::warp, whole(lattice),
-                 [&](std::int32_t k) { drop_runs(after, runs, stays, k); });
-  return what_is_left(warped, std::move(after), lattice, context);
-}
-
-std::vector<bool> regions_that_stay(const RegionRuns& runs, JoinedRegions& joined,
-                                    const SignPlanes& planes, const KeepRule& rule) {
-  const NumberedSets pieces = number_sets(joined.by_faces);
-  const std::vector<bool> pieces_stay = std::visit(
-      [&]<class Rule>(const Rule& which) {
-        if constexpr (std::is_same_v<Rule, KeepLargest>)
-          return choose(which,
-                        count_tets_of_regions(runs, joined, planes, pieces.of, pieces.count));
-        else
-          return choose(reaches(runs, planes, pieces, which.axis));
+          return choose(reaches(parts.runs, pieces, which.axis));
       },
       rule);
   std::vector<bool> stays;
+  stays.reserve(pieces.of.size());
   for (const std::uint32_t piece : pieces.of) stays.push_back(pieces_stay[piece]);
   return stays;
 }
 
-WarpedLattice with_regions(const WarpedLattice& warped, const RegionRuns& runs,
-                           const JoinedRegions& joined, const std::vector<bool>& stays,
-                           const Lattice& lattice, Context& context) {
+/// The materials of zero vertices count where a tetrahedron has four of them: those of
+/// tetrahedra that do not stay are of none.
+void drop_zero_tets(MaterialPlanes& materials, const MeshParts& parts,
+                    const std::vector<bool>& stays) {
+  const auto set_corners = [&](std::uint32_t part, Material material) {
+    const CaseIndex& tet = parts.zero_tets[part - parts.runs.size()];
+    for (std::size_t n = 0; n < 4; ++n) {
+      const VertexIndex v = tet.corner(n);
+      materials.set(v.grid, v.i, v.j, v.k, material);
+    }
+  };
+  const auto for_each_zero_tet = [&](bool which, const auto& visit) {
+    for (std::uint32_t part = parts.runs.size(); part < parts.size(); ++part)
+      if (stays[part] == which) visit(part);
+  };
+  for_each_zero_tet(false, [&](std::uint32_t part) { set_corners(part, 0); });
+  // Some corners are also those of others.
+  for_each_zero_tet(true, [&](std::uint32_t part) { set_corners(part, parts.material(part)); });
+}
+
+WarpedLattice with_parts(const WarpedLattice& warped, const MeshParts& parts,
+                         const std::vector<bool>& stays, const Lattice& lattice,
+                         Context& context) {
   SignPlanes after = warped.planes;
-  auto materials = std::make_shared<MaterialPlanes>(*warped.planes.materials());
-  const auto take_out = [&](const VertexIndex& v) { materials->set(v.grid, v.i, v.j, v.k, 0); };
-  for_each_run_place(runs, warped.planes, [&](std::uint32_t run, const VertexIndex& v) {
-    if (stays[run]) return;
-    after.plus(v.grid, v.j, v.k)[v.i >> 6] &= ~(std::uint64_t{1} << (v.i & 63));
-    take_out(v);
+  const MaterialPlanes* const before = warped.planes.materials();
+  const auto materials = before ? std::make_shared<MaterialPlanes>(*before) : nullptr;
+  for_each_layer(context, Stage::warp, whole(lattice), [&](std::int32_t k) {
+    for (const Grid grid : grids)
+      for_each_run(parts.runs, grid, k, [&](std::uint32_t run, int j, int w, std::uint64_t mask) {
+        if (stays[run]) return;
+        after.plus(grid, j, k)[w] &= ~mask;
+        if (materials) materials->clear(grid, j, k, w, mask);
+      });
   });
-  // Of zero vertices their material counts where a tetrahedron has four of them.
-  std::vector<std::pair<VertexIndex, Material>> kept;
-  for (std::size_t n = 0; n < joined.shared.size(); ++n)
-    for (const VertexIndex& v : joined.shared[n])
-      if (stays[runs.size() + n]) kept.emplace_back(v, joined.materials[runs.size() + n]);
-      else take_out(v);
-  for (const auto& [v, material] : kept) materials->set(v.grid, v.i, v.j, v.k, material);
-  after.set_materials(std::move(materials));
+  if (materials) drop_zero_tets(*materials, parts, stays);
+  after.set_materials(materials);
   return what_is_left(warped, std::move(after), lattice, context);
 }
 
 }  // namespace
 
-SplitLattice split_runs(const WarpedLattice& warped, const Lattice& lattice, const KeepRule& rule,
-                        Context& context) {
-  const PlusRuns runs(warped.planes, context);
-  std::vector<bool> stays = runs_that_stay(runs, warped, lattice, rule, context);
-  WarpedLattice kept = with_runs(warped, runs, stays, lattice, context);
+SplitLattice split(const WarpedLattice& warped, const Lattice& lattice, const KeepRule& rule,
+                   Context& context) {
+  MeshParts parts = join_parts(warped.planes, context);
+  std::vector<bool> stays = parts_that_stay(parts, rule, context);
+  WarpedLattice kept = with_parts(warped, parts, stays, lattice, context);
   stays.flip();
-  return {std::move(kept), with_runs(warped, runs, stays, lattice, context)};
-}
-
-SplitLattice split_regions(const WarpedLattice& warped, const Lattice& lattice,
-                           const KeepRule& rule, Context& context) {
-  const RegionRuns runs(warped.planes, context);
-  JoinedRegions joined = join_regions(runs, warped, lattice, {}, context);
-  std::vector<bool> stays = regions_that_stay(runs, joined, warped.planes, rule);
-  WarpedLattice kept = with_regions(warped, runs, joined, stays, lattice, context);
-  stays.flip();
-  return {std::move(kept), with_regions(warped, runs, joined, stays, lattice, context)};
+  return {std::move(kept), with_parts(warped, parts, stays, lattice, context)};
 }
 
 }  // namespace certet::core

@@ -12,10 +12,7 @@ namespace certet::core {
 struct SplitLattice {
   WarpedLattice kept, rest;
 };
-SplitLattice split_runs(const WarpedLattice& warped, const Lattice& lattice, const KeepRule& rule,
-                        Context& context);
-/// The same of several materials.
-SplitLattice split_regions(const WarpedLattice& warped, const Lattice& lattice,
-                           const KeepRule& rule, Context& context);
+SplitLattice split(const WarpedLattice& warped, const Lattice& lattice, const KeepRule& rule,
+                   Context& context);
 
 }  // namespace certet::core

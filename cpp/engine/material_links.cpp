@@ -5,41 +5,23 @@
 
 #include "certet/lattice/material_stencil.hpp"
 #include "certet/lattice/well_shaped.hpp"
+#include "material_sets.hpp"
+#include "places.hpp"
 
 namespace certet::core {
 namespace {
 
-/// The materials around a vertex, and which of its neighbours are of each.
-class MaterialSets {
- public:
-  void add(Material material, LinkSet neighbours) {
-    std::size_t n = 0;
-    while (n < count_ && material_[n] != material) ++n;
-    if (n == count_) {
-      material_[count_] = material;
-      set_[count_++] = 0;
-    }
-    set_[n] |= neighbours;
+/// As the class asks; `zero` are the neighbours that are of no material.
+bool are_strict_disks(std::span<const MaterialSets::Entry> around, LinkSet zero) {
+  const Material lowest = std::ranges::min(around, {}, &MaterialSets::Entry::material).material;
+  LinkSet others = 0;
+  for (const auto& [material, set] : around) {
+    if (material == lowest) continue;
+    if (!is_strict_disk(set, zero)) return false;
+    others |= set;
   }
-
-  /// As the class asks; `zero` are the neighbours that are of none.
-  [[nodiscard]] bool are_strict_disks(LinkSet zero) const {
-    const auto materials = std::span(material_).first(count_);
-    const Material lowest = *std::ranges::min_element(materials);
-    LinkSet others = 0;
-    for (std::size_t n = 0; n < count_; ++n) {
-      if (material_[n] == lowest) continue;
-      if (!is_strict_disk(set_[n], zero)) return false;
-      others |= set_[n];
-    }
-    return count_ == 2 || is_strict_disk(others, zero);
-  }
-
- private:
-  std::size_t count_ = 0;
-  std::array<Material, direction_count + 2> material_;
-  std::array<LinkSet, direction_count + 2> set_;
-};
+  return around.size() == 2 || is_strict_disk(others, zero);
+}
 
 /// Whether two fills of one material would touch each other in an edge alone: on both
 /// sides of a cut long edge of the link, with nothing else of the material between.
@@ -75,12 +57,7 @@ bool MaterialLinks::are_disks(const VertexIndex& v, const Displacement& move,
     around[d] = moved ? moved_corner : material(v.next(d));
     if (!moved) sets.add(around[d], LinkSet{1} << d);
   }
-  return sets.are_strict_disks(zero) && !fills_would_touch(around);
-}
-
-Coord3 MaterialLinks::place(const VertexIndex& v, const Displacement& move) const {
-  return steps * lattice_point(lattice_, {v.grid, {}}, v.i, v.j, v.k) +
-         std::int32_t{move.distance} * tiling.directions[move.direction];
+  return are_strict_disks(sets.entries(), zero) && !fills_would_touch(around);
 }
 
 bool MaterialLinks::may_share(const VertexIndex& v, const Displacement& move,
@@ -91,10 +68,10 @@ bool MaterialLinks::may_share(const VertexIndex& v, const Displacement& move,
     for (const std::size_t d : triangle)
       if (lower(v.next(d)) != shared) return false;
     if (shared == 0) continue;
-    std::array<Coord3, 4> corners{place(v, move)};
+    std::array<Coord3, 4> corners{moved_place(lattice_, v, move)};
     for (std::size_t n = 0; n < 3; ++n) {
       const VertexIndex w = v.next(triangle[n]);
-      corners[n + 1] = place(w, violations_.target(w.grid, w.i, w.j, w.k));
+      corners[n + 1] = moved_place(lattice_, w, violations_.target(w.grid, w.i, w.j, w.k));
     }
     if (!is_well_shaped(corners)) return false;
   }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The rule of who moves, where several materials meet.
+/// The rule of who moves, where several materials meet: `SettleMaterials` of the certificate.
 
 #include <array>
 #include <cstdint>
@@ -8,20 +8,10 @@
 #include "certet/domain.hpp"
 #include "certet/lattice.hpp"
 #include "link.hpp"
+#include "vertex_index.hpp"
 #include "violations.hpp"
 
 namespace certet::core {
-
-/// A vertex of the lattice.
-struct VertexIndex {
-  Grid grid;
-  std::int32_t i, j, k;
-  /// Its neighbour in a direction.
-  [[nodiscard]] VertexIndex next(std::size_t direction) const {
-    const VertexRef to = neighbor(grid, direction);
-    return {to.grid, i + to.shift.x, j + to.shift.y, k + to.shift.z};
-  }
-};
 
 /// What samples of several materials tell of violated vertices.
 ///
@@ -32,7 +22,8 @@ struct VertexIndex {
 /// So each material keeps its pieces, cavities and tunnels.  A tetrahedron all of whose
 /// corners move is of the material that is the lower one of each.  Where there is no such
 /// material, or where it is not the outside, so that the tetrahedron is kept, and it is
-/// not well shaped, the last of the corners stays.
+/// not well shaped, the last of the corners stays: `AreDisks`, `FillsWouldTouch` and
+/// `MayShare` of the certificate.
 class MaterialLinks {
  public:
   /// `samples` has materials, or is of one, and then nothing may be asked.
@@ -56,7 +47,6 @@ class MaterialLinks {
   [[nodiscard]] Material material(const VertexIndex& v) const {
     return materials_->at(v.grid, v.i, v.j, v.k);
   }
-  [[nodiscard]] Coord3 place(const VertexIndex& v, const Displacement& move) const;
 
   const MaterialPlanes* materials_;
   const Violations& violations_;

@@ -6,38 +6,42 @@
 namespace certet::core {
 namespace {
 
-std::size_t digits_of(Material most) {
-  return static_cast<std::size_t>(std::bit_width(static_cast<std::uint32_t>(most)));
+int digits_of(Material most) {
+  return static_cast<int>(std::bit_width(static_cast<std::uint32_t>(most)));
 }
 
 }  // namespace
 
 MaterialPlanes::MaterialPlanes(const PlaneLayout& layout, Material most)
-    : layout_(layout), planes_(digits_of(most)), parted_words_(layout.size()) {
-  for (auto& digit : planes_)
-    for (std::vector<std::uint64_t>& words : digit) words.resize(layout.size());
+    : layout_(layout), digits_(digits_of(most)), parted_words_(layout.size()) {
+  for (std::vector<std::uint64_t>& words : words_)
+    words.resize(layout.size() * static_cast<std::size_t>(digits_));
 }
 
 void MaterialPlanes::set_row(Grid grid, int j, int k, std::span<const Material> row) {
-  const std::size_t at = layout_.at(j, k);
   for (std::size_t i = 0; i < row.size();) {
     const std::size_t word_end = std::min(row.size(), (i | 63) + 1);
     std::size_t e = i + 1;
     while (e < word_end && row[e] == row[i]) ++e;
     const std::uint64_t run =
         (e - i == 64 ? ~std::uint64_t{0} : below(static_cast<int>(e - i))) << (i & 63);
-    for (std::size_t b = 0; b < planes_.size(); ++b)
-      if (row[i] >> b & 1) planes_[b][grid][at + (i >> 6)] |= run;
+    std::uint64_t* const digits = &words_[grid][begin(j, k, static_cast<int>(i >> 6))];
+    for (int d = 0; d < digits_; ++d)
+      if (row[i] >> d & 1) digits[d] |= run;
     i = e;
   }
 }
 
 void MaterialPlanes::set(Grid grid, int i, int j, int k, Material material) {
   const std::uint64_t bit = std::uint64_t{1} << (i & 63);
-  for (std::size_t b = 0; b < planes_.size(); ++b) {
-    std::uint64_t& word = planes_[b][grid][layout_.at(j, k) + static_cast<std::size_t>(i >> 6)];
-    word = material >> b & 1 ? word | bit : word & ~bit;
-  }
+  std::uint64_t* const digits = &words_[grid][begin(j, k, i >> 6)];
+  for (int d = 0; d < digits_; ++d)
+    digits[d] = material >> d & 1 ? digits[d] | bit : digits[d] & ~bit;
+}
+
+void MaterialPlanes::clear(Grid grid, int j, int k, int w, std::uint64_t vertices) {
+  std::uint64_t* const digits = &words_[grid][begin(j, k, w)];
+  for (int d = 0; d < digits_; ++d) digits[d] &= ~vertices;
 }
 
 void MaterialPlanes::find_parted_words(int k) {
@@ -49,19 +53,19 @@ void MaterialPlanes::find_parted_words(int k) {
     }
 }
 
-Material MaterialPlanes::at(Grid grid, int i, int j, int k) const {
-  Material material = 0;
-  for (std::size_t b = 0; b < planes_.size(); ++b)
-    material |= static_cast<Material>(row(b, {grid, {}}, j, k)[i >> 6] >> (i & 63) & 1) << b;
-  return material;
+std::uint64_t MaterialPlanes::alike(VertexRef a, VertexRef b, int j, int k, int w) const {
+  std::uint64_t differ = 0;
+  for (int d = 0; d < digits_; ++d) differ |= digit(d, a, j, k, w) ^ digit(d, b, j, k, w);
+  return ~differ;
 }
 
 std::array<std::uint64_t, family_count> MaterialPlanes::compare(int j, int k, int w) const {
+  const auto rows = rows_at(edge_ends.vertices, j, k);
   std::array<std::uint64_t, family_count> differ{};
-  for (std::size_t b = 0; b < planes_.size(); ++b) {
+  for (int d = 0; d < digits_; ++d) {
     std::array<std::uint64_t, edge_end_count> end;
     for (std::size_t n = 0; n < edge_end_count; ++n)
-      end[n] = shifted(row(b, edge_ends.vertices[n], j, k), w, edge_ends.vertices[n].shift.x);
+      end[n] = shifted(rows[n] + d, w, edge_ends.vertices[n].shift.x, digits_);
     for (std::size_t f = 0; f < family_count; ++f)
       differ[f] |= end[edge_ends.of_family[f][0]] ^ end[edge_ends.of_family[f][1]];
   }
@@ -75,21 +79,15 @@ std::array<std::uint64_t, family_count> MaterialPlanes::parted(int j, int k, int
 
 std::uint64_t MaterialPlanes::parted_along(Grid grid, int j, int k, int w) const {
   if (!is_parted(j, k, w)) return 0;
-  std::uint64_t parted = 0;
-  for (std::size_t b = 0; b < planes_.size(); ++b) {
-    const std::uint64_t* const words = row(b, {grid, {}}, j, k);
-    parted |= words[w] ^ shifted(words, w, 1);
-  }
-  return parted;
+  return ~alike({grid, {}}, {grid, {1, 0, 0}}, j, k, w);
 }
 
 std::uint64_t MaterialPlanes::first_is_greater(std::size_t f, int j, int k, int w) const {
   std::uint64_t decided = 0;
   std::uint64_t greater = 0;
-  for (std::size_t b = planes_.size(); b-- > 0;) {
-    const Family& family = families[f];
-    const std::uint64_t first = shifted(row(b, family.first, j, k), w, family.first.shift.x);
-    const std::uint64_t second = shifted(row(b, family.second, j, k), w, family.second.shift.x);
+  for (int d = digits_; d-- > 0;) {
+    const std::uint64_t first = digit(d, families[f].first, j, k, w);
+    const std::uint64_t second = digit(d, families[f].second, j, k, w);
     const std::uint64_t here = (first ^ second) & ~decided;
     greater |= here & first;
     decided |= here;
@@ -107,12 +105,13 @@ std::uint64_t MaterialPlanes::uniform_cells(int j, int k, int w) const {
     return false;
   };
   if (!any_parted()) return ~std::uint64_t{0};
+  const auto rows = rows_at(cell.vertices, j, k);
   std::uint64_t uniform = ~std::uint64_t{0};
-  for (std::size_t b = 0; b < planes_.size() && uniform != 0; ++b) {
+  for (int d = 0; d < digits_ && uniform != 0; ++d) {
     std::uint64_t all = ~std::uint64_t{0};
     std::uint64_t any = 0;
-    for (const VertexRef& vertex : cell.vertices) {
-      const std::uint64_t word = shifted(row(b, vertex, j, k), w, vertex.shift.x);
+    for (std::size_t n = 0; n < cell_vertex_count; ++n) {
+      const std::uint64_t word = shifted(rows[n] + d, w, cell.vertices[n].shift.x, digits_);
       all &= word;
       any |= word;
     }
@@ -122,7 +121,8 @@ std::uint64_t MaterialPlanes::uniform_cells(int j, int k, int w) const {
 }
 
 std::size_t MaterialPlanes::bytes() const {
-  return layout_.size() * (planes_.size() * grid_count * sizeof(std::uint64_t) + 1);
+  return layout_.size() *
+         (static_cast<std::size_t>(digits_) * grid_count * sizeof(std::uint64_t) + 1);
 }
 
 }  // namespace certet::core

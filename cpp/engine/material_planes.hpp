@@ -15,6 +15,20 @@
 
 namespace certet::core {
 
+/// A row of vertices: the digits of 64 of them stand side by side, the lowest first.
+struct MaterialRow {
+  const std::uint64_t* words;
+  int digits;
+
+  [[nodiscard]] Material at(int i) const {
+    const std::uint64_t* const word = words + (i >> 6) * digits;
+    Material material = 0;
+    for (int d = 0; d < digits; ++d)
+      material |= static_cast<Material>(word[d] >> (i & 63) & 1) << d;
+    return material;
+  }
+};
+
 /// A plane for each digit, so that 64 vertices are compared with 64 others at once.  All
 /// digits of what is outside are 0, as they are around the lattice.
 class MaterialPlanes {
@@ -25,10 +39,17 @@ class MaterialPlanes {
   /// Materials of the row, from index 0 on.
   void set_row(Grid grid, int j, int k, std::span<const Material> row);
   void set(Grid grid, int i, int j, int k, Material material);
+  /// Makes some vertices of word w the outside.
+  void clear(Grid grid, int j, int k, int w, std::uint64_t vertices);
   /// To be called for each layer when its rows and those of the next are set.
   void find_parted_words(int k);
 
-  [[nodiscard]] Material at(Grid grid, int i, int j, int k) const;
+  [[nodiscard]] MaterialRow row(Grid grid, int j, int k) const {
+    return {&words_[grid][begin(j, k)], digits_};
+  }
+  [[nodiscard]] Material at(Grid grid, int i, int j, int k) const { return row(grid, j, k).at(i); }
+  /// The indices of word w at which the vertices at `a` and `b` are of one material.
+  [[nodiscard]] std::uint64_t alike(VertexRef a, VertexRef b, int j, int k, int w) const;
   /// Of the edges that word w owns, those whose ends are of different materials.
   [[nodiscard]] std::array<std::uint64_t, family_count> parted(int j, int k, int w) const;
   /// Of a row, the vertices of word w whose next one is of another material.
@@ -41,8 +62,23 @@ class MaterialPlanes {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  [[nodiscard]] const std::uint64_t* row(std::size_t digit, VertexRef ref, int j, int k) const {
-    return &planes_[digit][ref.grid][layout_.at(j + ref.shift.y, k + ref.shift.z)];
+  /// Where the digits of word w of a row begin.
+  [[nodiscard]] std::size_t begin(int j, int k, int w = 0) const {
+    return (layout_.at(j, k) + static_cast<std::size_t>(w)) * static_cast<std::size_t>(digits_);
+  }
+  /// A digit of the vertices at `ref` from the indices of word w.
+  [[nodiscard]] std::uint64_t digit(int d, VertexRef ref, int j, int k, int w) const {
+    const std::uint64_t* const row = &words_[ref.grid][begin(j + ref.shift.y, k + ref.shift.z)];
+    return shifted(row + d, w, ref.shift.x, digits_);
+  }
+  /// The digits of the rows of some vertices, from those of row (j,k).
+  template <std::size_t count>
+  [[nodiscard]] std::array<const std::uint64_t*, count> rows_at(
+      const std::array<VertexRef, count>& vertices, int j, int k) const {
+    std::array<const std::uint64_t*, count> rows;
+    for (std::size_t n = 0; n < count; ++n)
+      rows[n] = &words_[vertices[n].grid][begin(j + vertices[n].shift.y, k + vertices[n].shift.z)];
+    return rows;
   }
   /// Whether word w of a row in the window owns an edge with two materials.
   [[nodiscard]] bool is_parted(int j, int k, int w) const {
@@ -51,7 +87,8 @@ class MaterialPlanes {
   [[nodiscard]] std::array<std::uint64_t, family_count> compare(int j, int k, int w) const;
 
   PlaneLayout layout_;
-  std::vector<std::array<std::vector<std::uint64_t>, grid_count>> planes_;  ///< by digits, the lowest first
+  int digits_;
+  std::array<std::vector<std::uint64_t>, grid_count> words_;  ///< the lowest digits first
   std::vector<std::uint8_t> parted_words_;
 };
 

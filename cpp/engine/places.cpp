@@ -5,8 +5,10 @@
 #include "row_ranks.hpp"
 
 namespace certet::core {
+namespace {
 
-Coord3 moved_place(const WarpedLattice& warped, const Lattice& lattice, const VertexIndex& v) {
+/// How a zero vertex has moved.
+const Displacement& move_of(const WarpedLattice& warped, const VertexIndex& v) {
   const DisplacedLayer& layer = warped.zeros[v.k];
   std::uint32_t rank = layer.row_begin[static_cast<std::size_t>(v.j)];
   const auto zeros_before = [&](Grid grid, int end) {
@@ -19,33 +21,26 @@ Coord3 moved_place(const WarpedLattice& warped, const Lattice& lattice, const Ve
   for (const Grid grid : grids)
     if (grid < v.grid) zeros_before(grid, 64 * warped.planes.words());
   zeros_before(v.grid, v.i);
-  const Displacement& moved = layer.displacements[rank];
-  return steps * lattice_point(lattice, {v.grid, {}}, v.i, v.j, v.k) +
-         std::int32_t{moved.distance} * tiling.directions[moved.direction];
+  return layer.displacements[rank];
 }
 
-CutEdge edge_from(const VertexIndex& v, std::size_t direction) {
-  const EdgeRef& edge = edges_of[v.grid][direction];
-  const std::size_t family = edge.kind - std::size_t{corner_kinds};
-  return {{families[family].first.grid, v.i + edge.owner.x, v.j + edge.owner.y,
-           v.k + edge.owner.z},
-          family};
-}
+}  // namespace
 
-Coord3 cut_place(const WarpedLattice& warped, const Lattice& lattice, const CutEdge& edge) {
-  const auto& [grid, i, j, k] = edge.owner;
+Coord3 place_of(const WarpedLattice& warped, const Lattice& lattice, const PointIndex& point) {
+  const auto& [kind, i, j, k] = point;
   const int w = i >> 6;
+  const int b = i & 63;
+  if (point.is_corner()) {
+    const bool moved = (warped.planes.zero(kind, j, k)[w] >> b & 1) != 0;
+    return moved_place(lattice, point.vertex(),
+                       moved ? move_of(warped, point.vertex()) : Displacement{});
+  }
   RowRanks row;
   row.compute(warped.planes, j, k);
-  const std::size_t kind = corner_kinds + edge.family;
-  const std::int32_t cut = warped.cuts[k].at(j, row, row.rank(kind, w, i & 63));
-  const bool forward =
-      (warped.planes.measured_from_first(edge.family, j, k, w) >> (i & 63) & 1) != 0;
-  const Coord3 first = lattice_point(lattice, families[edge.family].first, i, j, k);
-  const Coord3 second = lattice_point(lattice, families[edge.family].second, i, j, k);
-  const Coord3 from = forward ? first : second;
-  const Coord3 to = forward ? second : first;
-  return steps * from + cut * (to - from);
+  const std::size_t f = point.family();
+  const bool from_first = (warped.planes.measured_from_first(f, j, k, w) >> b & 1) != 0;
+  return cut_place(lattice, families[f], {i, j, k}, from_first,
+                   warped.cuts[k].at(j, row, row.rank(kind, w, b)));
 }
 
 }  // namespace certet::core

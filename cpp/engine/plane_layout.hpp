@@ -51,11 +51,13 @@ class PlaneLayout {
   std::size_t layer_stride_;
 };
 
-/// Word w of a row as seen from vertices whose index is `shift` smaller.
-inline std::uint64_t shifted(const std::uint64_t* row, int w, int shift) {
-  if (shift > 0) return row[w] >> 1 | row[w + 1] << 63;
-  if (shift < 0) return row[w] << 1 | row[w - 1] >> 63;
-  return row[w];
+/// Word w of a row as seen from vertices whose index is `shift` smaller; the row's words
+/// are `stride` apart.
+inline std::uint64_t shifted(const std::uint64_t* row, int w, int shift, int stride = 1) {
+  const std::uint64_t* const word = row + w * stride;
+  if (shift > 0) return *word >> 1 | word[stride] << 63;
+  if (shift < 0) return *word << 1 | word[-stride] >> 63;
+  return *word;
 }
 
 }  // namespace certet::core

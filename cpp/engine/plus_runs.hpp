@@ -9,7 +9,8 @@
 
 #include "certet/context.hpp"
 #include "disjoint_sets.hpp"
-#include "sign_planes.hpp"
+#include "run_cursor.hpp"
+#include "vertex_index.hpp"
 
 namespace certet::core {
 
@@ -17,6 +18,7 @@ namespace certet::core {
 struct RowEdges {
   Grid from;
   VertexRef to;
+  [[nodiscard]] constexpr bool are_long() const { return from == to.grid; }
 };
 
 /// All of them, once each: to rows that come later, or that are of an earlier grid.
@@ -40,14 +42,16 @@ inline constexpr auto edges_between_rows = [] {
   return list;
 }();
 
-/// The bits at which runs of a row begin, seen from a word of it and the one before.
-constexpr std::uint64_t run_starts(std::uint64_t word, std::uint64_t before) {
-  return word & ~(word << 1 | before >> 63);
-}
+/// Runs, joined by edges: by all but the long ones between two materials, and, where there
+/// are several materials, by those within one.
+struct RunSets {
+  DisjointSets whole, regions;
+};
 
-/// Neighbouring plus vertices of a row make a run.  Runs are numbered layer by layer, row
-/// by row, even ones of a row before odd ones, from 0 on; no map is needed: the number of a
-/// vertex's run follows from those of its row and the signs before it.
+/// Neighbouring plus vertices of a row, of one material, make a run.  Runs are numbered
+/// layer by layer, row by row, even ones of a row before odd ones, from 0 on; no map is
+/// needed: the number of a vertex's run follows from those of its row and the runs that
+/// begin before it.
 class PlusRuns {
  public:
   /// \throws Error `too_large` if 32 bits do not count them, `cancelled`.
@@ -59,10 +63,15 @@ class PlusRuns {
     return first_[at(grid, j, k) + 1];
   }
   /// The run of a plus vertex.
-  [[nodiscard]] std::uint32_t run_of(Grid grid, int i, int j, int k) const;
+  [[nodiscard]] std::uint32_t run_of(const VertexIndex& v) const;
+  /// Along the row at `ref` from row (j,k), by the indices of that one.
+  [[nodiscard]] RunCursor cursor(VertexRef ref, int j, int k) const;
 
-  /// Joins the runs that edges of the lattice join.
-  [[nodiscard]] DisjointSets joined_by_edges(Context& context) const;
+  [[nodiscard]] bool have_materials() const { return planes_.materials() != nullptr; }
+  /// Of each run, where there are several.
+  [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
+
+  [[nodiscard]] RunSets joined_by_edges(Context& context) const;
 
   [[nodiscard]] const SignPlanes& planes() const { return planes_; }
 
@@ -71,40 +80,22 @@ class PlusRuns {
     const auto rows = static_cast<std::size_t>(planes_.cells()[1]);
     return (static_cast<std::size_t>(k) * rows + static_cast<std::size_t>(j)) * grid_count + grid;
   }
+  [[nodiscard]] std::uint32_t find_starts(Grid grid, int j, int k);
+  void find_materials(Grid grid, int j, int k);
   /// By the edges between its rows, or by those from it to the next layer.
-  void join_layer(int k, std::int8_t layers, DisjointSets& sets) const;
-  void join_rows(const RowEdges& edges, int j, int k, DisjointSets& sets) const;
+  void join_layer(int k, std::int8_t layers, RunSets& sets) const;
+  void join_rows(const RowEdges& edges, int j, int k, RunSets& sets) const;
+  [[nodiscard]] bool are_alike(std::uint32_t a, std::uint32_t b) const {
+    return !have_materials() || materials_[a] == materials_[b];
+  }
+  /// Those in which two runs are joined.
+  DisjointSets& sets_of(std::uint32_t a, std::uint32_t b, RunSets& sets) const;
 
   const SignPlanes& planes_;
+  /// The vertices at which runs begin, laid out as the planes are.
+  std::array<std::vector<std::uint64_t>, grid_count> starts_;
   std::vector<std::uint32_t> first_;  ///< of each row; one entry more at the end
-};
-
-/// Goes along a row, from its first word on, and numbers the runs on the way.
-class RunCursor {
- public:
-  /// As seen from vertices whose index is `shift` smaller.
-  RunCursor(const std::uint64_t* row, int shift, std::uint32_t first)
-      : row_(row), shift_(shift), before_(shift > 0 ? row[0] << 63 : 0),
-        next_(first + static_cast<std::uint32_t>(before_ >> 63)) {}
-
-  /// The plus vertices of the next word.
-  std::uint64_t next(int w) {
-    next_ += static_cast<std::uint32_t>(std::popcount(starts_));
-    const std::uint64_t word = shifted(row_, w, shift_);
-    starts_ = run_starts(word, before_);
-    before_ = word;
-    return word;
-  }
-  /// The run of a plus vertex of the word.
-  [[nodiscard]] std::uint32_t run(int b) const {
-    return next_ + static_cast<std::uint32_t>(std::popcount(starts_ << (63 - b))) - 1;
-  }
-
- private:
-  const std::uint64_t* row_;
-  int shift_;
-  std::uint64_t before_, starts_ = 0;
-  std::uint32_t next_;  ///< the first run that begins in the word or later
+  std::vector<Material> materials_;
 };
 
 }  // namespace certet::core

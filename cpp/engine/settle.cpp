@@ -40,7 +40,8 @@ struct Candidate {
 struct LayerTurns {
   std::vector<Candidate> candidates;
   std::array<std::uint32_t, turn_count + 1> begin{};
-  std::uint64_t stayed = 0, shortened = 0;
+  std::uint64_t stayed = 0;
+  CutShift missed;  ///< by moves that were shortened
 };
 
 LayerTurns turns_of(const SignPlanes& planes, const Violations& violations,
@@ -119,7 +120,7 @@ class Turns {
         ++layer.stayed;
         continue;
       }
-      if (kept.distance < move.distance) ++layer.shortened;
+      if (kept.distance < move.distance) layer.missed.add(move.distance - kept.distance);
       move = kept;
       become_zero(v, k);
     }
@@ -219,7 +220,8 @@ Settling settle(const SignPlanes& planes, Violations& violations, const Lattice&
   for (std::int32_t k = window.begin; k < window.end; ++k) {
     settled.figures.violated += layers[k].candidates.size();
     settled.figures.stayed += layers[k].stayed;
-    settled.figures.shortened += layers[k].shortened;
+    settled.figures.shortened += layers[k].missed.cuts;
+    settled.figures.missed.add(layers[k].missed);
   }
   return settled;
 }

@@ -12,7 +12,6 @@
 #include "emit.hpp"
 #include "keep.hpp"
 #include "piece_count.hpp"
-#include "region_pieces.hpp"
 #include "sample.hpp"
 #include "shared_faces.hpp"
 #include "settle.hpp"
@@ -22,6 +21,12 @@ namespace certet {
 namespace {
 
 using namespace core;
+
+/// Faces are told by the one surface of a mesh.
+void refuse_interfaces(const Stuffing& stuffing) {
+  if (stuffing.has_interfaces())
+    throw Error(ErrorCode::bad_option, "the faces of a mesh that has interfaces are not told");
+}
 
 /// The lattice is checked once, here; every coordinate that the engine computes
 /// afterwards is in range: `DoorSuffices` of the certificate.
@@ -202,17 +207,17 @@ void Stuffing::materials_of(std::span<const TetCorners> tets, std::span<Material
 Pieces Stuffing::pieces(const Frame& frame, Context& context) const {
   return within_memory([&] {
     const State& s = *state_;
-    return has_interfaces()
-               ? count_region_pieces(s.warped, s.lattice, labels(), tet_count(), frame, context)
-               : count_pieces(s.warped, s.lattice, tet_count(), frame, context);
+    return count_pieces(s.warped, s.lattice, labels(), tet_count(), frame, context);
   });
 }
 
 void Stuffing::visit_faces_within(std::int32_t layer, const VisitTetPairs& visit) const {
+  refuse_interfaces(*this);
   LayerTets(state_->warped.planes, layer).visit_within(visit);
 }
 
 void Stuffing::visit_faces_between(std::int32_t layer, const VisitTetPairs& visit) const {
+  refuse_interfaces(*this);
   const SignPlanes& planes = state_->warped.planes;
   if (layer + 1 < layers())
     LayerTets(planes, layer).visit_between(LayerTets(planes, layer + 1), visit);
@@ -226,9 +231,7 @@ Stuffing Stuffing::keep(const KeepRule& rule, Context& context) {
       return std::make_unique<State>(State{old.domain, old.lattice, std::move(warped),
                                            std::move(numbers), old.method, old.inverted_tets});
     };
-    auto [kept, rest] = has_interfaces()
-                            ? split_regions(old.warped, old.lattice, rule, context)
-                            : split_runs(old.warped, old.lattice, rule, context);
+    auto [kept, rest] = split(old.warped, old.lattice, rule, context);
     auto state = state_of(std::move(kept));
     Stuffing dropped(state_of(std::move(rest)));
     state_ = std::move(state);
@@ -283,19 +286,32 @@ Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context) {
   });
 }
 
+namespace {
+
+void refuse_empty(const Stuffing& stuffing) {
+  if (stuffing.tet_count() == 0)
+    throw Error(ErrorCode::empty_domain, "nothing is inside at this size, so there is no mesh");
+}
+
+}  // namespace
+
 Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame, Method method,
            Context& context) {
   const Stuffing stuffing(domain, lattice, method, context);
-  if (stuffing.tet_count() == 0)
-    throw Error(ErrorCode::empty_domain, "nothing is inside at this size, so there is no mesh");
+  refuse_empty(stuffing);
   return emit(stuffing, frame, context);
 }
 
-Mesh mesh(const PlacedDomain& domain, Method method, Context& context) {
-  Mesh mesh = stuff(domain, domain.lattice(), domain.frame(), method, context);
+Mesh mesh(const PlacedDomain& domain, const Stuffing& stuffing, Context& context) {
+  refuse_empty(stuffing);
+  Mesh mesh = emit(stuffing, domain.frame(), context);
   mesh.names = domain.names();
   mesh.border.assign(domain.border().begin(), domain.border().end());
   return mesh;
+}
+
+Mesh mesh(const PlacedDomain& domain, Method method, Context& context) {
+  return mesh(domain, Stuffing(domain, domain.lattice(), method, context), context);
 }
 
 Mesh mesh(const PlacedDomain& domain, Method method) {

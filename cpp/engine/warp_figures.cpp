@@ -7,9 +7,7 @@
 namespace certet {
 namespace {
 
-ShiftLengths lengths(const WarpFigures& figures, double long_edge, double short_edge) {
-  const CutShift& l = figures.long_edges;
-  const CutShift& s = figures.short_edges;
+ShiftLengths lengths(const CutShift& l, const CutShift& s, double long_edge, double short_edge) {
   ShiftLengths found{l.cuts + s.cuts};
   if (found.cuts == 0) return found;
   const double long_step = long_edge / steps;
@@ -23,10 +21,16 @@ ShiftLengths lengths(const WarpFigures& figures, double long_edge, double short_
 
 }  // namespace
 
-ShiftLengths shift_in_edges(const WarpFigures& figures) { return lengths(figures, 1, 1); }
+ShiftLengths shift_in_edges(const WarpFigures& figures) {
+  return lengths(figures.long_edges, figures.short_edges, 1, 1);
+}
 
 ShiftLengths shift_in_world(const WarpFigures& figures, double size) {
-  return lengths(figures, size, std::sqrt(0.75) * size);
+  return lengths(figures.long_edges, figures.short_edges, size, std::sqrt(0.75) * size);
+}
+
+ShiftLengths missed_by(const WarpFigures& figures, double long_edge) {
+  return lengths(figures.missed, {}, long_edge, 0);
 }
 
 }  // namespace certet

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "layer_loop.hpp"
 #include "material_links.hpp"
 #include "row_ranks.hpp"
+#include "zero_tets.hpp"
 
 namespace certet::core {
 namespace {
@@ -52,32 +54,19 @@ std::shared_ptr<const MaterialPlanes> moved_materials(const MovedSigns& moved,
   return materials;
 }
 
-/// A zero vertex of the layer of a word.
-struct ZeroVertex {
-  Grid grid;
-  std::int32_t j, w, b;
-};
-
-/// Whether a tetrahedron is kept whose corners are this zero vertex and three others.
-bool is_corner_of_zeros(const SignPlanes& after, const VertexIndex& v) {
-  const MaterialPlanes& materials = *after.materials();
-  const auto lower = [&](const VertexIndex& u) { return materials.at(u.grid, u.i, u.j, u.k); };
-  if (lower(v) == 0) return false;
-  return std::ranges::any_of(link_triangles, [&](const auto& triangle) {
-    return std::ranges::all_of(triangle, [&](std::size_t d) {
-      const VertexIndex u = v.next(d);
-      return (after.zero(u.grid, u.j, u.k)[u.i >> 6] >> (u.i & 63) & 1) != 0 && lower(u) != 0;
-    });
-  });
-}
-
-/// The zero vertices of layer k without a plus neighbour that are corners all the same.
-std::vector<ZeroVertex> corners_of_zeros(const SignPlanes& after, int k) {
-  std::vector<ZeroVertex> corners;
-  for_each_word(after, [&](Grid grid, int j, int w) {
-    for_each_bit(after.zero(grid, j, k)[w], [&](int b) {
-      if (is_corner_of_zeros(after, {grid, 64 * w + b, j, k})) corners.push_back({grid, j, w, b});
-    });
+/// The corners of tetrahedra of four zero vertices that are part of the mesh, in the zero
+/// planes of what is returned.
+SignPlanes corners_of_zero_tets(const SignPlanes& planes, Window window, Context& context) {
+  SignPlanes corners(planes.cells(), window);
+  for_each_layer(context, Stage::warp, window, [&](std::int32_t k) {
+    for (const int z : {k - 1, k})
+      for (int j = 0; j < planes.cells()[1]; ++j)
+        for_each_zero_tet(planes, j, z, [&](const CaseIndex& tet) {
+          if (material_of_zero_tet(planes, tet) == 0) return;
+          for (std::size_t n = 0; n < 4; ++n)
+            if (const VertexIndex v = tet.corner(n); v.k == k)
+              corners.zero(v.grid, v.j, k)[v.i >> 6] |= std::uint64_t{1} << (v.i & 63);
+        });
   });
   return corners;
 }
@@ -163,14 +152,14 @@ SignPlanes move_all(const SignPlanes& planes, const Violations& violations, Cont
 }
 
 void drop_idle_zeros(SignPlanes& planes, Window window, Context& context) {
-  Layers<std::vector<ZeroVertex>> kept(window);
-  if (planes.materials() != nullptr)
-    for_each_layer(context, Stage::warp, window,
-                   [&](std::int32_t k) { kept[k] = corners_of_zeros(planes, k); });
+  std::optional<SignPlanes> corners;
+  if (planes.materials() != nullptr) corners = corners_of_zero_tets(planes, window, context);
   for_each_layer(context, Stage::warp, window, [&](std::int32_t k) {
     drop_idle_zeros_of(planes, k);
-    for (const auto& [grid, j, w, b] : kept[k])
-      planes.zero(grid, j, k)[w] |= std::uint64_t{1} << b;
+    if (corners)
+      for_each_word(planes, [&](Grid grid, int j, int w) {
+        planes.zero(grid, j, k)[w] |= corners->zero(grid, j, k)[w];
+      });
   });
 }
 

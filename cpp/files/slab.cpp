@@ -1,7 +1,6 @@
 #include "slab.hpp"
 
 #include "certet/context.hpp"
-#include "certet/lattice/orientation.hpp"
 #include "engine/corners.hpp"
 #include "engine/emit.hpp"
 #include "mesh/quality/lattice_measurement.hpp"
@@ -39,55 +38,44 @@ std::span<const Point3> PointSlab::world(const Stuffing& stuffing, std::int32_t 
           world_.begin() + (stuffing.first_point(end) - first_)};
 }
 
-/// Asks for materials while it measures, as both want the corners.
+/// Those that are known before the corners are.
 template <class Index>
-Quality TetSlab<Index>::measure_layer(const Source& source, std::span<const Coord3> points,
-                                      std::int32_t layer) {
-  const Stuffing& stuffing = source.stuffing;
-  const std::uint64_t begin = stuffing.first_tet(layer) - first_;
-  const bool asks = !labels_.empty() && source.known.empty() && !stuffing.has_interfaces();
-  core::LatticeMeasurement lattice(points);
-  core::for_each_batch(points, stuffing.first_point(layer), tets(stuffing, layer),
-                       [&](std::size_t from, std::span<const TetCorners> corners) {
-                         lattice.add(corners);
-                         if (asks)
-                           stuffing.materials_of(corners, {labels_.begin() + begin + from,
-                                                           corners.size()});
-                       });
-  return lattice.result();
+void TetSlab<Index>::find_materials(const Source& source, std::int32_t layer,
+                                    std::span<Material> materials) const {
+  OneThread context;
+  if (!source.known.empty()) source.known.get(layer, materials);
+  else if (source.stuffing.has_interfaces())
+    source.stuffing.emit_materials(layer, layer + 1, materials, context);
 }
 
 template <class Index>
-core::RegionCounts TetSlab<Index>::label_layer(const Source& source,
-                                               std::span<const Coord3> points,
-                                               std::int32_t layer) {
+void TetSlab<Index>::measure_layer(const Source& source, std::span<const Coord3> points,
+                                   std::int32_t layer, Findings& found) {
   const Stuffing& stuffing = source.stuffing;
   const std::span<const Tet<Index>> made = tets(stuffing, layer);
-  const std::size_t count = made.size();
-  core::RegionCounts regions;
-  if (labels_.empty()) {
-    if (count != 0) regions.add(only_label, count);
-    return regions;
-  }
   const std::span<std::int32_t> labels{
-      labels_.begin() + (stuffing.first_tet(layer) - first_), count};
-  if (!source.known.empty()) {
-    source.known.get(layer, labels);
-  } else if (stuffing.has_interfaces()) {
-    OneThread context;
-    stuffing.emit_materials(layer, layer + 1, labels, context);
-  }
-  const std::uint64_t first_point = stuffing.first_point(layer);
-  std::size_t begin = 0;
-  core::labels_in_place(labels, stuffing.labels(), [&](std::int32_t label, std::uint64_t run) {
-    WideSum six_volumes;
-    for (const Tet<Index>& tet : made.subspan(begin, run))
-      six_volumes += six_volume(points[tet[0] - first_point], points[tet[1] - first_point],
-                                points[tet[2] - first_point], points[tet[3] - first_point]);
-    regions.add(label, run, six_volumes);
-    begin += run;
-  });
-  return regions;
+      labels_.begin() + (labels_.empty() ? 0 : stuffing.first_tet(layer) - first_),
+      labels_.empty() ? 0 : made.size()};
+  const bool asks = !labels.empty() && source.known.empty() && !stuffing.has_interfaces();
+  if (!labels.empty()) find_materials(source, layer, labels);
+  core::LatticeMeasurement lattice(points);
+  std::array<std::int64_t, core::batch_size> six_volumes;
+  core::for_each_batch(
+      points, stuffing.first_point(layer), made,
+      [&](std::size_t from, std::span<const TetCorners> corners) {
+        lattice.add(corners, std::span(six_volumes).first(corners.size()));
+        if (labels.empty()) return;
+        const std::span<std::int32_t> own = labels.subspan(from, corners.size());
+        if (asks) stuffing.materials_of(corners, own);
+        auto volume = six_volumes.begin();
+        core::labels_in_place(own, stuffing.labels(), [&](std::int32_t label, std::uint64_t run) {
+          WideSum sum;
+          for (std::uint64_t n = 0; n < run; ++n) sum += *volume++;
+          found.regions.add(label, run, sum);
+        });
+      });
+  if (labels.empty() && !made.empty()) found.regions.add(only_label, made.size());
+  found.lattice = lattice.result();
 }
 
 template <class Index>
@@ -105,7 +93,7 @@ Findings TetSlab<Index>::make_layer(Source& source, const PointSlab& points, std
   const std::int32_t behind = source.points_end(layer + 1);
   const std::uint64_t first_point = stuffing.first_point(layer);
   Findings found;
-  found.lattice = measure_layer(source, points.steps(stuffing, layer, behind), layer);
+  measure_layer(source, points.steps(stuffing, layer, behind), layer, found);
   if (points.has_world()) {
     const std::span<const Point3> world = points.world(stuffing, layer, behind);
     found.world = measure_world(world, first_point, made, Histogram::empty);
@@ -113,7 +101,6 @@ Findings TetSlab<Index>::make_layer(Source& source, const PointSlab& points, std
   }
   found.tets.tets(first_tet, made);
   found.points.points(first_point, points.steps(stuffing, layer, layer + 1));
-  found.regions = label_layer(source, points.steps(stuffing, layer, behind), layer);
   if (source.label_pieces)
     found.parts = core::find_layer_parts(
         stuffing, layer, made,

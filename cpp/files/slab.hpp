@@ -88,11 +88,12 @@ class TetSlab {
     return {tets_.begin() + (stuffing.first_tet(layer) - first_),
             tets_.begin() + (stuffing.first_tet(layer + 1) - first_)};
   }
-  /// Leaves materials in the place of labels, unless a survey has kept them.
-  Quality measure_layer(const Source& source, std::span<const Coord3> points,
-                        std::int32_t layer);
-  core::RegionCounts label_layer(const Source& source, std::span<const Coord3> points,
-                                                std::int32_t layer);
+  void find_materials(const Source& source, std::int32_t layer,
+                      std::span<Material> materials) const;
+  /// Asks for materials while it measures, as both want the corners; puts labels in their
+  /// place, and adds up what each region has.
+  void measure_layer(const Source& source, std::span<const Coord3> points, std::int32_t layer,
+                     Findings& found);
 
   std::uint64_t first_ = 0;
   Buffer<Tet<Index>> tets_;

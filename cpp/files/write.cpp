@@ -7,8 +7,6 @@
 #include "certet/error.hpp"
 #include "certet/formats.hpp"
 #include "certet/placed_quality.hpp"
-#include "engine/border.hpp"
-#include "mesh/boundary.hpp"
 
 namespace certet {
 namespace {
@@ -34,17 +32,8 @@ void write_tets(MeshWriter& writer, std::span<const Tet<Index>> tets,
   stop_if_cancelled(context);
 }
 
-template <class Index>
-Survey survey_of(const Mesh& mesh, std::span<const Tet<Index>> tets, Context& context) {
-  Survey found = survey(mesh.points.size(), tets, mesh.labels, context);
-  name_regions(found, mesh.names);
-  if (!facts(mesh.method).interfaces) found.interfaces.clear();
-  const Cuts cuts = facts(mesh.method).cuts;
-  const auto doubtful = core::put_on_border(found.boundary, [&](std::uint64_t point) {
-    return core::is_on_border(mesh.points[static_cast<std::size_t>(point)], mesh.border, cuts);
-  });
-  core::put_on_border(found, doubtful);
-  return found;
+std::vector<std::string> losses_of(Format format, const MeshSize& size) {
+  return size.survey == nullptr ? std::vector<std::string>() : label_losses(format, *size.survey);
 }
 
 /// What `certet mesh` refuses to write is not written here either.
@@ -65,57 +54,63 @@ void refuse_unsound(const Mesh& mesh, std::span<const Point3> world,
 
 }  // namespace
 
-void write(const Mesh& mesh, const std::filesystem::path& file, Format format, Context& context) {
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file, Format format,
+                               Context& context) {
   const Buffer<Point3> world = world_points(mesh);
   refuse_unsound(mesh, world, file);
-  std::visit(
+  return std::visit(
       [&]<class Index>(const Buffer<Tet<Index>>& buffer) {
         const std::span<const Tet<Index>> tets = buffer;
         MeshSize size{mesh.points.size(), tets.size(), !mesh.labels.empty()};
         if (needs_survey(format))
-          size.survey = std::make_shared<const Survey>(survey_of(mesh, tets, context));
+          size.survey = std::make_shared<const Survey>(survey(mesh, context));
         const std::unique_ptr<MeshWriter> writer = open_writer(file, format, size);
         writer->points(world);
         write_tets<Index>(*writer, tets, mesh.labels, context);
         writer->finish();
+        return losses_of(format, size);
       },
       mesh.tets);
 }
 
-void write(const Mesh& mesh, const std::filesystem::path& file, Context& context) {
-  write(mesh, file, format_told_by(file), context);
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file,
+                               Context& context) {
+  return write(mesh, file, format_told_by(file), context);
 }
 
-void write(const Mesh& mesh, const std::filesystem::path& file) {
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file) {
   Context context;
-  write(mesh, file, context);
+  return write(mesh, file, context);
 }
 
-void write(const FileMesh& mesh, const std::filesystem::path& file, Format format,
-           Context& context) {
+std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path& file,
+                               Format format, Context& context) {
   for (const Tet<std::uint64_t>& tet : mesh.tets)
     for (const std::uint64_t point : tet)
       if (point >= mesh.points.size())
         throw Error(ErrorCode::bad_input, "cannot write '" + file.string() +
                                               "': a tetrahedron names a point that is not there");
   MeshSize size{mesh.points.size(), mesh.tets.size(), !mesh.labels.empty()};
-  if (needs_survey(format)) {
-    auto found = std::make_shared<Survey>(
-        survey(mesh.points.size(), std::span<const Tet<std::uint64_t>>(mesh.tets), mesh.labels,
-               context));
-    set_border(*found, mesh.border);
-    name_regions(*found, mesh.names);
-    size.survey = std::move(found);
-  }
+  size.space = mesh.space;
+  if (needs_survey(format)) size.survey = std::make_shared<const Survey>(survey(mesh, context));
   const std::unique_ptr<MeshWriter> writer = open_writer(file, format, size);
   writer->points(mesh.points);
   write_tets<std::uint64_t>(*writer, mesh.tets, mesh.labels, context);
   writer->finish();
+  return losses_of(format, size);
 }
 
-void write(const FileMesh& mesh, const std::filesystem::path& file) {
+std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path& file) {
   Context context;
-  write(mesh, file, format_told_by(file), context);
+  return write(mesh, file, format_told_by(file), context);
+}
+
+Survey survey(const FileMesh& mesh, Context& context) {
+  Survey found = survey(mesh.points.size(), std::span<const Tet<std::uint64_t>>(mesh.tets),
+                        mesh.labels, context);
+  set_border(found, mesh.border);
+  name_regions(found, mesh.names);
+  return found;
 }
 
 CheckReport check(const FileMesh& mesh, Context& context) {

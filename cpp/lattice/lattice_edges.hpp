@@ -76,9 +76,18 @@ struct EdgeRef {
   bool is_first;      ///< whether the end is the family's first
 };
 
+/// The neighbours of the vertices of each grid, by their directions.
+inline constexpr auto neighbors_of = [] {
+  std::array<std::array<VertexRef, tiling.directions.size()>, grid_count> table{};
+  for (const Grid grid : grids)
+    for (std::size_t d = 0; d < tiling.directions.size(); ++d)
+      table[grid][d] = vertex_at(tiling.grids[grid] + tiling.directions[d]);
+  return table;
+}();
+
 /// The neighbour of a vertex of `grid` in a direction, relative to its index.
-constexpr VertexRef neighbor(Grid grid, std::size_t direction) {
-  return vertex_at(tiling.grids[grid] + tiling.directions[direction]);
+constexpr const VertexRef& neighbor(Grid grid, std::size_t direction) {
+  return neighbors_of[grid][direction];
 }
 
 constexpr EdgeRef edge_towards(Grid grid, std::size_t direction) {

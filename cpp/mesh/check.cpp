@@ -5,19 +5,24 @@
 
 #include "certet/placed_quality.hpp"
 #include "faces.hpp"
+#include "judge.hpp"
 
 namespace certet {
-namespace {
+namespace core {
 
-using core::EdgeFindings;
-using core::Face;
-using core::FaceFindings;
-
-/// "1 point is", "3 points are": a number with its noun and verb.
 std::string count_of(std::uint64_t number, const std::string& singular,
                      const std::string& plural) {
   return std::to_string(number) + " " + (number == 1 ? singular : plural);
 }
+
+}  // namespace core
+
+namespace {
+
+using core::count_of;
+using core::EdgeFindings;
+using core::Face;
+using core::FaceFindings;
 
 std::string name_of(const Face& face) {
   return "with the points " + std::to_string(face.points[0]) + ", " +
@@ -38,14 +43,19 @@ class Check {
   Check(std::span<const Point3> points, std::span<const Tet<Index>> tets, Context& context)
       : points_(points), tets_(tets), context_(context) {}
 
-  CheckReport report() {
+  /// Of a mesh of which nothing is known.
+  CheckReport report() { return report(find_faces(), measure_all()); }
+
+  CheckReport report(const FaceFindings& faces, const Quality& quality) {
     report_.points = points_.size();
+    report_.quality = quality;
     if (tets_.empty()) fail("there are no tetrahedra");
     for (const auto step : {&Check::check_indices, &Check::check_use, &Check::check_places,
-                            &Check::check_volumes, &Check::check_faces}) {
+                            &Check::check_volumes}) {
       core::stop_now_and_then(0, context_);
       (this->*step)();
     }
+    check_faces(faces);
     return std::move(report_);
   }
 
@@ -63,7 +73,9 @@ class Check {
   void check_use();
   void check_places();
   void check_volumes();
-  void check_faces();
+  void check_faces(const FaceFindings& faces);
+  [[nodiscard]] FaceFindings find_faces() const;
+  [[nodiscard]] Quality measure_all() const;
   [[nodiscard]] Quality measure(std::size_t begin, std::size_t end) const;
 
   std::span<const Point3> points_;
@@ -130,7 +142,7 @@ Quality Check<Index>::measure(std::size_t begin, std::size_t end) const {
 }
 
 template <class Index>
-void Check<Index>::check_volumes() {
+Quality Check<Index>::measure_all() const {
   constexpr std::size_t tets_per_task = 1 << 16;
   std::vector<Quality> parts((tets_.size() + tets_per_task - 1) / tets_per_task);
   core::parallel_for(context_, Stage::count, static_cast<std::int64_t>(parts.size()),
@@ -141,19 +153,28 @@ void Check<Index>::check_volumes() {
                            measure(begin, std::min(begin + tets_per_task, tets_.size()));
                      });
   // In order, so that sums of rounded numbers are always the same.
-  for (const Quality& part : parts) report_.quality += part;
+  Quality quality;
+  for (const Quality& part : parts) quality += part;
+  return quality;
+}
+
+template <class Index>
+void Check<Index>::check_volumes() {
   if (report_.quality.nonpositive > 0)
     fail(count_of(report_.quality.nonpositive, "tetrahedron has", "tetrahedra have") +
          " a volume that is not positive");
 }
 
 template <class Index>
-void Check<Index>::check_faces() {
+FaceFindings Check<Index>::find_faces() const {
   const auto is_valid = [this](std::size_t tet) { return valid(tet); };
-  const FaceFindings faces =
-      points_.size() <= core::NarrowFace::point_limit
-          ? core::find_faces<core::NarrowFace>(points_.size(), tets_, is_valid, context_)
-          : core::find_faces<core::WideFace>(points_.size(), tets_, is_valid, context_);
+  return points_.size() <= core::NarrowFace::point_limit
+             ? core::find_faces<core::NarrowFace>(points_.size(), tets_, is_valid, context_)
+             : core::find_faces<core::WideFace>(points_.size(), tets_, is_valid, context_);
+}
+
+template <class Index>
+void Check<Index>::check_faces(const FaceFindings& faces) {
   const EdgeFindings edges = core::find_edges(points_.size(), faces.boundary, context_);
   report_.overfull_faces = faces.overfull;
   report_.misoriented_faces = faces.misoriented;
@@ -175,6 +196,17 @@ void Check<Index>::check_faces() {
 }
 
 }  // namespace
+
+template <class Index>
+CheckReport core::judge(std::span<const Point3> points, std::span<const Tet<Index>> tets,
+                        const FaceFindings& faces, const Quality& quality, Context& context) {
+  return Check<Index>(points, tets, context).report(faces, quality);
+}
+
+template CheckReport core::judge(std::span<const Point3>, std::span<const Tet<std::uint32_t>>,
+                                 const FaceFindings&, const Quality&, Context&);
+template CheckReport core::judge(std::span<const Point3>, std::span<const Tet<std::uint64_t>>,
+                                 const FaceFindings&, const Quality&, Context&);
 
 CheckReport check(std::span<const Point3> points, std::span<const Tet<std::uint32_t>> tets,
                   Context& context) {

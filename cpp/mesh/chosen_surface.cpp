@@ -51,4 +51,14 @@ void keep_surface(Survey& survey, std::span<const std::int32_t> labels) {
   survey.interfaces.clear();
 }
 
+void keep_interfaces(Survey& survey) {
+  if (survey.interfaces.empty())
+    throw Error(ErrorCode::bad_option, "no two regions of the mesh touch each other");
+  survey.boundary.clear();
+  for (const Interface& interface : survey.interfaces)
+    survey.boundary.insert(survey.boundary.end(), interface.faces.begin(), interface.faces.end());
+  std::ranges::sort(survey.boundary, core::comes_before);
+  survey.interfaces.clear();
+}
+
 }  // namespace certet

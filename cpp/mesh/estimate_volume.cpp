@@ -82,43 +82,99 @@ class EvenPoints {
   std::array<double, 3> at_{0.5, 0.5, 0.5};
 };
 
-/// Calls count(points, found) for the points in each mixed block; it adds to `found` how
-/// many are in each of several solids.  Adds what that tells of the solids' volumes, in
-/// cubic lattice units.
-template <class Count>
-void sample(const Division& division, std::uint64_t samples, const Context& context,
-            std::vector<VolumeEstimate>& solids, const Count& count) {
-  const auto blocks = static_cast<std::uint64_t>(division.mixed().size());
-  const std::uint64_t each = blocks == 0 ? 0 : std::clamp<std::uint64_t>(samples / blocks, 8, 4096);
-  std::vector<Coord3> points;
-  std::vector<double> found(solids.size());
-  EvenPoints even;
-  for (const Block& block : division.mixed()) {
-    stop_if_cancelled(context);
-    points.clear();
-    for (std::uint64_t n = 0; n < each; ++n) {
-      const auto& share = even.next();
+/// Whose a point is, of one solid or of several.
+void ask(const Domain& domain, std::span<const Coord3> points, std::span<Sign> out) {
+  domain.at(points, out);
+}
+void ask(const Domain& domain, std::span<const Coord3> points, std::span<Material> out) {
+  domain.materials_at(points, out);
+}
+void count(Sign sign, std::span<double> found) {
+  found[0] += sign == Sign::plus ? 1 : sign == Sign::on_surface ? 0.5 : 0;
+}
+void count(Material material, std::span<double> found) {
+  if (material != 0) ++found[static_cast<std::size_t>(material - 1)];
+}
+
+/// Asks about the points of several blocks at once, for a call may cost more than a point.
+/// What they tell of each solid's volume is added to it, in cubic lattice units, and of its
+/// variance to its deviation.
+template <class Answer>
+class SampledBlocks {
+ public:
+  SampledBlocks(const Domain& domain, const Division& division, std::uint64_t each,
+                std::span<VolumeEstimate> solids)
+      : domain_(domain), division_(division), each_(each), solids_(solids), found_(solids.size()) {}
+
+  void add(const Block& block) {
+    for (std::uint64_t n = 0; n < each_; ++n) {
+      const auto& share = even_.next();
       std::array<std::int32_t, 3> whole{}, rest{};
       for (std::size_t a = 0; a < 3; ++a) {
         whole[a] = static_cast<std::int32_t>(share[a] * block.side);
         rest[a] = static_cast<std::int32_t>((share[a] * block.side - whole[a]) * steps);
       }
       const Coord3 point = block.low + Coord3{whole[0], whole[1], whole[2]};
-      if (division.holds(point)) points.push_back(steps * point + Coord3{rest[0], rest[1], rest[2]});
+      if (division_.holds(point))
+        points_.push_back(steps * point + Coord3{rest[0], rest[1], rest[2]});
     }
-    std::ranges::fill(found, 0);
-    count(std::span<const Coord3>(points), found);
-    const double whole = size_of(block);
-    for (std::size_t n = 0; n < solids.size(); ++n) {
-      const double share = found[n] / static_cast<double>(each);
-      solids[n].volume += share * whole;
-      solids[n].deviation += share * (1 - share) / static_cast<double>(each) * whole * whole;
+    pending_.push_back({block, points_.size()});
+    if (points_.size() >= enough) finish();
+  }
+
+  /// Asks about the rest.
+  void finish() {
+    answers_.resize(points_.size());
+    ask(domain_, points_, answers_);
+    std::size_t begin = 0;
+    for (const auto& [block, end] : pending_) {
+      std::ranges::fill(found_, 0);
+      for (; begin < end; ++begin) count(answers_[begin], found_);
+      add_found(size_of(block));
+    }
+    points_.clear();
+    pending_.clear();
+  }
+
+ private:
+  static constexpr std::size_t enough = 4096;
+
+  struct Pending {
+    Block block;
+    std::size_t end;  ///< of its points
+  };
+
+  void add_found(double whole) {
+    for (std::size_t n = 0; n < solids_.size(); ++n) {
+      const double share = found_[n] / static_cast<double>(each_);
+      solids_[n].volume += share * whole;
+      solids_[n].deviation += share * (1 - share) / static_cast<double>(each_) * whole * whole;
     }
   }
-}
 
-/// From lattice units to the world, and from variances to deviations.
-void finish(std::vector<VolumeEstimate>& solids, const Frame& frame) {
+  const Domain& domain_;
+  const Division& division_;
+  std::uint64_t each_;
+  std::span<VolumeEstimate> solids_;
+  EvenPoints even_;
+  std::vector<Coord3> points_;
+  std::vector<Answer> answers_;
+  std::vector<Pending> pending_;
+  std::vector<double> found_;  ///< points of a block in each solid
+};
+
+/// Adds what is in the mixed blocks to what is in whole ones, and takes all to the world.
+template <class Answer>
+void sample(const Domain& domain, const Division& division, const Frame& frame,
+            std::uint64_t samples, const Context& context, std::span<VolumeEstimate> solids) {
+  const auto blocks = static_cast<std::uint64_t>(division.mixed().size());
+  const std::uint64_t each = blocks == 0 ? 0 : std::clamp<std::uint64_t>(samples / blocks, 8, 4096);
+  SampledBlocks<Answer> sampled(domain, division, each, solids);
+  for (const Block& block : division.mixed()) {
+    stop_if_cancelled(context);
+    sampled.add(block);
+  }
+  sampled.finish();
   const double unit = std::pow(frame.size / 2, 3);
   for (auto& [volume, deviation] : solids) {
     volume *= unit;
@@ -130,7 +186,7 @@ void finish(std::vector<VolumeEstimate>& solids, const Frame& frame) {
 
 VolumeEstimate estimate_volume(const Domain& domain, const Lattice& lattice, const Frame& frame,
                                std::uint64_t samples, const Context& context) {
-  std::vector<VolumeEstimate> solid(1);
+  std::array<VolumeEstimate, 1> solid;
   const Division division(
       [&](const LatticeBox& box, double size) {
         const Extent extent = domain.extent(box);
@@ -138,15 +194,7 @@ VolumeEstimate estimate_volume(const Domain& domain, const Lattice& lattice, con
         return extent != Extent::mixed;
       },
       lattice);
-  std::vector<Sign> signs;
-  sample(division, samples, context, solid,
-         [&](std::span<const Coord3> points, std::vector<double>& found) {
-           signs.resize(points.size());
-           domain.at(points, signs);
-           for (const Sign sign : signs)
-             found[0] += sign == Sign::plus ? 1 : sign == Sign::on_surface ? 0.5 : 0;
-         });
-  finish(solid, frame);
+  sample<Sign>(domain, division, frame, samples, context, solid);
   return solid[0];
 }
 
@@ -154,23 +202,15 @@ std::vector<VolumeEstimate> estimate_volumes(const Domain& domain, const Lattice
                                              const Frame& frame, std::uint64_t samples,
                                              const Context& context) {
   std::vector<VolumeEstimate> solids(std::max<std::size_t>(domain.labels().size(), 1));
-  const auto index = [](Material material) { return static_cast<std::size_t>(material - 1); };
   const Division division(
       [&](const LatticeBox& box, double size) {
         const std::optional<Material> material = domain.material_of(box);
-        if (material && *material != 0) solids[index(*material)].volume += size;
+        if (material && *material != 0)
+          solids[static_cast<std::size_t>(*material - 1)].volume += size;
         return material.has_value();
       },
       lattice);
-  std::vector<Material> materials;
-  sample(division, samples, context, solids,
-         [&](std::span<const Coord3> points, std::vector<double>& found) {
-           materials.resize(points.size());
-           domain.materials_at(points, materials);
-           for (const Material material : materials)
-             if (material != 0) ++found[index(material)];
-         });
-  finish(solids, frame);
+  sample<Material>(domain, division, frame, samples, context, solids);
   return solids;
 }
 

@@ -4,9 +4,11 @@
 #include <limits>
 #include <new>
 #include <utility>
+#include <variant>
 
 #include "certet/buffer.hpp"
 #include "certet/error.hpp"
+#include "engine/border.hpp"
 #include "engine/emit.hpp"
 #include "engine/parallel.hpp"
 #include "mesh/boundary.hpp"
@@ -162,6 +164,22 @@ Survey survey(const Stuffing& stuffing, Context& context) {
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::too_large, "out of memory while looking for the mesh's boundary");
   }
+}
+
+Survey survey(const Mesh& mesh, Context& context) {
+  Survey found = std::visit(
+      [&]<class Index>(const Buffer<Tet<Index>>& tets) {
+        return survey(mesh.points.size(), std::span<const Tet<Index>>(tets), mesh.labels, context);
+      },
+      mesh.tets);
+  name_regions(found, mesh.names);
+  if (!facts(mesh.method).interfaces) found.interfaces.clear();
+  const Cuts cuts = facts(mesh.method).cuts;
+  const auto doubtful = core::put_on_border(found.boundary, [&](std::uint64_t point) {
+    return core::is_on_border(mesh.points[static_cast<std::size_t>(point)], mesh.border, cuts);
+  });
+  core::put_on_border(found, doubtful);
+  return found;
 }
 
 }  // namespace certet

@@ -28,16 +28,14 @@ Format chosen_format(const fs::path& file, const std::optional<std::string>& nam
   return *format;
 }
 
-void write_mesh(const PythonMesh& mesh, const fs::path& file,
-                const std::optional<std::string>& format) {
+/// \returns what the format cannot hold.
+template <class AnyMesh>
+std::vector<std::string> write_mesh(const AnyMesh& mesh, const fs::path& file,
+                                    const std::optional<std::string>& format) {
+  std::vector<std::string> losses;
   Context context;
-  run(context, [&] { write(mesh.mesh, file, chosen_format(file, format), context); });
-}
-
-void write_file_mesh(const FileMesh& mesh, const fs::path& file,
-                     const std::optional<std::string>& format) {
-  Context context;
-  run(context, [&] { write(mesh, file, chosen_format(file, format), context); });
+  run(context, [&] { losses = write(mesh, file, chosen_format(file, format), context); });
+  return losses;
 }
 
 std::shared_ptr<FileMesh> read_file(const fs::path& file) {
@@ -104,8 +102,11 @@ void declare_files(py::module_& module) {
       .def_property_readonly("names", [](const FileMesh& mesh) { return mesh.names; })
       .def("quality", quality_of_file);
   module.def("read", read_file);
-  module.def("write", write_mesh);
-  module.def("write", write_file_mesh);
+  module.def("write", [](const PythonMesh& mesh, const fs::path& file,
+                         const std::optional<std::string>& format) {
+    return write_mesh(mesh.mesh, file, format);
+  });
+  module.def("write", write_mesh<FileMesh>);
   module.def("check", [](const PythonMesh& mesh) { return check_mesh(mesh.mesh); });
   module.def("check", [](const FileMesh& mesh) { return check_mesh(mesh); });
 }

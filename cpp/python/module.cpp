@@ -14,10 +14,10 @@
 #include "certet/image.hpp"
 #include "certet/method.hpp"
 #include "certet/placed_quality.hpp"
-#include "certet/stuffing.hpp"
 #include "certet/surface.hpp"
 #include "domains.hpp"
 #include "files.hpp"
+#include "interfaces.hpp"
 #include "pieces.hpp"
 #include "python_mesh.hpp"
 #include "shapes.hpp"
@@ -28,11 +28,26 @@ namespace {
 
 using Direction = std::array<std::array<double, 3>, 3>;
 
+/// The voxels of an image as a shape; by default surfaces of labels are smooth where the
+/// method cuts labels apart.
+std::unique_ptr<PlacedDomain> image_domain(const std::shared_ptr<const Image>& image,
+                                           const std::vector<LabelRange>& labels,
+                                           std::optional<double> iso,
+                                           std::optional<double> smooth,
+                                           const ImageLattice& lattice, Method method,
+                                           const Context& context) {
+  if (iso) return level_domain(image, *iso, lattice);
+  if (!facts(method).interfaces && smooth.value_or(0) != 0)
+    throw Error(ErrorCode::bad_option, "smooth goes with the methods that cut labels apart");
+  if (smooth == 0.0 || !facts(method).interfaces) return label_domain(image, labels, lattice);
+  return interface_domain(image, labels, lattice, {smooth}, context);
+}
+
 std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spacing,
                                        const Point3& origin, const Direction& direction,
                                        const std::vector<std::pair<std::int64_t, std::int64_t>>& labels,
-                                       std::optional<double> iso, double size, int margin,
-                                       const Options& options) {
+                                       std::optional<double> iso, std::optional<double> smooth,
+                                       double size, int margin, const Options& options) {
   Image image;
   image.name = "array";
   image.spacing = spacing;
@@ -42,25 +57,38 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
   std::vector<LabelRange> ranges;
   ranges.reserve(labels.size());
   for (const auto& [first, last] : labels) ranges.push_back({first, last});
+  const auto shared = std::make_shared<const Image>(std::move(image));
   return mesh_of(
-      [&] {
-        const ImageLattice lattice{size, margin, !facts(options.method).settles};
-        return Shape{iso ? level_domain(std::move(image), *iso, lattice)
-                         : label_domain(std::move(image), ranges, lattice)};
+      [&](const Context& context) {
+        const auto place = [=, &context](double at) {
+          const ImageLattice lattice{at, margin, !facts(options.method).settles};
+          return image_domain(shared, ranges, iso, smooth, lattice, options.method, context);
+        };
+        Shape shape{{shared->name, place}};
+        if (iso)
+          shape.sized.pieces = [&](Context& own) { return pieces_above(*shared, *iso, own); };
+        else
+          shape.sized.volume = volume_of_labels(*shared, ranges);
+        return shape;
       },
-      options);
+      size, options);
 }
 
-std::shared_ptr<PythonMesh> mesh_function(py::object function, const Point3& low,
+std::shared_ptr<PythonMesh> mesh_function(const py::object& function, const Point3& low,
                                           const Point3& high, double size, int margin,
                                           const Options& options) {
   const Bounds bounds{low, high};
   return mesh_of(
-      [&, kept = kept(std::move(function))] {
-        return Shape{std::make_shared<PythonDomain>(kept, bounds,
-                                                    lattice_around(bounds, size, margin))};
+      [&, kept = kept(function)](const Context&) {
+        const auto place = [=](double at) {
+          return std::make_unique<PythonDomain>(kept, bounds, lattice_around(bounds, at, margin));
+        };
+        Shape shape{{"function", place}};
+        shape.sized.cost = cost_of_python;
+        shape.sized.pieces = unknown_pieces;
+        return shape;
       },
-      options);
+      size, options);
 }
 
 std::shared_ptr<PythonMesh> mesh_surface(const PointArray& points,
@@ -68,14 +96,23 @@ std::shared_ptr<PythonMesh> mesh_surface(const PointArray& points,
                                          bool repair, const Options& options) {
   TriangleSurface surface = surface_of(points, triangles, "surface");
   return mesh_of(
-      [&] {
-        MendedSurface mended = mend(std::move(surface), repair);
-        const SurfaceLattice lattice{size, margin};
-        return Shape{mended.open ? open_surface_domain(mended.surface, lattice)
-                                 : surface_domain(mended.surface, lattice),
-                     std::move(mended.notes)};
+      [&](const Context&) {
+        const auto mended = std::make_shared<const MendedSurface>(mend(std::move(surface), repair));
+        const auto place = [mended, margin](double at) {
+          const SurfaceLattice lattice{at, margin};
+          return mended->open ? open_surface_domain(mended->surface, lattice)
+                              : surface_domain(mended->surface, lattice);
+        };
+        const SurfaceMeasures measures = measure(mended->surface);
+        Shape shape{{mended->surface.name, place}, mended->notes};
+        if (!mended->open) shape.sized.volume = measures.volume;
+        shape.sized.thin = measures.thin;
+        shape.sized.pieces = [mended](Context& context) {
+          return pieces_of(mended->surface, inspect(mended->surface, context), context);
+        };
+        return shape;
       },
-      options);
+      size, options);
 }
 
 py::dict quality_of(const PythonMesh& mesh) {
@@ -96,6 +133,24 @@ py::dict quality_of(const PythonMesh& mesh) {
   result["proven_min"] = bounds.min_dihedral;
   result["proven_max"] = bounds.max_dihedral;
   result["holds"] = standing_of(placed, bounds) == Standing::within;
+  return result;
+}
+
+py::dict warp_of(const PythonMesh& mesh) {
+  const ShiftLengths edges = shift_in_edges(mesh.warp);
+  const ShiftLengths world = shift_in_world(mesh.warp, mesh.mesh.frame.size);
+  py::dict result;
+  result["violated"] = mesh.warp.violated;
+  result["stayed"] = mesh.warp.stayed;
+  result["shortened"] = mesh.warp.shortened;
+  result["clamped_cuts"] = world.cuts;
+  result["greatest"] = world.greatest;
+  result["rms"] = world.rms;
+  result["greatest_edges"] = edges.greatest;
+  result["rms_edges"] = edges.rms;
+  const ShiftLengths missed = missed_by(mesh.warp, 1);
+  result["missed_edges"] = missed.greatest;
+  result["missed_rms_edges"] = missed.rms;
   return result;
 }
 
@@ -175,11 +230,14 @@ PYBIND11_MODULE(_certet, module) {
       .def_property_readonly("method", [](const PythonMesh& mesh) {
         return std::string(name(mesh.mesh.method));
       })
+      .def_property_readonly("warp", warp_of)
+      .def_property_readonly("losses", [](const PythonMesh& mesh) { return mesh.losses; })
       .def_property_readonly("names", [](const PythonMesh& mesh) { return mesh.mesh.names; })
       .def_property_readonly("notes", [](const PythonMesh& mesh) { return mesh.notes; })
       .def("checksum", checksum_of)
       .def("quality", quality_of);
   declare_files(module);
+  declare_interfaces(module);
   declare_pieces(module);
   declare_solids(module);
   module.def("mesh_image", mesh_image);

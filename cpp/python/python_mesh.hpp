@@ -7,6 +7,7 @@
 
 #include "certet/buffer.hpp"
 #include "certet/mesh.hpp"
+#include "certet/warp_figures.hpp"
 
 namespace certet::python {
 
@@ -15,6 +16,8 @@ struct PythonMesh {
   Mesh mesh;
   Buffer<Point3> world;  ///< its points
   std::vector<std::string> notes;  ///< what is doubtful about its shape
+  std::vector<std::string> losses;  ///< what it has not kept of its shape
+  WarpFigures warp;
 };
 
 }  // namespace certet::python

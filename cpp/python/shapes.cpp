@@ -8,19 +8,37 @@
 
 namespace certet::python {
 
-/// `make` makes the shape; it runs, like all the rest, without Python's lock.
-std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape()>& make, const Options& options) {
+namespace {
+
+/// Counts a mesh and makes it, and looks for what it has not kept.
+void fill(const Shape& shape, double size, const Options& options, Context& context,
+          PythonMesh& result) {
+  const std::unique_ptr<PlacedDomain> domain = shape.sized.place(size);
+  const Stuffing stuffing(*domain, domain->lattice(), options.method, context);
+  result.mesh = mesh(*domain, stuffing, context);
+  result.warp = stuffing.warp_figures();
+  result.notes = shape.notes;
+  const MeshedShape meshed{*domain, options.method, stuffing.tet_count(),
+                           volume_of(stuffing, domain->frame(), context),
+                           stuffing.pieces(domain->frame(), context).whole};
+  result.losses = sentences_on(find_losses(shape.sized, meshed, context), shape.sized, "size=");
+}
+
+}  // namespace
+
+std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape(const Context&)>& make, double size,
+                                    const Options& options) {
   auto result = std::make_shared<PythonMesh>();
   Context context;
   context.threads = options.threads;
   run(context, [&] {
-    const Shape shape = make();
-    result->mesh = mesh(*shape.domain, options.method, context);
-    result->notes = shape.notes;
+    fill(make(context), size, options, context, *result);
     result->world = world_points(result->mesh);
   });
   return result;
 }
+
+std::optional<PieceBounds> unknown_pieces(Context&) { return std::nullopt; }
 
 TriangleSurface surface_of(const PointArray& points, const TriangleArray& triangles,
                            std::string name) {

@@ -7,11 +7,12 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "certet/kept.hpp"
 #include "certet/method.hpp"
-#include "certet/placed_domain.hpp"
 #include "certet/surface.hpp"
 #include "python_mesh.hpp"
 
@@ -24,14 +25,21 @@ struct Options {
   int threads = 0;
 };
 
-/// A shape, and what is doubtful about it.
+/// A shape that can be put on lattices of several sizes, and what is doubtful about it.
 struct Shape {
-  std::shared_ptr<const PlacedDomain> domain;
+  SizedShape sized;
   std::vector<std::string> notes = {};
 };
 
+/// Of asking a Python function, as `SizedShape` has it: Python takes its time.
+inline constexpr double cost_of_python = 16;
+
+/// Of what has no pieces that can be counted but on a lattice.
+std::optional<PieceBounds> unknown_pieces(Context& context);
+
 /// `make` makes the shape; it runs, like all the rest, without Python's lock.
-std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape()>& make, const Options& options);
+std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape(const Context&)>& make, double size,
+                                    const Options& options);
 
 using PointArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using TriangleArray = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;

@@ -49,14 +49,21 @@ std::shared_ptr<PythonMesh> mesh_solids(const std::vector<PythonSolid>& given,
                                         const std::vector<std::string>& priority, double size,
                                         int margin, bool repair, const Options& options) {
   return mesh_of(
-      [&] {
-        std::vector<std::string> notes;
-        std::vector<NamedSolid> solids;
-        for (const PythonSolid& one : given)
-          solids.push_back({one.name, solid_of(one, repair, notes)});
-        return Shape{materials_domain(solids, {size, margin}, priority), std::move(notes)};
+      [&](const Context&) {
+        Shape shape;
+        const auto solids = std::make_shared<std::vector<NamedSolid>>();
+        for (const PythonSolid& one : given) {
+          solids->push_back({one.name, solid_of(one, repair, shape.notes)});
+          shape.sized.name += (shape.sized.name.empty() ? "" : ", ") + one.name;
+          if (one.function) shape.sized.cost = cost_of_python;
+        }
+        shape.sized.place = [=](double at) {
+          return materials_domain(*solids, {at, margin}, priority);
+        };
+        shape.sized.pieces = unknown_pieces;
+        return shape;
       },
-      options);
+      size, options);
 }
 
 }  // namespace

@@ -84,8 +84,13 @@ void Canvas::draw(const DrawnTriangle& triangle) {
       nearness_[at] = nearness;
       const auto& n = triangle.normals;
       const Light light = lit(triangle.color, unit(s0 * n[0] + s1 * n[1] + s2 * n[2]));
-      const float off = std::min({s0 * altitude[0], s1 * altitude[1], s2 * altitude[2]});
-      light_[at] = mix(light, edge_color, triangle.edges * std::clamp(1.5F - off, 0.0F, 1.0F));
+      const std::array<float, 3> off{s0 * altitude[0], s1 * altitude[1], s2 * altitude[2]};
+      float dark = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto& [darkness, width] = triangle.edges[i];
+        dark = std::max(dark, darkness * std::clamp(samples * width - off[i], 0.0F, 1.0F));
+      }
+      light_[at] = mix(light, edge_color, dark);
     }
 }
 

@@ -15,12 +15,18 @@ namespace certet::view {
 /// Light in linear red, green and blue.
 using Light = Vec;
 
+/// How a line along an edge is drawn.
+struct DrawnEdge {
+  float dark = 0;   ///< 0 to 1
+  float width = 0.75F;  ///< on its side of the edge, in pixels
+};
+
 /// A triangle on the canvas, with normals as Camera::turn gives them.
 struct DrawnTriangle {
   std::array<OnCanvas, 3> corners;
   std::array<Vec, 3> normals;
   Light color;
-  float edges;  ///< how dark the edges are: 0 to 1
+  std::array<DrawnEdge, 3> edges;  ///< across from each corner
 };
 
 class Canvas {

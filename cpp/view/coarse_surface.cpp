@@ -9,15 +9,15 @@
 namespace certet::view {
 namespace {
 
-CoarseSurface as_it_is(const FileMesh& mesh, std::span<const SeparatingFace> border) {
+CoarseSurface as_it_is(const FileMesh& mesh, std::span<const SeparatingFace> faces) {
   PointSubset subset(mesh.points.size());
-  for (const SeparatingFace& face : border) subset.add(face.points);
+  for (const SeparatingFace& face : faces) subset.add(face.points);
   subset.number();
   CoarseSurface surface;
   for (const std::uint64_t point : subset.points()) surface.points.push_back(mesh.points[point]);
-  for (const auto& [points, tet, other] : border)
+  for (const auto& [points, tet, other] : faces)
     surface.triangles.push_back(
-        {{subset[points[0]], subset[points[1]], subset[points[2]]}, tet});
+        {{subset[points[0]], subset[points[1]], subset[points[2]]}, tet, other});
   return surface;
 }
 
@@ -43,20 +43,20 @@ CoarseSurface clustered(const CoarseSurface& fine, const Point3& low, double cel
   }
   for (std::size_t i = 0; i < surface.points.size(); ++i)
     for (double& coordinate : surface.points[i]) coordinate /= members[i];
-  for (const auto& [points, tet] : fine.triangles) {
+  for (const auto& [points, tet, other] : fine.triangles) {
     const auto [a, b, c] = std::array{number[points[0]], number[points[1]], number[points[2]]};
-    if (a != b && b != c && c != a) surface.triangles.push_back({{a, b, c}, tet});
+    if (a != b && b != c && c != a) surface.triangles.push_back({{a, b, c}, tet, other});
   }
   return surface;
 }
 
 }  // namespace
 
-CoarseSurface coarse_surface(const FileMesh& mesh, std::span<const SeparatingFace> border,
+CoarseSurface coarse_surface(const FileMesh& mesh, std::span<const SeparatingFace> faces,
                              std::uint64_t limit) {
-  CoarseSurface fine = as_it_is(mesh, border);
-  if (border.size() <= limit) return fine;
-  const Box box = box_of(mesh, border);
+  CoarseSurface fine = as_it_is(mesh, faces);
+  if (faces.size() <= limit) return fine;
+  const Box box = box_of(mesh, faces);
   // A surface of n triangles has about sqrt(n) along a side.
   double cell = box.width() / std::sqrt(static_cast<double>(limit));
   for (;;) {

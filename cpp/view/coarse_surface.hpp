@@ -14,7 +14,8 @@ namespace certet::view {
 
 struct CoarseTriangle {
   std::array<std::uint32_t, 3> points;
-  std::uint64_t tet;  ///< that it is a face of, or was
+  std::uint64_t tet;    ///< that it is a face of, or was
+  std::uint64_t other;  ///< behind it; `no_tet` at the border of the mesh
 };
 
 struct CoarseSurface {
@@ -23,10 +24,10 @@ struct CoarseSurface {
   double cell = 0;  ///< 0: as the mesh has it
 };
 
-/// Faces at the border as they are, if there are no more than `limit`.  Otherwise
+/// Faces as they are, if there are no more than `limit`.  Otherwise
 /// points in the same cell of a cubic grid become one in their middle, triangles
 /// without an area are left out, and the grid is made coarser until they are few.
-CoarseSurface coarse_surface(const FileMesh& mesh, std::span<const SeparatingFace> border,
+CoarseSurface coarse_surface(const FileMesh& mesh, std::span<const SeparatingFace> faces,
                              std::uint64_t limit);
 
 }  // namespace certet::view

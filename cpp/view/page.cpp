@@ -1,7 +1,7 @@
 #include "certet/page.hpp"
 
-#include <future>
 #include <optional>
+#include <utility>
 
 #include "certet/tet_shape.hpp"
 #include "page_parts.hpp"
@@ -66,23 +66,29 @@ void compare_with_run(const PageFacts& facts, CheckReport& report) {
 bool can_view_pages() { return !three_library().empty(); }
 
 Page make_page(const FileMesh& mesh, const PageFacts& facts) {
-  // The two take about the same time, and neither changes the mesh.
-  auto looking = std::async(std::launch::async, [&mesh] { return look_at(mesh); });
-  Page page{{}, check(mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets))};
+  Context context;
+  return make_page(mesh, facts,
+                   examine(mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets),
+                           mesh.labels, context));
+}
+
+Page make_page(const FileMesh& mesh, const PageFacts& facts, Examination found) {
+  Page page{{}, std::move(found.report)};
   compare_with_run(facts, page.report);
-  const Look look = looking.get();
+  const Look look = look_at(mesh);
   const Scene* scene = look.scene ? &*look.scene : nullptr;
   Skeleton html;
   html.fill("title", title_text(facts));
   html.fill("style", page_style());
   html.fill("name", title_text(facts));
   html.fill("verdict", verdict_text(page.report));
-  html.fill("view", scene ? view_text(look.regions) : no_view_text());
+  html.fill("view", scene ? view_text(look.regions, found.interfaces, mesh.names) : no_view_text());
   html.fill("view_note", scene ? view_note(*scene, page.report) : "");
   html.fill("counts", counts_text(page.report, look.shapes));
   html.fill("facts", facts_text(facts, page.report));
   html.fill("histograms", histograms_text(page.report, look.shapes, facts));
-  html.fill("regions", regions_text(look.regions, !mesh.labels.empty()));
+  html.fill("regions", regions_text(look.regions, found.regions, mesh.names));
+  html.fill("interfaces", interfaces_text(look.regions, found.interfaces, mesh.names));
   html.fill("data", scene ? data_text(*scene, look.regions) : "");
   html.fill("three", scene ? three_library() : "");
   html.fill("controls", scene ? three_controls() : "");

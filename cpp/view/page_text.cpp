@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "histogram.hpp"
 #include "packing.hpp"
@@ -54,12 +55,15 @@ bool is_covered(const PageFacts& facts, const CheckReport& report) {
 std::string bounds_sentence(const PageFacts& facts, const CheckReport& report) {
   if (facts.bounds.empty()) return "";
   if (facts.bounds.size() > 1) {
+    std::vector<std::string> ranges;
+    for (const AngleBounds& b : facts.bounds) {
+      const std::string range = shortened(b.min_dihedral) + "–" + shortened(b.max_dihedral) + "°";
+      if (std::ranges::find(ranges, range) == ranges.end()) ranges.push_back(range);
+    }
     std::string list;
-    for (const AngleBounds& b : facts.bounds)
-      list += (list.empty() ? "" : ", ") + shortened(b.min_dihedral) + "–" +
-              shortened(b.max_dihedral) + "°";
+    for (const std::string& range : ranges) list += (list.empty() ? "" : ", ") + range;
     return "Which theorem covers this mesh is not known; the light lines are the proven bounds "
-           "of the three: " + list + ".";
+           "of the methods: " + list + ".";
   }
   const AngleBounds& b = facts.bounds.front();
   const std::string range =
@@ -69,6 +73,13 @@ std::string bounds_sentence(const PageFacts& facts, const CheckReport& report) {
            "that they cover this file is not known.";
   return "The lines are the bounds of the theorem <code>" + escaped(b.theorem) + "</code>: " +
          range + ".";
+}
+
+std::string cell(const std::string& text) { return "<td>" + text + "</td>"; }
+
+/// Those between which the dihedral angles of a region are.
+std::string angles(const Quality& quality) {
+  return degrees(quality.min_dihedral) + "–" + degrees(quality.max_dihedral);
 }
 
 std::string figure(const Histogram& histogram, const std::string& note) {
@@ -106,12 +117,46 @@ std::string edge_figure(const ShapeSurvey& shapes) {
                     shortened(shapes.longest_edge, 4) + ".");
 }
 
-std::string legend(const Regions& regions) {
+/// What a region is called: its name and its label, or the label alone.
+std::string called(std::int32_t label, const LabelNames& names) {
+  const auto named = names.find(label);
+  if (named == names.end()) return std::to_string(label);
+  return escaped(named->second) + " (" + std::to_string(label) + ")";
+}
+
+std::string called(const std::array<std::int32_t, 2>& labels, const LabelNames& names) {
+  return called(labels[0], names) + " | " + called(labels[1], names);
+}
+
+/// Which part of the mesh is to be seen; nothing to choose where there is one.
+std::string part_choice(const Regions& regions, std::span<const InterfaceReport> interfaces,
+                        const LabelNames& names) {
+  if (regions.all().size() < 2) return "";
+  const auto option = [](const std::string& value, const std::string& text) {
+    return "<option value=\"" + value + "\">" + text + "</option>";
+  };
+  std::string text = "<fieldset><legend>Part</legend><select id=\"part\" aria-label=\"part\">" +
+                     option("all", "all regions");
+  if (!interfaces.empty()) text += option("interfaces", "all interfaces");
+  text += "<optgroup label=\"region\">";
+  for (const MeasuredRegion& region : regions.all())
+    text += option("r" + std::to_string(regions.place(region.label)), called(region.label, names));
+  text += "</optgroup>";
+  if (!interfaces.empty()) text += "<optgroup label=\"interface\">";
+  for (const InterfaceReport& interface : interfaces)
+    text += option("i" + std::to_string(regions.place(interface.labels[0])) + "," +
+                       std::to_string(regions.place(interface.labels[1])),
+                   called(interface.labels, names));
+  if (!interfaces.empty()) text += "</optgroup>";
+  return text + "</select></fieldset>\n";
+}
+
+std::string legend(const Regions& regions, const LabelNames& names) {
   constexpr std::size_t most = 12;
   const auto& all = regions.all();
   std::string text = "<div class=\"legend\" id=\"legend-region\">";
   for (std::size_t i = 0; i < std::min(all.size(), most); ++i)
-    text += "<span>" + swatch(region_color(i, all.size())) + std::to_string(all[i].label) +
+    text += "<span>" + swatch(regions.color(i)) + called(all[i].label, names) +
             "</span>";
   if (all.size() > most)
     text += "<span>… <a href=\"#regions\">all " + std::to_string(all.size()) + "</a></span>";
@@ -134,10 +179,11 @@ std::string verdict_text(const CheckReport& report) {
   return text + "</ul></div>";
 }
 
-std::string view_text(const Regions& regions) {
+std::string view_text(const Regions& regions, std::span<const InterfaceReport> interfaces,
+                      const LabelNames& names) {
   return R"(<div id="stage"><canvas id="canvas" tabindex="0" aria-label="The mesh in three dimensions"></canvas></div>
 <form id="panel" autocomplete="off">
-<fieldset><legend>Cut</legend>
+)" + part_choice(regions, interfaces, names) + R"(<fieldset><legend>Cut</legend>
 <label><input type="radio" name="axis" value="none" checked>none</label>
 <label><input type="radio" name="axis" value="0">x</label>
 <label><input type="radio" name="axis" value="1">y</label>
@@ -155,7 +201,7 @@ std::string view_text(const Regions& regions) {
 <button type="button" id="reset">reset view</button>
 </fieldset>
 </form>
-)" + legend(regions);
+)" + legend(regions, names);
 }
 
 std::string no_view_text() {
@@ -164,14 +210,17 @@ std::string no_view_text() {
 }
 
 std::string view_note(const Scene& scene, const CheckReport& report) {
+  const bool interfaces = scene.interface_faces > 0;
+  const std::string is = interfaces ? "are" : "is";
   std::string text = "<p class=\"note\">Drag to turn, scroll or pinch to zoom. <span id=\"drawn\">"
-                     "</span> The surface ";
+                     "</span> The surface " + std::string(interfaces ? "and the interfaces " : "");
   if (scene.coarse > 0)
-    text += "is drawn in " + grouped_digits(scene.surface_triangles) + " triangles instead of " +
-            grouped_digits(scene.border_faces) + ": points within " +
+    text += is + " drawn in " + grouped_digits(scene.surface_triangles) +
+            " triangles instead of " +
+            grouped_digits(scene.border_faces + scene.interface_faces) + ": points within " +
             shortened(scene.coarse, 3) + " units are drawn together.";
   else
-    text += "is drawn whole.";
+    text += is + " drawn whole.";
   const int planes = scene.planes.count(0);
   text += " Cuts remove whole tetrahedra, by their centroids, at " + std::to_string(planes) +
           (planes == 1 ? " place" : " places") + " along each axis, and show every tetrahedron "
@@ -212,16 +261,40 @@ std::string histograms_text(const CheckReport& report, const ShapeSurvey& shapes
   return dihedral_figure(report, facts) + aspect_figure(shapes) + edge_figure(shapes);
 }
 
-std::string regions_text(const Regions& regions, bool labelled) {
-  if (!labelled) return "<p>The mesh has no labels: it is one region.</p>";
-  const auto& all = regions.all();
-  std::string text = "<div class=\"scroll\"><table class=\"regions\"><thead><tr><th>label</th>"
-                     "<th>tetrahedra</th><th>volume</th></tr></thead><tbody>";
-  for (std::size_t i = 0; i < all.size(); ++i)
-    text += "<tr><th>" + swatch(region_color(i, all.size())) + std::to_string(all[i].label) +
-            "</th><td>" + grouped_digits(all[i].tets) + "</td><td>" +
-            shortened(all[i].volume, 7) + "</td></tr>\n";
+std::string regions_text(const Regions& regions, std::span<const RegionReport> reports,
+                         const LabelNames& names) {
+  if (reports.empty()) return "<p>The mesh has no labels: it is one region.</p>";
+  std::string text = "<div class=\"scroll\"><table class=\"regions\"><thead><tr><th>region</th>"
+                     "<th>tetrahedra</th><th>volume</th><th>area</th><th>angles</th>"
+                     "<th>pieces</th></tr></thead><tbody>";
+  for (const RegionReport& region : reports)
+    text += "<tr><th>" + swatch(regions.color(regions.place(region.label))) + called(region.label, names) +
+            "</th>" + cell(grouped_digits(region.quality.tets)) +
+            cell(shortened(region.quality.volume, 7)) + cell(shortened(region.area, 7)) +
+            cell(angles(region.quality)) + cell(grouped_digits(region.pieces.by_faces)) +
+            "</tr>\n";
   return text + "</tbody></table></div>";
+}
+
+std::string interfaces_text(const Regions& regions, std::span<const InterfaceReport> interfaces,
+                            const LabelNames& names) {
+  if (interfaces.empty()) return "";
+  std::string text = "<section id=\"interfaces\"><h2>Interfaces</h2><div class=\"scroll\">"
+                     "<table class=\"regions\"><thead><tr><th>between</th><th>triangles</th>"
+                     "<th>area</th><th>not manifold at</th></tr></thead><tbody>";
+  for (const InterfaceReport& interface : interfaces) {
+    text += "<tr><th>";
+    for (const std::int32_t label : interface.labels)
+      text += swatch(regions.color(regions.place(label)));
+    const std::uint64_t vertices = interface.nonmanifold.vertices;
+    text += called(interface.labels, names) + "</th>" + cell(grouped_digits(interface.triangles)) +
+            cell(shortened(interface.area, 7)) +
+            cell(vertices == 0   ? "–"
+                 : vertices == 1 ? "1 vertex"
+                                 : grouped_digits(vertices) + " vertices") +
+            "</tr>\n";
+  }
+  return text + "</tbody></table></div></section>";
 }
 
 std::string data_text(const Scene& scene, const Regions& regions) {
@@ -243,7 +316,7 @@ std::string data_text(const Scene& scene, const Regions& regions) {
   const std::size_t count = regions.all().size();
   text += "],\"regions\":[";
   for (std::size_t i = 0; i < count; ++i)
-    text.append(i > 0 ? ",\"" : "\"").append(hexadecimal(region_color(i, count))).append("\"");
+    text.append(i > 0 ? ",\"" : "\"").append(hexadecimal(regions.color(i))).append("\"");
   text += "],\"angles\":[";
   for (int i = 0; i < 256; ++i)
     text.append(i > 0 ? ",\"" : "\"")

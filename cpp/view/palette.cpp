@@ -7,7 +7,7 @@ namespace certet::view {
 namespace {
 
 // Chosen to differ in lightness as well as in hue.
-constexpr std::array<Rgb, 8> regions_apart{{{0x6f, 0xa8, 0xdc},
+constexpr std::array<Rgb, hues> regions_apart{{{0x6f, 0xa8, 0xdc},
                                             {0xf0, 0x90, 0x6a},
                                             {0xf1, 0xdd, 0x85},
                                             {0x4f, 0xb9, 0x9b},
@@ -35,13 +35,9 @@ Rgb blend(const Rgb& a, const Rgb& b, double share) {
 
 }  // namespace
 
-Rgb region_color(std::size_t place, std::size_t regions) {
-  const Rgb& color = regions_apart[place % regions_apart.size()];
-  if (regions <= regions_apart.size()) return color;
-  // Each further round is shaded otherwise.
+Rgb region_color(std::size_t hue, std::size_t shade) {
   constexpr std::array<double, 3> dark{0, 0.22, 0.11};
-  const std::size_t round = place / regions_apart.size();
-  return blend(color, Rgb{0x30, 0x34, 0x50}, dark[round % dark.size()]);
+  return blend(regions_apart[hue], Rgb{0x30, 0x34, 0x50}, dark[shade % dark.size()]);
 }
 
 Rgb angle_color(double worst_angle) {

@@ -11,8 +11,11 @@ namespace certet::view {
 /// Red, green, blue in sRGB.
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// The colour of a region, by its place among `regions`.
-Rgb region_color(std::size_t place, std::size_t regions);
+/// The number of hues for regions.
+inline constexpr std::size_t hues = 8;
+
+/// A hue, in one of three shades.
+Rgb region_color(std::size_t hue, std::size_t shade);
 
 /// The worst angle that a tetrahedron can have at best: that of a regular one.
 inline constexpr double best_angle = 70.528779365509308;

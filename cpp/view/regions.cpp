@@ -1,7 +1,11 @@
 #include "regions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
 
 #include "certet/tet_shape.hpp"
 
@@ -24,6 +28,45 @@ std::int32_t label_of(const FileMesh& mesh, std::uint64_t tet) {
   return mesh.labels.empty() ? 0 : mesh.labels[tet];
 }
 
+/// Which regions have a point in common, by their places.
+using Touching = std::vector<std::set<std::size_t>>;
+
+Touching touching_regions(const FileMesh& mesh, const Regions& regions) {
+  Touching touching(regions.all().size());
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> at(mesh.points.size(), none);
+  for (std::uint64_t i = 0; i < mesh.tets.size(); ++i) {
+    const std::size_t place = regions.place(mesh, i);
+    for (const std::uint64_t point : mesh.tets[i]) {
+      if (point >= at.size()) continue;
+      if (at[point] != none && at[point] != place) {
+        touching[at[point]].insert(place);
+        touching[place].insert(at[point]);
+      }
+      at[point] = place;
+    }
+  }
+  return touching;
+}
+
+/// Each takes the hue that the fewest of those it touches have, and of these the one that is
+/// used the least.
+std::vector<Rgb> colors_apart(const Touching& touching) {
+  std::vector<Rgb> colors;
+  std::vector<std::size_t> hue_of;
+  std::array<std::size_t, hues> used{};
+  for (const std::set<std::size_t>& others : touching) {
+    std::array<std::pair<std::size_t, std::size_t>, hues> cost{};
+    for (const std::size_t other : others)
+      if (other < hue_of.size()) ++cost[hue_of[other]].first;
+    for (std::size_t hue = 0; hue < hues; ++hue) cost[hue].second = used[hue];
+    const auto hue = static_cast<std::size_t>(std::ranges::min_element(cost) - cost.begin());
+    hue_of.push_back(hue);
+    colors.push_back(region_color(hue, used[hue]++));
+  }
+  return colors;
+}
+
 }  // namespace
 
 Regions::Regions(const FileMesh& mesh) {
@@ -39,6 +82,8 @@ Regions::Regions(const FileMesh& mesh) {
     ++regions_[last].tets;
     regions_[last].volume += volume_of(mesh, i);
   }
+  colors_ = colors_apart(regions_.size() > hues ? touching_regions(mesh, *this)
+                                                : Touching(regions_.size()));
 }
 
 std::size_t Regions::place(const FileMesh& mesh, std::uint64_t tet) const {

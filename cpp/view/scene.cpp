@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "certet/tet_shape.hpp"
@@ -52,17 +53,32 @@ Planes choose_planes(const FileMesh& mesh, const Box& box, const SceneLimits& li
   return {box.low, box.high, {odd, odd, odd}};
 }
 
+/// A face between two labels as the tetrahedron of the lesser has it.
+SeparatingFace of_lesser(const FileMesh& mesh, SeparatingFace face) {
+  if (mesh.labels[face.tet] < mesh.labels[face.other]) return face;
+  std::swap(face.tet, face.other);
+  std::swap(face.points[1], face.points[2]);
+  return face;
+}
+
 class Packer {
  public:
   Packer(const FileMesh& mesh, const Regions& regions, const SceneLimits& limits)
       : mesh_(mesh), regions_(regions) {
     scene_.box = box_of(mesh);
     scene_.planes = choose_planes(mesh, scene_.box, limits);
-    const auto faces = separating_faces(mesh, scene_.planes);
-    std::vector<SeparatingFace> border;
-    for (const SeparatingFace& face : faces) (face.other == no_tet ? border : inner_).push_back(face);
-    surface_ = coarse_surface(mesh, border, limits.surface_triangles);
-    scene_.border_faces = border.size();
+    std::vector<SeparatingFace> sheets;
+    for (const SeparatingFace& face :
+         separating_faces(mesh, scene_.planes, BetweenLabels::found)) {
+      const bool border = face.other == no_tet, between = is_between_labels(mesh, face);
+      if (border) ++scene_.border_faces;
+      if (between) ++scene_.interface_faces;
+      if (border || between) sheets.push_back(between ? of_lesser(mesh, face) : face);
+      if (!border && sides_of(mesh, face.tet, scene_.planes) !=
+                         sides_of(mesh, face.other, scene_.planes))
+        inner_.push_back(face);
+    }
+    surface_ = coarse_surface(mesh, sheets, limits.surface_triangles);
     scene_.surface_triangles = surface_.triangles.size();
     scene_.coarse = surface_.cell;
   }
@@ -103,6 +119,7 @@ class Packer {
       const auto& [a, b, c] = triangle.points;
       pack_triangle(first + a, first + b, first + c);
       pack_region(triangle.tet);
+      packing_.integer(triangle.other == no_tet ? 0 : 1 + region(triangle.other));
       packing_.byte(angle(triangle.tet));
       for (const std::uint8_t side : sides_of(mesh_, triangle.tet, scene_.planes))
         packing_.byte(side);

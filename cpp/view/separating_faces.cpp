@@ -40,7 +40,8 @@ void for_faces(const Tet<std::uint64_t>& tet, Work work) {
 
 class Search {
  public:
-  Search(const FileMesh& mesh, const Planes& planes) : mesh_(mesh), planes_(planes) {}
+  Search(const FileMesh& mesh, const Planes& planes, bool labels)
+      : mesh_(mesh), planes_(planes), labels_(labels && !mesh.labels.empty()) {}
 
   std::vector<SeparatingFace> run() {
     mark();
@@ -49,6 +50,11 @@ class Search {
   }
 
  private:
+  /// The label of a tetrahedron, where it matters.
+  [[nodiscard]] std::int32_t label(std::uint64_t tet) const {
+    return labels_ ? mesh_.labels[tet] : 0;
+  }
+
   /// A face that two tetrahedra on the same side share leaves no trace in the
   /// sum at its lowest point; so where the sum is zero there is nothing to see.
   void mark() {
@@ -57,7 +63,8 @@ class Search {
       if (!has_corners(mesh_.points, mesh_.tets[i])) continue;
       const auto [x, y, z] = sides_of(mesh_, i, planes_);
       const std::uint64_t sides =
-          std::uint64_t{x} << 56 | std::uint64_t{y} << 48 | std::uint64_t{z} << 40;
+          (std::uint64_t{x} << 56 | std::uint64_t{y} << 48 | std::uint64_t{z} << 40) +
+          static_cast<std::uint32_t>(label(i)) * 0x9e3779b97f4a7c15;
       for_faces(mesh_.tets[i], [&](std::uint64_t low, std::uint64_t middle, std::uint64_t high) {
         marks_[low] ^= mixed(middle, high, sides);
       });
@@ -91,7 +98,7 @@ class Search {
       core::for_runs(group, same, [&](std::span<FaceKey> run) {
         const std::uint64_t tet = run.front().tet;
         const std::uint64_t other = run.size() > 1 ? run[1].tet : no_tet;
-        if (other != no_tet &&
+        if (other != no_tet && label(tet) == label(other) &&
             sides_of(mesh_, tet, planes_) == sides_of(mesh_, other, planes_))
           return;
         found.push_back({turned_outward(tet, lowest, run.front()), tet, other});
@@ -115,6 +122,7 @@ class Search {
 
   const FileMesh& mesh_;
   const Planes& planes_;
+  bool labels_;
   std::vector<std::uint64_t> marks_;
   core::Groups<FaceKey> by_lowest_{mesh_.points.size()};
 };
@@ -146,8 +154,9 @@ double Planes::place(int axis, int plane) const {
   return first_[a] + plane * gap_[a];
 }
 
-std::vector<SeparatingFace> separating_faces(const FileMesh& mesh, const Planes& planes) {
-  return Search(mesh, planes).run();
+std::vector<SeparatingFace> separating_faces(const FileMesh& mesh, const Planes& planes,
+                                             BetweenLabels between) {
+  return Search(mesh, planes, between == BetweenLabels::found).run();
 }
 
 }  // namespace certet::view

@@ -69,11 +69,22 @@ inline Planes::Sides sides_of(const FileMesh& mesh, std::uint64_t tet, const Pla
   return planes.sides(centroid);
 }
 
-/// All faces at the border, and those between tetrahedra that a plane separates;
-/// ordered by their points.  Tetrahedra without four corners are left out.
+/// Whether faces between tetrahedra of different labels are among those found.
+enum class BetweenLabels { passed_over, found };
+
+/// All faces at the border, and those between tetrahedra that a plane separates, or their
+/// labels; ordered by their points.  Tetrahedra without four corners are left out.
 ///
 /// Takes 8 bytes for each point, and for each of the faces near a plane or the
 /// border 24 bytes.
-std::vector<SeparatingFace> separating_faces(const FileMesh& mesh, const Planes& planes);
+std::vector<SeparatingFace> separating_faces(
+    const FileMesh& mesh, const Planes& planes,
+    BetweenLabels between = BetweenLabels::passed_over);
+
+/// Whether a face lies between two labels.
+inline bool is_between_labels(const FileMesh& mesh, const SeparatingFace& face) {
+  return face.other != no_tet && !mesh.labels.empty() &&
+         mesh.labels[face.tet] != mesh.labels[face.other];
+}
 
 }  // namespace certet::view

@@ -30,6 +30,10 @@ let sections page =
     ("warp", Json.List (Warp_cases.all ()));
     ("bisect", Json.List (Bisect_cases.all ()));
     ("meshes", Json.List (Mesh_cases.all ()));
+    ("disks", Json.List (Disk_cases.all ()));
+    ("settled", Json.List (Settled_cases.all ()));
+    ("material_stencils", Json.List (Material_stencil_cases.all ()));
+    ("materials", Json.List (Material_cases.all ()));
   ]
 
 let () =

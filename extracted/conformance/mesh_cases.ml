@@ -1,44 +1,6 @@
 open Certified
 open Json
 
-let lattice_points { Lattice.origin; cells } shift =
-  let row j k =
-    List.init cells.x (fun i ->
-        Convert.coord3_of_point
-          {
-            x = origin.x + (2 * i) + shift;
-            y = origin.y + (2 * j) + shift;
-            z = origin.z + (2 * k) + shift;
-          })
-  in
-  List.init cells.z (fun k -> List.init cells.y (fun j -> row j k))
-
-(* Layers of rows of one character for each point. *)
-let sign_grid domain lattice shift =
-  let row points = Notation.signs (List.map domain.Domain.sign points) in
-  List (List.map (fun layer -> List (List.map row layer)) (lattice_points lattice shift))
-
-(* Every edge from a + point to a - point, in the order of the + points and of
-   the directions. *)
-let cut_edges sign lattice =
-  let around plus =
-    if sign plus <> Plus then []
-    else
-      List.filter_map
-        (fun d ->
-          let minus = translate plus (offset d) in
-          if sign minus = Minus then Some (plus, minus) else None)
-        allDirections
-  in
-  List.concat_map
-    (fun shift -> List.concat_map around (List.concat (List.concat (lattice_points lattice shift))))
-    [ 0; 1 ]
-
-let explicit_cut domain (plus, minus) =
-  let ends = Notation.[ coord3 plus; coord3 minus ] in
-  let numbers = List.concat_map (function List l -> l | other -> [ other ]) ends in
-  List (numbers @ [ Int (Convert.int_of_z (domain.Domain.cut plus minus)) ])
-
 (* Six times the volume of the structured tetrahedron as warping left it. *)
 let warped_volume thresholds domain corners =
   let place v = Mesher.position thresholds domain (Corner v) in
@@ -70,16 +32,9 @@ let turned_over thresholds lattice domain =
   Lattice.iter_tets lattice (fun id -> if is_turned_over thresholds domain id then incr count);
   !count
 
-(* The points that the tetrahedra use, sorted; and the tetrahedra by number. *)
 let numbered thresholds lattice domain =
-  let tets = ref [] in
-  Mesher.iter_tets thresholds lattice domain (fun (UT (a, b, c, d)) ->
-      tets := List.map (Mesher.position thresholds domain) [ a; b; c; d ] :: !tets);
-  let tets = List.rev !tets in
-  let points = List.sort_uniq compare (List.concat tets) in
-  let numbers = Hashtbl.create 1024 in
-  List.iteri (fun n p -> Hashtbl.add numbers p n) points;
-  (points, List.map (List.map (Hashtbl.find numbers)) tets)
+  Sampled.numbered (Mesher.position thresholds domain)
+    (Mesher.iter_tets thresholds lattice domain)
 
 (* Which thresholds are used in the end, by name. *)
 let choose { Mesh_domains.cuts; guarantee; lattice; _ } domain =
@@ -97,7 +52,7 @@ let judged ({ Mesh_domains.name; lattice; cuts; guarantee; domain } as case) =
   let used, turned_over = choose case decided in
   let thresholds = List.assoc used Notation.thresholds in
   let points, tets = numbered thresholds lattice decided in
-  let given_cuts = match cuts with Midpoint -> [] | Explicit -> cut_edges sampled.sign lattice in
+  let given_cuts = match cuts with Midpoint -> [] | Explicit -> Sampled.cut_edges (Sampled.from_plus_to_minus sampled.sign) lattice in
   Object
     [
       ("name", Text name);
@@ -105,13 +60,13 @@ let judged ({ Mesh_domains.name; lattice; cuts; guarantee; domain } as case) =
       ("cells", Notation.point lattice.cells);
       ("cuts", Text (match cuts with Explicit -> "explicit" | Midpoint -> "midpoint"));
       ("guarantee", Text (match guarantee with Angles -> "angles" | Embedding -> "embedding"));
-      ("even", sign_grid domain lattice 0);
-      ("odd", sign_grid domain lattice 1);
-      ("cut", List (List.map (explicit_cut sampled) given_cuts));
+      ("even", Sampled.sign_grid domain.sign lattice 0);
+      ("odd", Sampled.sign_grid domain.sign lattice 1);
+      ("cut", List (List.map (Sampled.explicit_cut sampled.cut) given_cuts));
       ("turned_over", Int turned_over);
       ("thresholds", Text used);
-      ("points", List (List.map Notation.point points));
-      ("tets", List (List.map (fun tet -> List (List.map (fun n -> Int n) tet)) tets));
+      ("points", points);
+      ("tets", List tets);
     ]
 
 let all () = List.map judged Mesh_domains.all

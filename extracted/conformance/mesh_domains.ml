@@ -133,3 +133,4 @@ let random =
   ]
 
 let all = few_points @ smooth @ random
+let by_angles = List.filter (fun case -> case.cuts = Explicit && case.guarantee = Angles) all

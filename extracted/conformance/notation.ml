@@ -12,6 +12,13 @@ let case_name = function
   | Tet_J1 -> "J1" | Tet_J2 -> "J2" | Tet_J3 -> "J3" | Tet_J4 -> "J4"
   | Tet_K1 -> "K1" | Tet_K2 -> "K2" | Tet_K3 -> "K3" | Tet_K4 -> "K4"
 
+let direction d =
+  let rec search n = function
+    | [] -> invalid_arg "no direction"
+    | head :: tail -> if head = d then n else search (n + 1) tail
+  in
+  search 0 allDirections
+
 let case c = Json.Text (case_name c)
 let all_signs = [ Minus; OnSurface; Plus ]
 

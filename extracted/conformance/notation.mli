@@ -9,6 +9,9 @@ val sign : sign -> Json.t
 val signs : sign list -> Json.t
 (** One character each. *)
 
+val direction : direction -> int
+(** Its number. *)
+
 val case : structuredTetCase -> Json.t
 
 val all_signs : sign list

@@ -337,6 +337,73 @@ Definition ConnectedSets : Table :=
       (if InOnePiece (NumberedSet (64 * word + bit)) then 1 else 0) + 2 * n)
       0 (Upto 64)) (Upto 256)).
 
+(** The triangles of the link, each from its lowest number on, that with the vertex
+    make a right-handed tetrahedron; *)
+Definition DirectionAt (n : Z) : Direction := nth (Z.to_nat n) AllDirections Dir_p00.
+Definition Next (d e : Z) : bool := NextInLink (DirectionAt d) (DirectionAt e).
+
+Definition LinkTriangles : Table :=
+  let at_ n := Offset (DirectionAt n) in
+  Row (flat_map (fun d => flat_map (fun e => flat_map (fun f =>
+    if (d <? e) && (d <? f) && Next d e && Next e f && Next d f &&
+       (0 <? SixVolume Origin (at_ d) (at_ e) (at_ f))
+    then [Numbers [d; e; f]] else []) (Upto 14)) (Upto 14)) (Upto 14)).
+
+(** its long edges, and who is next to both ends of each. *)
+Definition LongLinkEdges : Table :=
+  let short n := negb (IsLong (DirectionKind (DirectionAt n))) in
+  Row (flat_map (fun d => flat_map (fun e =>
+    if (d <? e) && Next d e && short d && short e
+    then [Row [Numbers [d; e]; Numbers (filter (fun f => Next d f && Next e f) (Upto 14))]]
+    else []) (Upto 14)) (Upto 14)).
+
+(** ** Several materials
+
+    A corner has a material, or has moved.  What counts is which corners have moved and
+    which are alike; a cut is named by its ends, the lower number first. *)
+
+Definition MovedCorner : Z := -1.
+Definition CornerMaterial (corners : list Z) (i : Z) : Z := nth (Z.to_nat i) corners 0.
+Definition Labelling (n : Z) : list Z := map (fun i => (n / 5 ^ i) mod 5 - 1) (Upto 4).
+
+Definition CornerPairs : list (Z * Z) := [(0, 1); (0, 2); (0, 3); (1, 2); (1, 3); (2, 3)].
+Definition Likeness (corners : list Z) : Z :=
+  let bits := map (Z.eqb MovedCorner) corners ++
+    map (fun '(a, b) => CornerMaterial corners a =? CornerMaterial corners b) CornerPairs in
+  fold_right (fun (bit : bool) n => (if bit then 1 else 0) + 2 * n) 0 bits.
+Definition LikenessCount : nat := Z.to_nat (2 ^ 10).
+
+Definition MaterialPatternList : list (list Z) :=
+  fold_left (fun seen l =>
+      if existsb (fun k => Likeness k =? Likeness l) seen then seen else seen ++ [l])
+    (map Labelling (Upto 625)) [].
+
+Definition PatternOfLikeness : Table :=
+  let known := map Likeness MaterialPatternList in
+  Numbers (map (fun code => PlaceOf Z.eqb code known) (Upto LikenessCount)).
+
+(** No corner is of the material that a tetrahedron has all of whose corners moved: its
+    owner is the number after theirs. *)
+Definition MaterialStencilOf (corners : list Z) : list (Z * list (Z * Z)) :=
+  let corner i := (i, i) in
+  let material (v : Z * Z) :=
+    let m := CornerMaterial corners (fst v) in if m =? MovedCorner then None else Some m in
+  let cut (a b : Z * Z) := (Z.min (fst a) (fst b), Z.max (fst a) (fst b)) in
+  map (fun '(m, t) => (PlaceOf Z.eqb m corners, TetList t))
+    (GetMaterialTets (Z * Z) material cut (corner 0) (corner 1) (corner 2) (corner 3) 1000).
+
+(** A stencil has room for eight tetrahedra. *)
+Definition MaterialStencilEntry (corners : list Z) : Table :=
+  let entry owner tet :=
+    Row [Row (map (fun v => Numbers [fst v; snd v]) tet); Number owner] in
+  let tets := map (fun '(owner, t) => entry owner t) (MaterialStencilOf corners) in
+  Row [Count tets; Row (tets ++ repeat (entry 0 (repeat (0, 0) 4)) (8 - length tets))].
+
+Definition CotangentEntry (c : CotSquared) : Table :=
+  match c with CotSq num den => Numbers [num; den] end.
+Definition LeastAndGreatest : Table * Table :=
+  match WidestAngles with AB least greatest => (CotangentEntry least, CotangentEntry greatest) end.
+
 (** ** All of them *)
 
 (** What makes a table right: that it is this one, or that it passes a test. *)
@@ -352,6 +419,15 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("lattice_tiling", Is LatticeTilingTable);
    ("pattern_count", Is (Number (Z.of_nat PatternCount)));
    ("stencil_table", Is StencilTable);
+   ("moved_corner", Is (Number MovedCorner));
+   ("shared_owner", Is (Number 4));
+   ("likeness_count", Is (Number (Z.of_nat LikenessCount)));
+   ("material_pattern_count", Is (Count MaterialPatternList));
+   ("material_patterns", Is (Row (map Numbers MaterialPatternList)));
+   ("pattern_of_likeness", Is PatternOfLikeness);
+   ("material_stencil_table", Is (Row (map MaterialStencilEntry MaterialPatternList)));
+   ("least_angle", Is (fst LeastAndGreatest));
+   ("greatest_angle", Is (snd LeastAndGreatest));
    ("step_bits", Is (Number (Z.of_nat StepBits)));
    ("steps", Is (Number Steps));
    ("core::midpoint_cut", Is (Number MidpointCut));
@@ -362,6 +438,8 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("methods", AreMethods);
    ("core::whole_link", Is (Number (SetNumber (Gather (fun _ => true)))));
    ("core::link_ring", Is LinkRings);
+   ("core::link_triangles", Is LinkTriangles);
+   ("core::long_link_edges", Is LongLinkEdges);
    ("core::connected_sets", Is ConnectedSets);
    ("core::grid_count", Is (Count Grids));
    ("core::grids", Is (Numbers (Upto (length Grids))));

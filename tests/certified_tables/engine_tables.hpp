@@ -7,12 +7,14 @@
 
 #include "lattice/cell_tables.hpp"
 #include "certet/lattice/lattice_limits.hpp"
+#include "certet/lattice/material_stencil.hpp"
 #include "certet/method.hpp"
 #include "certet/lattice/sign.hpp"
 #include "certet/lattice/stencil.hpp"
 #include "certet/lattice/structured_tet.hpp"
 #include "certet/lattice/tiling.hpp"
 #include "certet/lattice/warp.hpp"
+#include "certet/lattice/well_shaped.hpp"
 #include "engine/cuts.hpp"
 #include "engine/link.hpp"
 #include "mesh/boundary.hpp"
@@ -46,6 +48,16 @@ void for_each_constant(const Visit& visit) {
   CERTET_CONSTANT(pattern_count);
   CERTET_CONSTANT(stencil_table);
 
+  CERTET_CONSTANT(moved_corner);
+  CERTET_CONSTANT(shared_owner);
+  CERTET_CONSTANT(likeness_count);
+  CERTET_CONSTANT(material_pattern_count);
+  CERTET_CONSTANT(material_patterns);
+  CERTET_CONSTANT(pattern_of_likeness);
+  CERTET_CONSTANT(material_stencil_table);
+  CERTET_CONSTANT(least_angle);
+  CERTET_CONSTANT(greatest_angle);
+
   CERTET_CONSTANT(step_bits);
   CERTET_CONSTANT(steps);
   CERTET_CONSTANT(core::midpoint_cut);
@@ -57,6 +69,8 @@ void for_each_constant(const Visit& visit) {
 
   CERTET_CONSTANT(core::whole_link);
   CERTET_CONSTANT(core::link_ring);
+  CERTET_CONSTANT(core::link_triangles);
+  CERTET_CONSTANT(core::long_link_edges);
   CERTET_CONSTANT(core::connected_sets);
 
   CERTET_CONSTANT(core::grid_count);

@@ -11,10 +11,13 @@
 #include <type_traits>
 
 #include "certet/method.hpp"
+#include "certet/lattice/material_stencil.hpp"
 #include "certet/lattice/stencil.hpp"
 #include "certet/lattice/tiling.hpp"
 #include "lattice/cell_tables.hpp"
 #include "certet/lattice/warp.hpp"
+#include "certet/lattice/well_shaped.hpp"
+#include "engine/link.hpp"
 
 namespace certet::tables {
 
@@ -29,8 +32,8 @@ concept Entry = std::is_arithmetic_v<T> || std::is_enum_v<T> || OneOf<T, std::st
 // A structured binding names all fields or does not compile, so that none is left out.
 template <class T>
 concept OfTwo = OneOf<T, core::VertexRef, core::Family, core::EdgeEnds, StructuredTetId,
-                      FaceNeighbor, StencilVertex, Stencil, Thresholds,
-                      LatticeTiling::Edge>;
+                      FaceNeighbor, StencilVertex, Stencil, MaterialTet, MaterialStencil,
+                      SquaredCotangent, Thresholds, core::LinkEdge, LatticeTiling::Edge>;
 template <class T>
 concept OfThree = OneOf<T, Coord3, core::Shift, core::EdgeRef, core::CellTables,
                         StructuredTetShape, AngleBounds>;

@@ -34,6 +34,13 @@ def enclosed(triangles):
                a[2] * (b[0] * c[1] - b[1] * c[0]) for a, b, c in triangles) / 6
 
 
+def area_of(triangle):
+    a, b, c = triangle
+    u, v = ([q[i] - a[i] for i in range(3)] for q in (b, c))
+    cross = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+    return sum(x * x for x in cross) ** 0.5 / 2
+
+
 def open_edges(triangles):
     forward = [e for a, b, c in triangles for e in ((a, b), (b, c), (c, a))]
     backward = {(b, a) for a, b in forward}
@@ -51,13 +58,15 @@ class Interfaces(ProgramTest):
         return triangles_of(self.folder / "s.stl")
 
     def test_volumes_are_those_of_the_voxels(self):
-        for method in ("embedded", "midpoint"):
-            report = self.mesh("a.nrrd", "-o", "a.vtu", "--method", method)
+        for method, smooth, share in (("embedded", [], 0.015), ("midpoint", [], 0.03),
+                                      ("embedded", ["--smooth", "0"], 0.02),
+                                      ("midpoint", ["--smooth", "0"], 0.02)):
+            report = self.mesh("a.nrrd", "-o", "a.vtu", "--method", method, *smooth)
             self.assertEqual([r["label"] for r in report["regions"]], [1, 2, 3])
             for region in report["regions"]:
                 self.assertEqual(region["voxel_volume"], region["voxels"])
                 self.assertAlmostEqual(region["volume"], region["voxels"],
-                                       delta=0.02 * region["voxels"])
+                                       delta=share * region["voxels"])
             self.assertAlmostEqual(sum(r["volume"] for r in report["regions"]),
                                    report["mesh"]["volume"], delta=1e-6)
 
@@ -96,6 +105,81 @@ class Interfaces(ProgramTest):
         as_seen = {frozenset(t) for t in between}
         for triangles in alone:
             self.assertLessEqual(as_seen, {frozenset(t) for t in triangles})
+
+    def test_all_interfaces_together(self):
+        together = self.surface("interfaces")
+        alone = [t for pair in ("1,2", "1,3", "2,3") for t in self.surface(pair)]
+        self.assertEqual(sorted(map(sorted, together)), sorted(map(sorted, alone)))
+        self.assert_refused(2, "no two regions", "a.nrrd", "-o", "s.stl", "--labels", "2",
+                            "--surface", "interfaces")
+
+    def check(self, name, status=0):
+        run = self.run_certet("check", name, "--json", "check.json")
+        self.assertEqual(run.returncode, status, run.stdout + run.stderr)
+        return run.stdout, json.loads((self.folder / "check.json").read_text())
+
+    def test_every_way_through_the_formats_keeps_them(self):
+        self.mesh("a.nrrd", "-o", "a.msh", "--label-names", "names.txt")
+        for last in ("inp", "feb", "vtp", "node"):
+            self.convert("a.msh", f"direct.{last}")
+        for via in (("b.vtu",), ("b.mesh",), ("b.meshb",), ("b.msh", "--format", "msh22")):
+            self.convert("a.msh", *via)
+            _, report = self.check(via[0])
+            self.assertEqual([i["labels"] for i in report["interfaces"]], [[1, 2], [1, 3], [2, 3]])
+            for last in ("inp", "feb", "vtp", "node", "msh", "mesh", "meshb"):
+                with self.subTest(via=via[0], last=last):
+                    self.convert(via[0], f"c.{last}", "--label-names", "names.txt")
+                    if last in ("msh", "mesh", "meshb"):
+                        _, again = self.check(f"c.{last}")
+                        self.assertEqual(again["interfaces"], [
+                            i | {"names": j["names"]}
+                            for i, j in zip(report["interfaces"], again["interfaces"])])
+                        self.assertEqual(sum(s["missing"] + s["wrong"] for s in again["surfaces"]
+                                             if "interface" in s), 0)
+                        self.assertEqual(sum("interface" in s for s in again["surfaces"]), 3)
+                        continue
+                    files = ("node", "ele", "face") if last == "node" else (last,)
+                    for kind in files:
+                        self.assertEqual((self.folder / f"c.{kind}").read_bytes(),
+                                         (self.folder / f"direct.{kind}").read_bytes())
+
+    def convert(self, *arguments):
+        run = self.run_certet("convert", *arguments)
+        self.assertEqual(run.returncode, 0, run.stderr)
+
+    def test_check_tells_regions_and_interfaces(self):
+        run = self.mesh("a.nrrd", "-o", "a.msh", "--label-names", "names.txt")
+        table, report = self.check("a.msh")
+        self.assertIn("bone | marrow: ", table)
+        self.assertEqual([r["name"] for r in report["regions"]], ["bone", "marrow", "tumour"])
+        for told, found in zip(run["regions"], report["regions"]):
+            self.assertEqual((told["label"], told["tets"]), (found["label"], found["tets"]))
+            self.assertAlmostEqual(told["volume"], found["volume"], places=6)
+            self.assertEqual(found["surface"]["open_edges"], 0)
+            self.assertGreater(found["dihedral"]["min"], 10.77)
+        areas = {tuple(i["labels"]): i["area"] for i in report["interfaces"]}
+        for pair, area in areas.items():
+            triangles = self.surface(f"{pair[0]},{pair[1]}")
+            self.assertEqual(len(triangles), next(
+                i["triangles"] for i in report["interfaces"] if tuple(i["labels"]) == pair))
+            self.assertAlmostEqual(sum(map(area_of, triangles)), area, delta=1e-3 * area)
+
+    def test_check_finds_what_the_file_has_wrong(self):
+        self.mesh("a.nrrd", "-o", "a.mesh")
+        text = (self.folder / "a.mesh").read_text()
+        head, triangles = text.split("Triangles\n")
+        count, *rows = triangles.split("End")[0].split("\n")[:-1]
+        at = next(n for n, row in enumerate(rows) if row.endswith(" 4"))
+        lacking = rows[:at] + rows[at + 1:]
+        other = rows[:at] + [rows[at][:-1] + "5"] + rows[at + 1:]
+        for planted, words in ((lacking, ("surface 4 lacks 1 of the",)),
+                               (other, ("surface 4 lacks 1 of the", "surface 5 has 1 triangle"))):
+            (self.folder / "b.mesh").write_text(
+                head + f"Triangles\n{len(planted)}\n" + "\n".join(planted) + "\nEnd\n")
+            table, report = self.check("b.mesh", status=1)
+            for sentence in words:
+                self.assertIn(sentence, table)
+            self.assertFalse(report["ok"])
 
     def test_the_paper_cuts_none(self):
         report = self.mesh("a.nrrd", "-o", "a.vtu", "--method", "paper")

@@ -27,7 +27,8 @@ class LossTest(ProgramTest):
     def assert_told(self, volume, *source):
         """A warning with the true share of the volume, and a size that holds what it promises."""
         report = self.mesh(*source, "-o", "a.vtu")
-        self.assertEqual(len(report["warnings"]), 1, report["warnings"])
+        others = [w for w in report["warnings"] if "pieces" in w]
+        self.assertEqual(len(report["warnings"]) - len(others), 1, report["warnings"])
         told = re.fullmatch(r"the mesh has ([0-9.]+) % of the volume of '.*', \S+ of (about )?"
                             r"([0-9.e+-]+); --size ([0-9.e+-]+) has ([0-9.]+) % of it, in "
                             r"([0-9,]+) tetrahedra", report["warnings"][0])
@@ -186,6 +187,123 @@ class Images(LossTest):
     def test_solid_ones_are_not_told(self):
         self.write(lambda i, j, k: int(2 <= i < 18 and 2 <= j < 18 and 5 <= k < 35))
         self.assertEqual(self.mesh("a.nrrd", "-o", "a.vtu")["warnings"], [])
+
+
+class Pieces(LossTest):
+    """Pieces that the lattice does not find, and a size at which it does."""
+
+    def assert_pieces(self, mesh, shape, *source):
+        """A warning with these counts, and a size at which the mesh has the shape's."""
+        report = self.mesh(*source, "-o", "a.vtu")
+        self.assertEqual(report["mesh"]["pieces"]["by_faces"], mesh)
+        told = [w for w in report["warnings"] if "piece" in w]
+        self.assertEqual(len(told), 1, report["warnings"])
+        self.assertRegex(told[0], rf"\b{mesh} pieces?\b.*, (and .* )?{shape}( in the image)?; ")
+        size = re.search(r"--size ([0-9.e-]+)", told[0])
+        self.assertIsNotNone(size, told)
+        others = [o for n, o in enumerate(source) if "--size" not in source[max(n - 1, 0):n + 1]]
+        self.assert_kept(shape, *others, "--size", size[1])
+        return told[0]
+
+    def assert_kept(self, shape, *source):
+        report = self.mesh(*source, "-o", "b.vtu")
+        self.assertEqual(report["mesh"]["pieces"]["by_faces"], shape)
+        self.assertEqual(report["warnings"], [])
+
+
+class PiecesOfSurfaces(Pieces):
+    def write(self, *parts):
+        (self.folder / "a.obj").write_bytes(surfaces.obj(surfaces.join(*parts)))
+        if "not built in" in self.run_certet("mesh", "a.obj", "--dry-run").stderr:
+            self.skipTest("without assimp")
+        return "a.obj", "--size", "0.25"
+
+    def test_small_ones_beside_a_large_one(self):
+        dots = [surfaces.octahedron((2.5, 0.3 + 0.4 * n, 0.6), 0.06) for n in range(3)]
+        source = self.write(surfaces.cube((0, 0, 0), (2, 2, 2)), *dots)
+        self.assert_pieces(1, 4, *source)
+        self.assert_pieces(1, 4, *source, "--method", "paper")
+
+    def test_cavities_are_none_and_what_is_in_them_is(self):
+        """A wall around a cavity with a ball, of which the lattice finds nothing."""
+        cavity = surfaces.inside_out(surfaces.cube((0.6, 0.6, 0.6), (1.4, 1.4, 1.4)))
+        source = self.write(surfaces.cube((0, 0, 0), (2, 2, 2)), cavity,
+                            surfaces.octahedron((1.1, 1.05, 0.93), 0.07))
+        self.assert_pieces(1, 2, *source)
+
+    def test_parts_that_touch(self):
+        """Blocks that share an edge are one piece or two, as the lattice has it."""
+        source = self.write(surfaces.cube((0, 0, 0), (1, 1, 1)),
+                            surfaces.cube((1, 1, 0), (2, 2, 1)))
+        self.assertEqual(self.mesh(*source, "-o", "a.vtu")["warnings"], [])
+
+    def test_parts_that_overlap_are_compared_on_lattices(self):
+        source = self.write(surfaces.cube((0, 0, 0), (2, 2, 2)),
+                            surfaces.cube((1, 1, 1), (3, 3, 3.1)),
+                            surfaces.octahedron((2.6, 0.6, 0.6), 0.1))
+        told = self.assert_pieces(1, 2, *source)
+        self.assertRegex(told, "its samples at size .* and so have its samples at half of it")
+
+    def test_open_ones(self):
+        """Holes of an open surface are closed; a box and one without a lid."""
+        points, faces = surfaces.cube((2.7, 0.4, 0.4), (2.8, 0.5, 0.5))
+        self.write(surfaces.cube((0, 0, 0), (2, 2, 2)), (points, faces[1:]))
+        self.assert_pieces(1, 2, "a.obj", "--repair", "--size", "0.3")
+
+
+class PiecesOfFormulas(Pieces):
+    BALLS = "min(length(x,y,z)-1,length(x-1.5,y-0.33,z-0.21)-0.06)"
+
+    def test_small_ball(self):
+        told = self.assert_pieces(1, 2, "--expr", self.BALLS, "--bounds",
+                                  "-1.2,-1.2,-1.2,1.8,1.2,1.2", "--size", "0.15")
+        self.assertRegex(told, "its samples at size .* and so have its samples at half of it")
+
+    def test_resolved_ones_are_not_told(self):
+        for size in ("0.05", "0.03"):
+            self.assert_kept(2, "--expr", self.BALLS, "--bounds", "-1.2,-1.2,-1.2,1.8,1.2,1.2",
+                             "--size", size)
+
+
+@unittest.skipUnless(WRITE_VOLUMES, "without OpenVDB")
+class PiecesOfVolumes(Pieces):
+    def test_small_ball_beside_a_large_one(self):
+        subprocess.run([WRITE_VOLUMES, self.folder], check=True)
+        self.assertEqual(self.mesh("balls.vdb", "-o", "a.vtu")["warnings"], [])
+        self.assert_pieces(1, 2, "balls.vdb", "--size", "1.3")
+
+
+class PiecesOfImages(Pieces):
+    SIZE = (20, 20, 20)
+
+    def write(self, value, kind="f"):
+        images.write_nrrd(self.folder / "a.nrrd", self.SIZE, images.voxels(self.SIZE, value), kind)
+
+    def test_peak_between_samples(self):
+        """A voxel just above the level, at the size of the voxels."""
+        def value(i, j, k):
+            if (i, j, k) in ((3, 3, 3), (16, 4, 4), (4, 16, 15)):
+                return 1.0
+            return 3.0 if 7 <= min(i, j, k) and max(i, j, k) < 15 else 0.0
+        self.write(value)
+        self.assert_pieces(1, 4, "a.nrrd", "--iso", "0.9")
+
+    def test_smoothed_labels(self):
+        """Blocks that smoothing keeps, and a lattice that is too coarse for some."""
+        def value(i, j, k):
+            corner = all(a in (3, 4, 5, 18, 19, 20) for a in (i, j, k))
+            return int(corner or all(8 <= a < 16 for a in (i, j, k)))
+        self.SIZE = (24, 24, 24)
+        self.write(value, "B")
+        self.assert_pieces(1, 9, "a.nrrd", "--method", "paper", "--smooth", "1", "--size", "4")
+
+    def test_what_smoothing_joins_no_size_keeps(self):
+        self.write(lambda i, j, k: int(2 <= i < 18 and 2 <= j < 18 and k in range(3, 9)
+                                       or 5 < i < 12 and 5 < j < 12 and k in range(11, 16)), "B")
+        report = self.mesh("a.nrrd", "--method", "paper", "--smooth", "2", "--size", "1", "-o", "a.vtu")
+        told, = [w for w in report["warnings"] if "piece" in w]
+        self.assertRegex(told, "1 piece in the mesh, 2 in the image; no size was found that keeps "
+                               "them, down to .*; a smaller --smooth may keep them")
 
 
 if __name__ == "__main__":

@@ -149,19 +149,50 @@ class Smooth(RegionTest):
     def test_no_staircase(self):
         for spacing in ((1, 1, 1), (1, 1, 2)):
             self.ball(spacing=spacing)
-            self.mesh("a.nrrd", "-o", "a.vtu")
+            report = self.mesh("a.nrrd", "--smooth", "0", "-o", "a.vtu")
+            self.assertNotIn("smoothing", report)
             rough = self.roughness()
-            report = self.mesh("a.nrrd", "--smooth", "1.2", "-o", "a.vtu")
-            self.check("a.vtu")
-            self.assertLess(self.roughness(), 0.6 * rough)
-            self.assertEqual(set(vtu.numbers(self.folder / "a.vtu", "label")), {4, 9})
-            smoothing = report["smoothing"]
-            self.assertEqual(smoothing["sigma"], 1.2)
-            self.assertAlmostEqual(smoothing["mesh_volume"], report["mesh"]["volume"])
-            self.assertLess(abs(smoothing["change"]), 0.1)
-            self.assertAlmostEqual(
-                smoothing["voxel_volume"],
-                spacing[2] * sum(r["voxels"] for r in report["regions"]))
+            for options, sigma in (([], None), (["--smooth", "1.2"], 1.2),
+                                   (["--smooth", "1.2", "--method", "paper"], 1.2)):
+                report = self.mesh("a.nrrd", *options, "-o", "a.vtu")
+                self.check("a.vtu")
+                self.assertLess(self.roughness(), 0.6 * rough, options)
+                self.assertEqual(set(vtu.numbers(self.folder / "a.vtu", "label")), {4, 9})
+                smoothing = report["smoothing"]
+                self.assertEqual(smoothing.get("sigma"), sigma)
+                self.assertAlmostEqual(smoothing["mesh_volume"], report["mesh"]["volume"])
+                self.assertLess(abs(smoothing["change"]), 0.1 if "paper" in options else 0.01)
+                self.assertAlmostEqual(
+                    smoothing["voxel_volume"],
+                    spacing[2] * sum(r["voxels"] for r in report["regions"]))
+                for region in report["regions"]:
+                    self.assertAlmostEqual(region["change_percent"],
+                                           100 * (region["volume"] / region["voxel_volume"] - 1))
+                    if "paper" not in options:
+                        self.assertLess(abs(region["change_percent"]), 2)
+
+    def test_one_label_is_smooth_too(self):
+        write_nrrd(self.folder / "a.nrrd", (24, 24, 24), voxels((24, 24, 24), lambda *at: int(
+            math.dist(at, (11.5,) * 3) < 8)))
+        self.mesh("a.nrrd", "--smooth", "0", "-o", "a.vtu")
+        rough = self.roughness()
+        report = self.mesh("a.nrrd", "-o", "a.vtu")
+        self.assertLess(self.roughness(), 0.4 * rough)
+        self.assertLess(abs(report["regions"][0]["change_percent"]), 1)
+
+    def test_by_default_a_crop_has_no_change_of_volume(self):
+        self.ball()
+        report = self.mesh("a.nrrd", "--crop", "0,0,0,20,20,20", "-o", "a.vtu")
+        for region in report["regions"]:
+            self.assertNotIn("change_percent", region)
+
+    def test_the_papers_method_is_flat_by_default(self):
+        self.ball()
+        meshes = []
+        for options in ([], ["--smooth", "0"]):
+            self.mesh("a.nrrd", "--method", "paper", *options, "-o", "a.vtu")
+            meshes.append((self.folder / "a.vtu").read_bytes())
+        self.assertTrue(meshes[0] == meshes[1])
 
     def test_labels_stay_on_their_side(self):
         self.ball()
@@ -185,28 +216,34 @@ class Smooth(RegionTest):
 
     def test_a_solid_that_fills_the_image_stays(self):
         self.write(lambda i, j, k: 1, (8, 9, 10))
-        report = self.mesh("a.nrrd", "--smooth", "2", "-o", "a.vtu")
-        self.assertLess(abs(report["smoothing"]["change"]), 0.03)  # at edges
-        self.check("a.vtu")
+        for options in ([], ["--smooth", "2"], ["--smooth", "2", "--method", "paper"]):
+            report = self.mesh("a.nrrd", *options, "-o", "a.vtu")
+            self.assertLess(abs(report["smoothing"]["change"]), 0.03)  # at edges
+            self.check("a.vtu")
 
     def test_what_smoothing_takes_away_is_named(self):
         self.write()
-        report = self.mesh("a.nrrd", "--smooth", "1.5", "-o", "a.vtu")
+        report = self.mesh("a.nrrd", "--smooth", "1.5", "--method", "paper", "-o", "a.vtu")
         self.assertTrue([w for w in report["warnings"] if "label 2" in w and "--smooth" in w])
+        for sigma in ("1.5", "3", "0.3"):
+            report = self.mesh("a.nrrd", "--smooth", sigma, "-o", "a.vtu")
+            self.assertEqual([w for w in report["warnings"] if "label" in w], [])
 
     def test_refused(self):
         self.write()
-        for value in ("0", "-1", "nan", "wide"):
+        for value in ("-1", "nan", "wide"):
             self.assert_fails(USAGE, ["--smooth"], "mesh", "a.nrrd", "--smooth=" + value,
                               "-o", "a.vtu")
         self.assert_fails(USAGE, ["--smooth"], "mesh", "a.nrrd", "--iso", "1", "--smooth", "1",
                           "-o", "a.vtu")
         self.assert_fails(USAGE, ["--smooth"], "mesh", "--shape", "sphere:1", "--smooth", "1",
                           "-o", "a.vtu")
+        self.assert_fails(USAGE, ["4 voxels"], "mesh", "a.nrrd", "--smooth", "4.1", "-o", "a.vtu")
+        paper = ("--method", "paper", "-o", "a.vtu")
         self.write(lambda i, j, k: 1, (3, 9, 9))
-        self.assert_fails(USAGE, ["4 voxels"], "mesh", "a.nrrd", "--smooth", "1", "-o", "a.vtu")
+        self.assert_fails(USAGE, ["4 voxels"], "mesh", "a.nrrd", "--smooth", "1", *paper)
         self.write(lambda i, j, k: int((i, j, k) == (5, 5, 5)))
-        self.assert_fails(EMPTY, ["smoothing"], "mesh", "a.nrrd", "--smooth", "3", "-o", "a.vtu")
+        self.assert_fails(EMPTY, ["smoothing"], "mesh", "a.nrrd", "--smooth", "3", *paper)
 
 
 class Crop(RegionTest):

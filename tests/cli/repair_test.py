@@ -7,7 +7,7 @@ import unittest
 
 import surface_defects as defects
 import surfaces
-from program import ProgramTest
+from surface_program import SurfaceProgramTest
 
 BAD_INPUT, USAGE, EMPTY = 3, 2, 4
 TORUS = defects.turned(surfaces.torus(around=48, across=24))
@@ -37,15 +37,7 @@ def eight_cubes():
     return points, faces
 
 
-class RepairTest(ProgramTest):
-    def setUp(self):
-        super().setUp()
-        (self.folder / "probe.stl").write_bytes(surfaces.stl(surfaces.cube()))
-        probe = self.run_certet("mesh", "probe.stl", "--dry-run")
-        if "not built in" in probe.stderr:
-            self.skipTest("without assimp")
-        (self.folder / "probe.stl").unlink()
-
+class RepairTest(SurfaceProgramTest):
     def assert_solid(self, surface, volume, words, *options, writers=surfaces.WRITERS,
                      within=0.012):
         """The volume, and notes of which each has its words, in all formats."""

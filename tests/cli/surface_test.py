@@ -6,21 +6,13 @@ import subprocess
 import unittest
 
 import surfaces
-from program import ProgramTest
+from surface_program import SurfaceProgramTest
 
 USAGE, BAD_INPUT, EMPTY = 2, 3, 4
 WRITE_VOLUMES = os.environ.get("CERTET_WRITE_VOLUMES", "")
 
 
-class SurfaceTest(ProgramTest):
-    def setUp(self):
-        super().setUp()
-        (self.folder / "probe.stl").write_bytes(surfaces.stl(surfaces.cube()))
-        probe = self.run_certet("mesh", "probe.stl", "--dry-run")
-        if "not built in" in probe.stderr:
-            self.skipTest("without assimp")
-        (self.folder / "probe.stl").unlink()
-
+class SurfaceTest(SurfaceProgramTest):
     def write(self, name, data):
         (self.folder / name).write_bytes(data)
         return name
@@ -180,7 +172,7 @@ class Hostile(SurfaceTest):
 
 
 @unittest.skipUnless(WRITE_VOLUMES, "without OpenVDB")
-class Volumes(ProgramTest):
+class Volumes(SurfaceProgramTest):
     def setUp(self):
         super().setUp()
         subprocess.run([WRITE_VOLUMES, self.folder], check=True)

@@ -2,13 +2,14 @@
 
 usage: check.py KIT.json      exit status 0: it conforms, 1: it does not
 
-`conforming` is the implementation; put your own in its place.
+`settling`, with what it takes from `conforming`, is the implementation; put your own in its
+place.
 """
 
 import json
 import sys
 
-import conforming
+import settling
 
 
 def plain(value):
@@ -68,11 +69,48 @@ def meshes(mine, kit):
             yield f"mesh '{case['name']}', {key}", answer, case[key]
 
 
+def set_of(number):
+    return {d for d in range(14) if number >> d & 1}
+
+
+def disks(mine, kit):
+    rows = {row[0]: row[1:] for row in kit["disks"]}
+    for number in range(1 << 14):
+        row = mine.disk_row(set_of(number))
+        answer = row and [sum(1 << d for d in row[0]), row[1]]
+        yield f"disks, + {number}", answer, rows.get(number)
+
+
+def settled(mine, kit):
+    for case in kit["settled"]:
+        answers = mine.settled_mesh(*(case[key] for key in (
+            "origin", "cells", "even", "odd", "cut")))
+        for key, answer in answers.items():
+            yield f"settled '{case['name']}', {key}", answer, case[key]
+
+
+def material_stencils(mine, kit):
+    for case in kit["material_stencils"]:
+        tets = mine.material_stencil(list(case["corners"]))
+        for hand, right in (("right_handed", True), ("left_handed", False)):
+            answer = [[m, *mine.oriented(tet, right)] for m, tet in tets]
+            yield f"materials {case['corners']}", answer, case[hand]
+
+
+def materials(mine, kit):
+    for case in kit["materials"]:
+        answers = mine.material_mesh(*(case[key] for key in (
+            "origin", "cells", "cuts", "even", "odd", "cut")))
+        for key, answer in answers.items():
+            yield f"materials '{case['name']}', {key}", answer, case[key]
+
+
 def differences(mine, kit):
     """A sentence for each answer that is not the kit's."""
     if kit["certet_conformance"] != 1:
         raise ValueError("this kit is of another version")
-    for section in (constants, stencils, bisect, warp, lattice, meshes):
+    for section in (constants, stencils, bisect, warp, lattice, meshes, material_stencils,
+                    materials, settled, disks):
         for what, answer, expected in section(mine, kit):
             if plain(answer) != expected:
                 yield f"{what}: {str(plain(answer))[:200]} instead of {str(expected)[:200]}"
@@ -80,7 +118,7 @@ def differences(mine, kit):
 
 def main(file):
     with open(file, encoding="utf-8") as opened:
-        found = list(differences(conforming, json.load(opened)))
+        found = list(differences(settling, json.load(opened)))
     print("\n".join(found[:20]))
     print(f"{len(found)} differences")
     return 1 if found else 0

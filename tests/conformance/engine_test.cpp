@@ -4,55 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "certet/stuffing.hpp"
-#include "differences.hpp"
-#include "domains.hpp"
 #include "engine_bisection.hpp"
 #include "implementation.hpp"
-
-namespace certet {
-
-void from_json(const nlohmann::json& json, Coord3& p) {
-  p = {json.at(0).get<std::int32_t>(), json.at(1).get<std::int32_t>(),
-       json.at(2).get<std::int32_t>()};
-}
-void to_json(nlohmann::json& json, const Coord3& p) { json = {p.x, p.y, p.z}; }
-
-}  // namespace certet
+#include "kit_cases.hpp"
 
 namespace {
 
-using certet::Lattice;
-using nlohmann::json;
-
-const json& kit() {
-  static const json kit = json::parse(std::ifstream(CERTET_KIT));
-  return kit;
-}
-
-Sign sign_of(char c) {
-  return c == '+' ? Sign::plus : c == '0' ? Sign::on_surface : Sign::minus;
-}
-
-template <std::size_t n>
-std::array<Sign, n> signs_of(const std::string& text) {
-  std::array<Sign, n> signs{};
-  std::ranges::transform(text, signs.begin(), sign_of);
-  return signs;
-}
-
-/// Expects an answer to be what the kit says; both are shown if it is not.
-void expect(Differences& differences, const std::string& what, const json& answer,
-            const json& expected) {
-  differences.expect(answer == expected, [&] {
-    return what + ": " + answer.dump().substr(0, 200) + " instead of " +
-           expected.dump().substr(0, 200);
-  });
-}
+using namespace conformance;
 
 certet::StructuredTetCase case_of(const std::string& name) {
   const auto at = std::ranges::find(certet::case_names, name);
@@ -78,13 +39,6 @@ Differences lattice(const Implementation& production) {
            {c.at("right_handed"), c.at("vertices"), c.at("neighbors")});
   }
   return differences;
-}
-
-/// "3" for a corner, "14" for a cut.
-std::string name_of(certet::StencilVertex v) {
-  std::string name(1, static_cast<char>('1' + v.a));
-  if (v.is_cut()) name += static_cast<char>('1' + v.b);
-  return name;
 }
 
 Differences stencils(const Implementation& production) {
@@ -147,41 +101,6 @@ Differences bisect() {
   return differences;
 }
 
-/// The domain of a mesh case: an edge changes its sign after the cut.
-domains::Positional domain_of(const json& c) {
-  std::map<Coord3, Sign> signs;
-  std::map<std::pair<Coord3, Coord3>, std::int32_t> cuts;
-  const Coord3 origin = c.at("origin").get<Coord3>();
-  for (const int shift : {0, 1}) {
-    const json& grid = c.at(shift == 0 ? "even" : "odd");
-    for (int k = 0; k < static_cast<int>(grid.size()); ++k) {
-      const json& layer = grid[static_cast<std::size_t>(k)];
-      for (int j = 0; j < static_cast<int>(layer.size()); ++j) {
-        const auto& row = layer[static_cast<std::size_t>(j)].get_ref<const std::string&>();
-        for (int i = 0; i < static_cast<int>(row.size()); ++i)
-          signs[origin + 2 * Coord3{i, j, k} + Coord3{shift, shift, shift}] =
-              sign_of(row[static_cast<std::size_t>(i)]);
-      }
-    }
-  }
-  for (const json& cut : c.at("cut"))
-    cuts[{Coord3{cut[0], cut[1], cut[2]}, Coord3{cut[3], cut[4], cut[5]}}] =
-        cut[6].get<std::int32_t>();
-  return domains::Positional([=](Coord3 p) {
-    const auto [a, b, t] = domains::edge_of(p);
-    const auto sign = [&](Coord3 v) {
-      const auto at = signs.find(v);
-      return at == signs.end() ? Sign::minus : at->second;
-    };
-    if (t == 0) return sign(a);
-    if (const auto cut = cuts.find({a, b}); cut != cuts.end())
-      return t <= cut->second ? Sign::plus : Sign::minus;
-    if (const auto cut = cuts.find({b, a}); cut != cuts.end())
-      return certet::steps - t <= cut->second ? Sign::plus : Sign::minus;
-    return Sign::minus;
-  });
-}
-
 struct NamedMesh {
   std::uint64_t turned_over;
   std::string thresholds;
@@ -232,11 +151,6 @@ Differences meshes(const Engine& production) {
     expect(differences, name + ", tets", mesh.tets, c.at("tets"));
   }
   return differences;
-}
-
-void expect_none(const Differences& differences, long at_least) {
-  EXPECT_TRUE(differences.empty()) << differences;
-  EXPECT_GE(differences.compared(), at_least);
 }
 
 TEST(Conformance, OfTheConstants) {

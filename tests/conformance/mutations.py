@@ -1,4 +1,4 @@
-"""Plants bugs in conforming.py, one at a time; the kit must catch each.
+"""Plants bugs in conforming.py and settling.py, one at a time; the kit must catch each.
 
 usage: mutations.py KIT.json [BUG...]      exit status 1 if one is not caught
 """
@@ -10,7 +10,8 @@ import types
 
 import check
 
-SOURCE = pathlib.Path(__file__).with_name("conforming.py").read_text(encoding="utf-8")
+SOURCES = {name: pathlib.Path(__file__).with_name(f"{name}.py").read_text(encoding="utf-8")
+           for name in ("conforming", "settling")}
 
 # A name, what stands in the source once, and what is put there.
 MUTATIONS = [
@@ -71,15 +72,42 @@ MUTATIONS = [
     ("falling back in name only", "used = \"embedding\"\n            warped = Warped",
      "used = \"embedding\"\n            Warped"),
     ("the thresholds asked for are ignored", "else guarantee", "else \"embedding\""),
+    ("a pinched neighbour overlooked", "len(run) == len(NEXT[d]) or (run", "(run"),
+    ("two runs around a neighbour", "or (run and not in_one_piece(run))", ""),
+    ("walls overlooked", "if d < e and all(f in inner", "if d > e and all(f in inner"),
+    ("others in several pieces", "in_one_piece(set(range(14)) - inner)", "in_one_piece(inner)"),
+    ("a sample on the surface cut elsewhere", "(higher, lower), STEPS)", "(higher, lower), STEPS // 2)"),
+    ("the far before the near", "8 * (4 * t // alpha(d))", "8 * (3 - 4 * t // alpha(d))"),
+    ("the inner before the outer", "+ 4 * self.is_higher(point, d)", "- 4 * self.is_higher(point, d)"),
+    ("other colours", "2 * (point[0] % 2) + sum(point) // 2 % 2",
+     "2 * (1 - point[0] % 2) + sum(point) // 2 % 2"),
+    ("nobody stays for a link", "or self.fills_would_touch(link):\n            return", ":\n            pass"),
+    ("a move that is not shortened", "if d not in LONG:\n            return t", "if True:\n            return t"),
+    ("shortened by those behind", "dot(DIRECTIONS[d], DIRECTIONS[e]) <= 0", "dot(DIRECTIONS[d], DIRECTIONS[e]) >= 0"),
+    ("a cut that is not clamped", "max(least, min(STEPS - least, self.domain.cut(higher, lower)))",
+     "self.domain.cut(higher, lower)"),
+    ("a cut clamped at one end", "min(STEPS - least, self.domain.cut(higher, lower))",
+     "self.domain.cut(higher, lower)"),
+    ("materials judged together alone", "[{m} for m in higher] + [higher]", "[higher]"),
+    ("materials judged by themselves alone", "[{m} for m in higher] + [higher]", "[{m} for m in higher]"),
+    ("the lowest material judged too", "materials - {min(materials)}", "materials"),
+    ("fills that touch", "if e not in NEXT[d] or link[d] == link[e]:", "if True:"),
+    ("what four corners share", "        if len(lower) > 1:\n            return False", ""),
+    ("a fill of another material", "AABC A 13 14 23 34 A 14 24 23 34", "AABC B 13 14 23 34 A 14 24 23 34"),
+    ("a fill's other diagonal", "AABC A 13 14 23 34 A 14 24 23 34", "AABC A 13 14 24 34 A 13 24 23 34"),
+    ("no fill", "if name == pattern:", "if False:"),
+    ("the outside filled", "            if material == 0:\n                continue\n", ""),
+    ("a shared tetrahedron of the higher material", "material = min(self.pair(points[0]", "material = max(self.pair(points[0]"),
 ]
 
 
 def mutant(old, new):
-    """conforming.py with one piece of it replaced."""
-    if SOURCE.count(old) != 1:
-        raise ValueError(f"'{old}' does not stand once in conforming.py")
-    module = types.ModuleType("mutant")
-    exec(compile(SOURCE.replace(old, new), "mutant", "exec"), module.__dict__)
+    """The implementation with one piece of it replaced."""
+    if sum(source.count(old) for source in SOURCES.values()) != 1:
+        raise ValueError(f"'{old}' does not stand once in the implementation")
+    for name, source in SOURCES.items():
+        module = sys.modules[name] = types.ModuleType(name)
+        exec(compile(source.replace(old, new), name, "exec"), module.__dict__)
     return module
 
 

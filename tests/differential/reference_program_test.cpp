@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include "certet/formats.hpp"
 #include "certet/stuffing.hpp"
 #include "domains.hpp"
+#include "materials.hpp"
 
 namespace {
 
@@ -149,6 +151,57 @@ TEST_F(ReferenceProgram, MeshesASampledDomain) {
   EXPECT_TRUE(engine(domain, lattice) == theirs);
 }
 
+/// Random materials, the lattice's outermost points outside; every edge is cut in its middle,
+/// where the program puts cuts that it is not told of.
+materials::Positional halved(const Lattice& lattice, std::uint64_t seed) {
+  const auto material = [=](Coord3 v) -> certet::Material {
+    const Coord3 d = v - lattice.origin;
+    const auto [nx, ny, nz] = lattice.cells;
+    const auto inner = [](std::int32_t c, std::int32_t cells) { return c >= 2 && c / 2 < cells - 1; };
+    if (!inner(d.x, nx) || !inner(d.y, ny) || !inner(d.z, nz)) return 0;
+    return static_cast<certet::Material>(mixed(seed, v.x, v.y, v.z) % 4);
+  };
+  return {{1, 2, 3}, [=](Coord3 p) {
+            const auto [a, b, t] = domains::edge_of(p);
+            const certet::Material near = material(a);
+            if (t == 0) return near;
+            const certet::Material far = material(b);
+            const bool at_near = near > far ? 2 * t <= certet::steps : 2 * t < certet::steps;
+            return at_near ? near : far;
+          }};
+}
+
+void write_materials(const fs::path& file, const materials::Positional& domain,
+                     const Lattice& lattice) {
+  const auto& [o, cells] = lattice;
+  std::ofstream out(file);
+  out << "certet-materials\nlattice " << o.x << ' ' << o.y << ' ' << o.z << ' ' << cells[0] << ' '
+      << cells[1] << ' ' << cells[2] << '\n';
+  for (const std::int32_t shift : {0, 1}) {
+    out << (shift == 0 ? "even\n" : "odd\n");
+    for (int k = 0; k < cells[2]; ++k)
+      for (int j = 0; j < cells[1]; ++j, out << '\n')
+        for (int i = 0; i < cells[0]; ++i)
+          out << domain.material_at(certet::steps *
+                                    (o + 2 * Coord3{i, j, k} + shift * Coord3{1, 1, 1}))
+              << ' ';
+  }
+}
+
+TEST_F(ReferenceProgram, MeshesSeveralMaterials) {
+  constexpr Lattice lattice{{2, 4, -6}, {6, 5, 7}};
+  const auto domain = halved(lattice, 7);
+  write_materials(folder / "three.materials", domain, lattice);
+  const std::string given = "--materials " + (folder / "three.materials").string();
+  for (const certet::Method method : {certet::Method::embedded, certet::Method::midpoint}) {
+    const bool midpoint = method == certet::Method::midpoint;
+    EXPECT_TRUE(engine(domain, lattice, method) == reference(midpoint ? given + " --midpoint" : given));
+    certet::Context context;
+    const certet::Mesh mesh = certet::stuff(domain, lattice, {}, method, context);
+    EXPECT_TRUE(std::ranges::equal(mesh.labels, certet::read(output).labels));
+  }
+}
+
 TEST_F(ReferenceProgram, SaysWhatIsWrong) {
   const auto expect = [&](const std::string& arguments, int status, const std::string& words) {
     EXPECT_EQ(run(arguments), status) << arguments;
@@ -165,7 +218,7 @@ TEST_F(ReferenceProgram, SaysWhatIsWrong) {
   expect("--lattice '1 0 0 3 3 3' --solid 'sphere 0 0 0 1'" + out, 2,
          "'1 0 0 3 3 3' is no lattice: three even numbers and three more");
   expect("--sphere" + out, 2, "unknown option '--sphere'.");
-  expect(out, 2, "give --signs, or --solid and --lattice");
+  expect(out, 2, "give --signs, --materials, or --solid and --lattice");
   expect("--solid 'sphere 90 0 0 1' --lattice '0 0 0 3 3 3'" + out, 1,
          "nothing is inside: there is no mesh to make");
   expect("--signs /nowhere/a" + out, 1, "/nowhere/a: No such file or directory");

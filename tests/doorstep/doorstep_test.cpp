@@ -188,7 +188,7 @@ TEST(Doorstep, NoUnsoundMeshIsWritten) {
   Mesh bent = mesh(cut_ball());
   bent.method = Method::midpoint;  // whose bounds it does not keep
   expect_refused(ErrorCode::check_failed, "MidpointBounds", [&] { write(bent, folder / "a.vtu"); });
-  FileMesh broken = FileMesh{{{0, 0, 0}}, {{0, 1, 2, 3}}, {}, {}, {}};
+  FileMesh broken{.points = {{0, 0, 0}}, .tets = {{0, 1, 2, 3}}, .labels = {}, .names = {}, .border = {}};
   expect_refused(ErrorCode::bad_input, "not there", [&] { write(broken, folder / "a.vtu"); });
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }

@@ -26,7 +26,7 @@ except ImportError:
     gmsh = None
 try:
     from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 except ImportError:
     vtkXMLUnstructuredGridReader = None
 
@@ -360,6 +360,34 @@ class Vtk(Readback):
                 vtk_to_numpy(grid.GetPoints().GetData()),
                 vtk_to_numpy(grid.GetCells().GetConnectivityArray()),
                 vtk_to_numpy(grid.GetCellData().GetArray("label"))))
+
+
+    def test_vtp(self):
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(self.make("a.vtp", "--label-names", "names.txt"))
+        reader.Update()
+        data = reader.GetOutput()
+        points = vtk_to_numpy(data.GetPoints().GetData())
+        triangles = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        sheet, label, behind = (vtk_to_numpy(data.GetCellData().GetArray(name))
+                                for name in ("surface", "label", "behind"))
+        names = data.GetFieldData().GetAbstractArray("surface_names")
+        self.assertEqual([names.GetValue(n) for n in range(names.GetNumberOfValues())], [
+            "surface", "border", "Left <lobe> & more-Left-lobe",
+            "Left <lobe> & more-left?lobe", "Left-lobe-left?lobe"])
+        # Its points are those of the mesh that surfaces have, in their order.
+        number = {tuple(p): n for n, p in enumerate(self.truth.points.tolist())}
+        places = np.array([number[tuple(p)] for p in points.tolist()])
+        self.assertTrue((np.diff(places) > 0).all())
+        triangles = places[triangles]
+        self.assertTrue(np.array_equal(rotated(triangles[sheet <= 2]),
+                                       boundary_of(self.truth.tets)))
+        self.assertTrue(np.array_equal(
+            rotated(triangles[sheet > 2]), interfaces_of(self.truth.tets, self.truth.labels)))
+        self.assertTrue((behind[sheet <= 2] == 0).all())
+        pairs = {3: (3, 7), 4: (3, 12), 5: (7, 12)}
+        for n, (lesser, greater) in pairs.items():
+            self.assertEqual(set(zip(label[sheet == n], behind[sheet == n])), {(lesser, greater)})
 
 
 class Febio(Readback):

@@ -102,6 +102,39 @@ TEST_P(RoundTrip, SizeIsKnownBefore) {
   }
 }
 
+/// Interfaces too, however many: a label for each cube.
+TEST(Formats, SizeWithInterfacesIsKnownBefore) {
+  const ScratchFolder folder;
+  const auto label_of = [](auto i, auto j, auto k) { return static_cast<int>((k * 8 + j) * 8 + i) + 1; };
+  const SampleMesh mesh = test::cubes(8, label_of);
+  const MeshSize size = mesh.size();
+  ASSERT_EQ(size.survey->regions.size(), 512u);
+  ASSERT_GE(size.survey->interfaces.size(), 3u * 7 * 8 * 8);
+  for (const auto& [format, name] :
+       {std::pair(Format::vtu, "a.vtu"), std::pair(Format::medit, "a.mesh"),
+        std::pair(Format::medit_binary, "a.meshb"), std::pair(Format::gmsh, "a.msh"),
+        std::pair(Format::gmsh22, "b.msh"), std::pair(Format::abaqus, "a.inp"),
+        std::pair(Format::febio, "a.feb"), std::pair(Format::tetgen, "a.node"),
+        std::pair(Format::vtp, "a.vtp"), std::pair(Format::stl, "a.stl"),
+        std::pair(Format::ply, "a.ply")}) {
+    test::write_as(folder / name, format, mesh);
+    double bytes = 0;
+    for (const auto& file : files_of(folder / name, format))
+      bytes += static_cast<double>(std::filesystem::file_size(file));
+    const auto expected = static_cast<double>(file_bytes(format, size));
+    const bool exact = format == Format::vtu || format == Format::medit_binary ||
+                       format == Format::gmsh || format == Format::stl;
+    EXPECT_NEAR(bytes, expected, exact ? 0 : 0.12 * bytes) << name;
+    // That it goes by the interfaces: without them it is another.
+    if (format == Format::vtu || format == Format::stl || format == Format::ply) continue;
+    MeshSize without = size;
+    auto survey = std::make_shared<Survey>(*size.survey);
+    survey->interfaces.clear();
+    without.survey = survey;
+    EXPECT_GT(std::abs(static_cast<double>(file_bytes(format, without)) - bytes), 0.2 * bytes) << name;
+  }
+}
+
 TEST_P(RoundTrip, NothingIsLeftBesideTheFile) {
   test::write(file(), sample_mesh(10, 10, false));
   EXPECT_EQ(folder_.names(), std::vector<std::string>{file().filename().string()});

@@ -53,6 +53,34 @@ inline SampleMesh sample_mesh(std::size_t points, std::size_t tets, bool labels,
   return mesh;
 }
 
+/// n^3 cubes of six tetrahedra each, that share all their faces; label_of(i, j, k) is that of
+/// a cube.
+template <class LabelOf>
+SampleMesh cubes(std::uint32_t n, const LabelOf& label_of) {
+  SampleMesh mesh;
+  const auto point = [n](const std::array<std::uint32_t, 3>& p) {
+    return (p[2] * (n + 1) + p[1]) * (n + 1) + p[0];
+  };
+  for (std::uint32_t i = 0; i < (n + 1) * (n + 1) * (n + 1); ++i)
+    mesh.points.push_back({std::sqrt(2) * (i % (n + 1)), std::sqrt(3) * (i / (n + 1) % (n + 1)),
+                           std::sqrt(5) * (i / (n + 1) / (n + 1))});
+  for (std::uint32_t cube = 0; cube < n * n * n; ++cube) {
+    const std::array<std::uint32_t, 3> low{cube % n, cube / n % n, cube / n / n};
+    std::array<std::size_t, 3> axes{0, 1, 2};
+    do {
+      // From the low corner to the high one along the axes in turn.
+      std::array<std::uint32_t, 3> at = low;
+      Tet<std::uint32_t> tet{point(at)};
+      for (std::size_t step = 0; step < 3; ++step) ++at[axes[step]], tet[step + 1] = point(at);
+      const bool odd = (axes[0] > axes[1]) ^ (axes[0] > axes[2]) ^ (axes[1] > axes[2]);
+      if (odd) std::swap(tet[2], tet[3]);
+      mesh.tets.push_back(tet);
+      mesh.labels.push_back(label_of(low[0], low[1], low[2]));
+    } while (std::ranges::next_permutation(axes).found);
+  }
+  return mesh;
+}
+
 /// Writes a mesh in pieces of so many points or tetrahedra.
 template <class Index>
 void write_tets(MeshWriter& writer, const std::vector<Tet<Index>>& tets,

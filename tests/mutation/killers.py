@@ -34,6 +34,7 @@ PROGRAMS = {
     "limits": ("tests/unit/lattice_limits_test.cpp", "core"),
     "conformance": ("tests/conformance/engine_test.cpp", "core"),
     "pieces": ("tests/property/pieces_test.cpp", "core plain"),
+    "regions": ("tests/property/regions_by_signs_test.cpp", "core plain"),
 }
 
 # The quickest killers of a file come first; afterwards all others.
@@ -46,10 +47,13 @@ FIRST = {
     "lattice_limits.cpp": ["limits"], "inverted_tets.cpp": ["mesh", "conformance"],
     "link.hpp": ["link"], "settle.cpp": ["settling"], "part_cubes.cpp": ["cubes"],
     "disjoint_sets.hpp": ["pieces"], "plus_runs.hpp": ["pieces"], "plus_runs.cpp": ["pieces"],
-    "zero_link.cpp": ["pieces"], "piece_count.cpp": ["pieces"], "keep.cpp": ["pieces"],
+    "run_cursor.hpp": ["pieces"], "zero_link.cpp": ["pieces", "regions"], "zero_tets.cpp": ["regions"],
+    "join_zero_vertices.cpp": ["pieces", "regions"], "join_long_cuts.cpp": ["regions"],
+    "joined_parts.cpp": ["pieces", "regions"], "piece_tets.cpp": ["pieces", "regions"],
+    "piece_count.cpp": ["pieces"], "places.cpp": ["pieces"], "keep.cpp": ["pieces"],
 }
 OTHERWISE = ["mesh", "engine", "bisect", "soundness", "numbers", "constants", "lattice", "stencil", "warp", "faces",
-             "bounds", "limits", "settling", "link", "cubes", "conformance", "pieces"]
+             "bounds", "limits", "settling", "link", "cubes", "conformance", "pieces", "regions"]
 
 
 def programs_for(file):

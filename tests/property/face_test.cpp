@@ -5,26 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 #include <set>
 #include <tuple>
 
-#include "certet/lattice/stencil.hpp"
 #include "certet/lattice/structured_tet.hpp"
+#include "stencils.hpp"
 
 namespace {
 
-using certet::Coord3;
-using certet::CornerSigns;
-using certet::Sign;
-using certet::Stencil;
-using certet::StencilVertex;
-using certet::StructuredTet;
-using certet::StructuredTetId;
-
-using Stencils = std::function<Stencil(const CornerSigns&)>;
-
-Stencil production(const CornerSigns& signs) { return certet::unstructured_tets(signs); }
+using namespace certet;
 
 /// A vertex of the output: a lattice point twice, or the + and - end of its edge.
 using Place = std::pair<Coord3, Coord3>;

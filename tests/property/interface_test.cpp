@@ -17,6 +17,7 @@
 #include "certet/lattice/material_stencil.hpp"
 #include "certet/lattice/well_shaped.hpp"
 #include "certet/stuffing.hpp"
+#include "disjoint_sets.hpp"
 #include "domains.hpp"
 #include "exact.hpp"
 #include "materials.hpp"
@@ -49,21 +50,6 @@ std::map<Triangle, std::vector<std::size_t>> faces_of(const Mesh& mesh) {
     }
   return faces;
 }
-
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t root(std::size_t n) {
-    while (parent_[n] != n) n = parent_[n] = parent_[parent_[n]];
-    return n;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 /// How many pieces each label has, hanging together by faces.
 std::map<std::int32_t, int> pieces_of(const Mesh& mesh) {

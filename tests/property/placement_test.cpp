@@ -10,24 +10,16 @@
 #include <functional>
 
 #include "certet/lattice/direction.hpp"
-#include "certet/lattice/stencil.hpp"
 #include "certet/lattice/structured_tet.hpp"
 #include "certet/lattice/warp.hpp"
 #include "exact.hpp"
+#include "stencils.hpp"
 
 namespace {
 
-using certet::Coord3;
-using certet::CornerSigns;
-using certet::Sign;
-using certet::Stencil;
-using certet::StencilVertex;
-using certet::Thresholds;
+using namespace certet;
 
 using Corners = std::array<Coord3, 4>;
-using Stencils = std::function<Stencil(const CornerSigns&)>;
-
-Stencil production(const CornerSigns& signs) { return certet::unstructured_tets(signs); }
 
 /// The signs after warping, and the direction in which each vertex of sign 0
 /// moved (others: -1).

@@ -64,6 +64,36 @@ TEST(RegionsBySigns, AreThoseOfAPlainCount) {
   EXPECT_GT(faults, 10U);
 }
 
+/// Blocks of voxels a little longer than an edge, with single ones that differ: steps along
+/// which many vertices move in different directions, so that tetrahedra of four moved ones
+/// are kept.
+RegionCase jagged_case(int n) {
+  const std::uint64_t seed = mixed(test_seed(), 1000 + n);
+  const std::int32_t width = steps * (20 + n % 5) / 10;
+  auto domain = std::make_unique<materials::Positional>(
+      std::vector<std::int32_t>{3, 5, 6}, [=](Coord3 p) -> Material {
+        const auto voxel = [=](std::int32_t c) { return (c + 100 * width) / width; };
+        const int x = voxel(p.x), y = voxel(p.y), z = voxel(p.z);
+        const bool differs = mixed(seed, x, y, z) % 8 == 0;
+        return static_cast<Material>((differs ? mixed(seed, x, y, z) >> 8
+                                              : mixed(seed, x >> 2, y >> 2, z >> 2)) % 4);
+      });
+  Context context;
+  Stuffing stuffing(*domain, {{-10, -8, -12}, {11, 10, 12}}, Method::embedded, context);
+  return {std::move(domain), std::move(stuffing)};
+}
+
+TEST(RegionsBySigns, OfJaggedOnesAreThoseOfAPlainCount) {
+  for (int n = 0; n < 16; ++n) {
+    auto [domain, stuffing] = jagged_case(n);
+    ASSERT_EQ(counted(stuffing, 1), plain::count(emitted(stuffing))) << n;
+    Context context;
+    const Stuffing rest = stuffing.keep(KeepPercolating{1}, context);
+    ASSERT_EQ(counted(stuffing, 2), plain::count(emitted(stuffing))) << n;
+    ASSERT_EQ(counted(rest, 3), plain::count(emitted(rest))) << n;
+  }
+}
+
 using LabelledTet = std::tuple<std::array<Point3, 4>, std::int32_t>;
 
 std::vector<LabelledTet> labelled(const Stuffing& stuffing) {

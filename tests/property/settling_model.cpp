@@ -200,7 +200,10 @@ void Model::settle(Coord3 v) {
       const bool both_minus = !state.sampled && !other.sampled;
       state.distance = std::min(state.distance, 32768 - other.distance - (both_minus ? 1 : 0));
     }
-  if (state.distance != target) ++figures_.shortened;
+  if (state.distance != target) {
+    ++figures_.shortened;
+    figures_.missed.add(target - state.distance);
+  }
   state.now = Sign::on_surface;
 }
 

@@ -8,22 +8,14 @@
 #include <algorithm>
 #include <functional>
 
-#include "certet/lattice/stencil.hpp"
 #include "certet/lattice/structured_tet.hpp"
 #include "exact.hpp"
+#include "stencils.hpp"
 
 namespace {
 
-using certet::Coord3;
-using certet::CornerSigns;
-using certet::Sign;
-using certet::Stencil;
-using certet::StencilVertex;
+using namespace certet;
 using exact::Wide;
-
-using Stencils = std::function<Stencil(const CornerSigns&)>;
-
-Stencil production(const CornerSigns& signs) { return certet::unstructured_tets(signs); }
 
 /// Steps from corner i to the cut on the edge to corner j > i.
 using EdgeCuts = std::array<std::array<std::int32_t, 4>, 4>;

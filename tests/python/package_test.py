@@ -3,6 +3,7 @@
 import gc
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -10,6 +11,7 @@ import tempfile
 import threading
 import time
 import unittest
+import warnings
 
 import certet
 import numpy as np
@@ -109,6 +111,121 @@ class Solids(unittest.TestCase):
             certet.mesh({"a": broken}, bounds=BOX)
 
 
+class Losses(unittest.TestCase):
+    def test_of_every_kind(self):
+        """A volume that the lattice does not hold, or pieces; both are as the command has them."""
+        peak = np.zeros((12, 12, 12))
+        peak[3:8, 3:8, 3:8] = 3
+        peak[10, 2, 2] = 1
+        shell = lambda p: np.abs(np.linalg.norm(p, axis=1) - 1) - 0.02
+        vessel = np.zeros((8, 8, 20), np.uint8)
+        vessel[4, 4, 2:18] = 1
+        for words, mesh in (
+                ("has 1 piece, and the shape 2; size=", lambda: certet.mesh(peak, iso=0.9)),
+                ("of the volume of 'function'", lambda: certet.mesh(
+                    shell, bounds=((-1.5,) * 3, (1.5,) * 3), size=0.3)),
+                ("of the volume of 'array', .* of 16;", lambda: certet.mesh(
+                    vessel, method="embedding", size=0.9))):
+            with self.subTest(words), self.assertWarnsRegex(certet.LossWarning, words):
+                mesh()
+
+    def test_none_where_all_is_kept(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for mesh in (certet.mesh(torus, bounds=BOX, size=0.1), certet.mesh(ball()),
+                         certet.mesh(ball().astype(float), iso=0.5)):
+                self.assertEqual(mesh.losses, [])
+
+    def test_what_became_of_vertices(self):
+        """As the JSON of the command has it."""
+        dots = np.zeros((14, 14, 14), np.uint8)
+        dots[3:12:4, 3:12:4, 3:12] = 1
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", certet.LossWarning)
+            warp = certet.mesh(dots, spacing=(1, 1.1, 1.2)).warp
+        self.assertGreater(warp.stayed, 0)
+        self.assertGreater(warp.violated, warp.stayed)
+        self.assertGreater(warp.clamped_cuts, 0)
+        self.assertLessEqual(0, warp.rms)
+        self.assertLessEqual(warp.rms, warp.greatest)
+        self.assertLess(warp.greatest_edges, 0.4)
+        self.assertEqual(set(certet.mesh(ball(), method="midpoint").warp), {0})
+
+
+def three_materials():
+    """A ball, one in it, and one through its surface."""
+    labels = ball().astype(np.int16)
+    grid = np.indices(labels.shape)
+    for label, centre, radius in ((2, (10, 11, 11), 5.0), (7, (17, 12, 11), 4.5)):
+        at = grid - np.reshape(centre, (3, 1, 1, 1))
+        labels[(at**2).sum(0) < radius**2] = label
+    return labels
+
+
+def area_of(corners):
+    a, b, c = np.moveaxis(corners, 1, 0)
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2
+
+
+class Interfaces(unittest.TestCase):
+    def setUp(self):
+        self.mesh = certet.mesh(three_materials(), spacing=(1, 1.5, 1.25))
+
+    def faces_between(self, one, other):
+        """The faces that tetrahedra of two labels share, each by its points."""
+        mesh = self.mesh
+        faces = [{frozenset(row) for corners in ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1))
+                  for row in mesh.tets[mesh.labels == label][:, corners].tolist()}
+                 for label in (one, other)]
+        return faces[0] & faces[1]
+
+    def test_are_what_labels_share(self):
+        found = self.mesh.interfaces()
+        self.assertEqual([i.labels for i in found], [(1, 2), (1, 7), (2, 7)])
+        for interface in found:
+            self.assertEqual(interface.names, tuple(map(str, interface.labels)))
+            self.assertEqual(interface.triangles.shape[1:], (3,))
+            self.assertTrue(np.issubdtype(interface.triangles.dtype, np.integer))
+            self.assertFalse(interface.triangles.flags.owndata)
+            shared = self.faces_between(*interface.labels)
+            self.assertEqual({frozenset(t) for t in interface.triangles.tolist()}, shared)
+            self.assertEqual(len(interface.triangles), len(shared))
+            corners = self.mesh.points[interface.triangles]
+            self.assertAlmostEqual(area_of(corners), interface.area, places=9)
+
+    def test_are_seen_from_the_greater_label(self):
+        """The surface of label 2, put together, encloses its volume."""
+        found = {i.labels: i.triangles for i in certet.interfaces(self.mesh)}
+        around = np.concatenate([found[1, 2][:, ::-1], found[2, 7]])
+        corners = self.mesh.points[around]
+        enclosed = np.linalg.det(corners - corners[0, 0]).sum() / 6
+        own = volumes(self.mesh)[self.mesh.labels == 2].sum()
+        self.assertAlmostEqual(enclosed, own, places=6)
+
+    def test_outlive_the_mesh(self):
+        found = self.mesh.interfaces()
+        before = [i.triangles.copy() for i in found]
+        self.mesh = None
+        gc.collect()
+        for interface, copy in zip(found, before):
+            self.assertTrue(np.array_equal(interface.triangles, copy))
+
+    def test_of_a_file_are_the_same(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("a.vtu", "a.mesh"):
+                file = pathlib.Path(folder) / name
+                certet.write(self.mesh, file)
+                for here, there in zip(self.mesh.interfaces(), certet.read(file).interfaces()):
+                    self.assertEqual(here.labels, there.labels)
+                    self.assertTrue(np.array_equal(here.triangles, there.triangles))
+                    self.assertAlmostEqual(here.area, there.area, places=9)
+
+    def test_are_none_without_labels_that_touch(self):
+        self.assertEqual(certet.mesh(ball()).interfaces(), [])
+        self.assertEqual(certet.mesh(three_materials(), method="angles").interfaces(), [])
+        self.assertEqual(certet.mesh_function(torus, BOX, 0.2).interfaces(), [])
+
+
 class Functions(unittest.TestCase):
     def test_torus(self):
         mesh = certet.mesh_function(torus, BOX, 0.1)
@@ -196,6 +313,24 @@ class Images(unittest.TestCase):
         self.assertGreater(centres[mesh.labels == 7][:, 0].mean(), 14)
         self.assertLess(centres[mesh.labels == 1][:, 0].mean(), 9)
 
+    def test_smooth(self):
+        """Smooth by default; flat faces have three directions only."""
+        def flat_share(**options):
+            mesh = certet.mesh_image(ball(), **options)
+            inner = np.sort(np.concatenate([mesh.tets[:, [b for b in range(4) if b != a]]
+                                            for a in range(4)]), 1)
+            faces, count = np.unique(inner, axis=0, return_counts=True)
+            p = mesh.points[faces[count == 1]]
+            normals = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
+            normals /= np.linalg.norm(normals, axis=1)[:, None]
+            return (np.abs(normals).max(1) > 0.999).mean()
+        self.assertGreater(flat_share(smooth=0), 0.3)
+        self.assertLess(flat_share(), 0.1)
+        self.assertLess(flat_share(smooth=1.5), 0.1)
+        self.assertEqual(flat_share(method="angles"), flat_share(method="angles", smooth=0))
+        checksums = {certet.mesh_image(ball(), smooth=s).checksum for s in (None, 0, 0.7, 1.5)}
+        self.assertEqual(len(checksums), 4)
+
     def test_pieces(self):
         voxels = np.zeros((20, 12, 12), np.int16)
         voxels[2:6, 2:10, 2:10], voxels[6:9, 2:10, 2:10], voxels[13:17, 5:8, 5:8] = 3, 4, 4
@@ -261,7 +396,7 @@ class Images(unittest.TestCase):
         """Bounds that are attained are crossed by rounding alone, which is no fault; what
         doubles cannot hold is one."""
         def quality(origin, voxel):
-            return certet.mesh_image(ball(), cuts="midpoint", spacing=(voxel,) * 3,
+            return certet.mesh_image(ball(), cuts="midpoint", smooth=0, spacing=(voxel,) * 3,
                                      origin=(origin,) * 3).quality()
         rounded = quality(1e6, 0.01)
         self.assertLess(rounded.min_dihedral, 30 - 1e-6)
@@ -282,6 +417,10 @@ class Images(unittest.TestCase):
             (dict(array=ball(), margin=0), "margin"),
             (dict(array=ball(), labels=[1], iso=1), "exclude"),
             (dict(array=ball(), labels=[]), "empty"),
+            (dict(array=ball(), smooth=1, iso=1), "exclude"),
+            (dict(array=ball(), smooth=-1), "positive"),
+            (dict(array=ball(), smooth=5), "4 voxels"),
+            (dict(array=ball(), smooth=1, method="angles"), "cut labels apart"),
             (dict(array=ball(), cuts="middle"), "'midpoint'"),
             (dict(array=ball(), method="paper"), "embedded, angles, embedding, midpoint"),
             (dict(array=ball(), method="embedded", cuts="midpoint"), "one or the others"),
@@ -358,6 +497,20 @@ class Surfaces(unittest.TestCase):
     def test_default_size_follows_thin_parts(self):
         mesh = certet.mesh_surface(self.points * (1, 1, 0.04), self.triangles)
         self.assertAlmostEqual(mesh.size, 0.01, delta=1e-6)
+
+    def test_pieces_that_the_lattice_does_not_find_are_told(self):
+        """At the line that called, with a size that keeps them."""
+        points = np.concatenate([self.points, self.points * 0.05 + 1.33])
+        triangles = np.concatenate([self.triangles, self.triangles + len(self.points)])
+        for call in (certet.mesh_surface, lambda *a, **k: certet.mesh(a, **k)):
+            with self.assertWarnsRegex(certet.LossWarning, "1 piece, and the shape 2; size=") as told:
+                mesh = call(points, triangles, size=0.25)
+            self.assertEqual(pathlib.Path(told.filename).name, "package_test.py")
+            self.assertIn(str(told.warning), mesh.losses)
+        size = float(re.search("size=([0-9.e-]+)", mesh.losses[0])[1])
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertEqual(certet.mesh_surface(points, triangles, size=size).pieces().by_faces, 2)
 
     def test_refusals(self):
         for triangles, sentence in [(self.triangles[1:], "1 hole.*repair=True"), (self.triangles + 5, "point"),

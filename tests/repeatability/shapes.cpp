@@ -79,13 +79,35 @@ Shape of_placed(std::string name, std::unique_ptr<certet::PlacedDomain> domain) 
 }
 
 /// Labels that touch all six borders of the image, and corners of one another.
-Shape labels(std::string name, bool walls_halfway) {
+certet::Image crowded(const certet::Point3& spacing) {
   const auto value = [](std::int64_t i, std::int64_t j, std::int64_t k) {
     return (i * 7 + j * 5 + k * 3 + i * j) % 11 < 6 ? 1 + (i / 4 + j / 3 + k / 5) % 3 : 0;
   };
+  return image<std::int16_t>({14, 12, 10}, spacing, value);
+}
+
+Shape labels(std::string name, bool walls_halfway) {
+  return of_placed(std::move(name), certet::label_domain(crowded({1, 1.5, 2}), {},
+                                                        {.walls_halfway = walls_halfway}));
+}
+
+/// The same with smooth surfaces: without a lattice point at the centre of each voxel and
+/// with one, and of one label alone.
+Shape smooth_labels(std::string name, const certet::Point3& spacing,
+                    std::vector<certet::LabelRange> chosen) {
   return of_placed(std::move(name),
-                  certet::label_domain(image<std::int16_t>({14, 12, 10}, {1, 1.5, 2}, value), {},
-                                       {.walls_halfway = walls_halfway}));
+                  certet::interface_domain(crowded(spacing), std::move(chosen)));
+}
+
+Shape smooth_balls() {
+  const auto value = [](std::int64_t i, std::int64_t j, std::int64_t k) {
+    const auto square = [](std::int64_t n) { return n * n; };
+    if (square(i - 9) + square(j - 8) + square(k - 8) < 20) return 2;
+    return square(i - 12) + square(j - 11) + square(k - 9) < 80 ? 1 : 0;
+  };
+  return of_placed("smooth-balls",
+                  certet::interface_domain(image<std::int16_t>({24, 22, 20}, {1, 1, 1}, value),
+                                           {}, {}, {1.3}));
 }
 
 /// A level surface that runs out of the image.
@@ -138,6 +160,10 @@ std::vector<Shape> shapes() {
   all.push_back(labels("labels", true));
   all.push_back(labels("labels-near-walls", false));
   all.push_back(grayscale());
+  all.push_back(smooth_labels("smooth-labels", {1, 1, 1}, {}));
+  all.push_back(smooth_labels("smooth-labels-off-centres", {1, 1.5, 2}, {}));
+  all.push_back(smooth_labels("smooth-label", {1, 1, 1}, {{2, 2}}));
+  all.push_back(smooth_balls());
   all.push_back(overlapping_solids());
   all.push_back(walls_on_the_lattice());
   return all;

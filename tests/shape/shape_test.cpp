@@ -57,6 +57,10 @@ TEST(Shape, Volumes) {
   expect("cylinder:0.5,2", 0.04, pi / 2);
   expect("gyroid:1,0.1", 0.02, 8 * 0.35186);  // the share of the space, by summation
   expect("gyroid:1,0.1,1", 0.02, 0.35186);
+  // Three bars through a cell, less what they share at its corners.
+  const auto struts = [](double r) { return 3 * pi * r * r - 8 * std::numbers::sqrt2 * r * r * r; };
+  expect("struts:1,0.2", 0.04, 8 * struts(0.2));
+  expect("struts:1,0.3,3", 0.05, 27 * struts(0.3));
 }
 
 TEST(Shape, BoundsCutItOff) {
@@ -71,9 +75,10 @@ TEST(Shape, BoundsCutItOff) {
 TEST(Shape, ExtentAgreesWithRows) {
   std::mt19937_64 random(test_seed());
   for (const char* shape : {"sphere:1", "torus:1,0.4", "box:1,2,1.5", "cylinder:0.8,2",
-                            "gyroid:4,0.5,3"})
+                            "gyroid:4,0.5,3", "primitive:3,0.5,3", "diamond:3,0.3,3", "iwp:4,0.4,3",
+                            "neovius:4,0.3,3", "struts:1,0.2,3"})
     for (const auto& bounds : {std::optional<certet::Bounds>{}, std::optional(corner)}) {
-      if (bounds && shape[0] == 'g') continue;  // it would fill all of them
+      if (bounds && ShapeDomain(shape, {}, 0, 2).room()) continue;  // it would fill all of them
       const ShapeDomain domain(shape, bounds, 0.03, 3);
       int decided = 0;
       EXPECT_EQ(extents::first_contradiction(random, domain, domain.lattice(), 300, decided), "")
@@ -131,6 +136,15 @@ TEST(Shape, FunctionsAreNoSteeperThanDistances) {
   EXPECT_LE(steepest(Cylinder{1, 0.6}), limit);
   EXPECT_LE(steepest(Gyroid{1.1, 0.1}), limit);
   EXPECT_GT(steepest(Gyroid{1.1, 0.1}), 0.9);
+  EXPECT_LE(steepest(Primitive{1.1, 0.1}), limit);
+  EXPECT_GT(steepest(Primitive{1.1, 0.1}), 0.9);
+  EXPECT_LE(steepest(Diamond{1.1, 0.1}), limit);
+  EXPECT_GT(steepest(Diamond{1.1, 0.1}), 0.9);
+  EXPECT_LE(steepest(Iwp{1.1, 0.1}), limit);
+  EXPECT_GT(steepest(Iwp{1.1, 0.1}), 0.8);
+  EXPECT_LE(steepest(Neovius{1.1, 0.1}), limit);
+  EXPECT_GT(steepest(Neovius{1.1, 0.1}), 0.8);
+  EXPECT_LE(steepest(Struts{1.1, 0.2}), limit);
   const auto too_steep = [](const Point3& p) { return 1.1 * Torus{1, 0.4}(p); };
   EXPECT_GT(steepest(too_steep), limit);
 }
@@ -161,6 +175,13 @@ TEST(Shape, WhatIsRefused) {
   refused("cylinder:1,2m", "'2m'");
   refused("gyroid:1,0.3", "gap");
   refused("gyroid:1,0.1,2,3", "4 numbers");
+  refused("primitive:1,0.6", "gap");
+  refused("diamond:1,0.27", "gap");
+  refused("iwp:1,0.2", "gap");
+  refused("neovius:1,0.6", "gap");
+  refused("struts:1,0.71", "gap");
+  refused("struts:1", "struts:CELL,RADIUS[,SIDE]");
+  refused("lattice:1,0.1", "neovius, struts");
   EXPECT_THROW(ShapeDomain("sphere:1", certet::Bounds{{2, 2, 2}, {3, 3, 3}}, 0, 2),
                certet::Error);
 }

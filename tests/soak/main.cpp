@@ -7,13 +7,12 @@
 /// Ends with status 1 if a mesh has a fault, 2 on wrong usage.
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
-#include <thread>
 
+#include "campaign.hpp"
 #include "report.hpp"
 #include "seed.hpp"
 #include "verify.hpp"
@@ -69,28 +68,12 @@ soak::Verdict judged(std::uint64_t seed, std::uint64_t number, soak::Plant plant
 }
 
 std::vector<soak::Verdict> run(const Arguments& arguments) {
-  std::vector<soak::Verdict> verdicts(arguments.count);
-  std::atomic<std::uint64_t> next{0};
-  std::vector<std::jthread> workers;
-  for (unsigned t = 0; t < std::max(1U, arguments.threads); ++t)
-    workers.emplace_back([&] {
-      for (std::uint64_t i; (i = next++) < arguments.count;)
-        verdicts[i] = judged(arguments.seed, arguments.first + i, arguments.plant);
-    });
-  return workers.clear(), verdicts;
+  return soak::verdicts_of(arguments.count, arguments.threads, [&](std::uint64_t i) {
+    return judged(arguments.seed, arguments.first + i, arguments.plant);
+  });
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  Arguments arguments;
-  try {
-    arguments = parse(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "certet_soak: " << error.what() << '\n';
-    return 2;
-  }
-  std::cout << "seed " << arguments.seed << std::endl;
+std::uint64_t tell(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const soak::Summary summary{arguments.seed, arguments.first, run(arguments)};
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -100,5 +83,11 @@ int main(int argc, char** argv) {
     std::ofstream(arguments.report + ".md") << soak::as_markdown(summary);
     std::ofstream(arguments.report + ".json") << soak::as_json(summary);
   }
-  return soak::faulty(summary) == 0 ? 0 : 1;
+  return soak::faulty(summary);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return soak::campaign("certet_soak", [&] { return parse(argc, argv); }, tell);
 }

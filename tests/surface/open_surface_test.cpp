@@ -8,6 +8,8 @@
 #include <functional>
 #include <random>
 
+#include "../extents.hpp"
+#include "../lattice_rows.hpp"
 #include "../seed.hpp"
 #include "arc.hpp"
 #include "certet/error.hpp"
@@ -18,10 +20,7 @@
 namespace certet {
 namespace {
 
-using surfaces::ball;
-using surfaces::both;
-using surfaces::box;
-using surfaces::inside_out;
+using namespace surfaces;
 
 const double pi = std::acos(-1.0);
 
@@ -89,23 +88,13 @@ Signs compare(const PlacedDomain& domain, const TriangleSurface& surface, double
               std::size_t planted = 0) {
   const Lattice& lattice = domain.lattice();
   Signs found;
-  std::vector<Sign> row(static_cast<std::size_t>(lattice.cells[0]));
-  for (int k = 0; k < 2 * lattice.cells[2]; ++k)
-    for (int j = k % 2; j < 2 * lattice.cells[1]; j += 2) {
-      const Coord3 first = lattice.origin + Coord3{k % 2, j, k};
-      domain.row(first, row);
-      for (std::size_t i = 0; i < row.size(); ++i) {
-        const Coord3 position = steps * (first + Coord3{2 * static_cast<int>(i), 0, 0});
-        Sign alone;
-        domain.at({&position, 1}, {&alone, 1});
-        found.unequal += alone != row[i];
-        found.inside += alone == Sign::plus;
-        if (alone == Sign::on_surface) continue;
-        const double w =
-            std::fabs(winding_number(surface, domain.frame().world(position), planted));
-        found.wrong += std::fabs(w - 0.5) > near && (w > 0.5) != (alone == Sign::plus);
-      }
-    }
+  for_each_sign(domain, lattice, [&](Coord3 position, Sign in_row, Sign alone) {
+    found.unequal += alone != in_row;
+    found.inside += alone == Sign::plus;
+    if (alone == Sign::on_surface) return;
+    const double w = std::fabs(winding_number(surface, domain.frame().world(position), planted));
+    found.wrong += std::fabs(w - 0.5) > near && (w > 0.5) != (alone == Sign::plus);
+  });
   return found;
 }
 
@@ -192,24 +181,10 @@ TEST(OpenSurface, ExtentsHold) {
   const auto holes = without(ball({0, 0, 0}, 1), [](const Point3& p) { return p[2] > 0.8; });
   for (const TriangleSurface& surface : {holes, soup(ball({0, 0, 0}, 1), 0.99)}) {
     const auto domain = open_surface_domain(surface, {0.005, 2});
-    const Lattice& lattice = domain->lattice();
-    int inside = 0, outside = 0;
-    for (int k = 0; k < lattice.cells[2]; k += 16)
-      for (int j = 0; j < lattice.cells[1]; j += 16)
-        for (int i = 0; i < lattice.cells[0]; i += 16) {
-          const Coord3 low = lattice.origin + 2 * Coord3{i, j, k};
-          const Extent extent = domain->extent({low, low + Coord3{31, 31, 31}});
-          if (extent == Extent::mixed) continue;
-          ++(extent == Extent::inside ? inside : outside);
-          std::vector<Sign> row(16);
-          for (int n = 0; n < 16; n += 5) {
-            domain->row(low + Coord3{0, 2 * n, 2 * ((7 * n) % 16)}, row);
-            for (const Sign sign : row)
-              ASSERT_EQ(sign, extent == Extent::inside ? Sign::plus : Sign::minus);
-          }
-        }
-    EXPECT_GT(inside, 100);
-    EXPECT_GT(outside, 100);
+    const extents::Known known = extents::known_blocks(*domain, domain->lattice());
+    EXPECT_EQ(known.contradiction, "");
+    EXPECT_GT(known.inside, 100);
+    EXPECT_GT(known.outside, 100);
   }
 }
 

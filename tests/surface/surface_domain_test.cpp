@@ -7,6 +7,8 @@
 #include <functional>
 #include <random>
 
+#include "../extents.hpp"
+#include "../lattice_rows.hpp"
 #include "../seed.hpp"
 #include "certet/error.hpp"
 #include "certet/surface.hpp"
@@ -15,10 +17,7 @@
 namespace certet {
 namespace {
 
-using surfaces::ball;
-using surfaces::both;
-using surfaces::box;
-using surfaces::inside_out;
+using namespace surfaces;
 
 /// The sign that a world point should have.
 using Truth = std::function<Sign(const Point3&)>;
@@ -55,18 +54,9 @@ bool will_do(Sign sign, Sign truth) {
 int differences(const Domain& domain, const PlacedDomain& place, const Truth& truth) {
   const Lattice& lattice = place.lattice();
   int found = 0;
-  std::vector<Sign> row(static_cast<std::size_t>(lattice.cells[0]));
-  for (int k = 0; k < 2 * lattice.cells[2]; ++k)
-    for (int j = k % 2; j < 2 * lattice.cells[1]; j += 2) {
-      const Coord3 first = lattice.origin + Coord3{k % 2, j, k};
-      domain.row(first, row);
-      for (std::size_t i = 0; i < row.size(); ++i) {
-        const Coord3 position = steps * (first + Coord3{2 * static_cast<int>(i), 0, 0});
-        Sign alone;
-        domain.at({&position, 1}, {&alone, 1});
-        found += row[i] != alone || (truth && !will_do(row[i], truth(place.frame().world(position))));
-      }
-    }
+  for_each_sign(domain, lattice, [&](Coord3 position, Sign in_row, Sign alone) {
+    found += in_row != alone || (truth && !will_do(in_row, truth(place.frame().world(position))));
+  });
   return found;
 }
 
@@ -137,23 +127,9 @@ TEST(SurfaceDomain, RowsAgreeWithPointsForTurnedSurfaces) {
 
 TEST(SurfaceDomain, ExtentsHold) {
   const auto domain = surface_domain(ball({0, 0, 0}, 1), {0.01, 2});
-  const Lattice& lattice = domain->lattice();
-  int known = 0;
-  for (int k = 0; k < lattice.cells[2]; k += 16)
-    for (int j = 0; j < lattice.cells[1]; j += 16)
-      for (int i = 0; i < lattice.cells[0]; i += 16) {
-        const Coord3 low = lattice.origin + 2 * Coord3{i, j, k};
-        const Extent extent = domain->extent({low, low + Coord3{31, 31, 31}});
-        if (extent == Extent::mixed) continue;
-        ++known;
-        std::vector<Sign> row(16);
-        for (int n = 0; n < 16; n += 5) {
-          domain->row(low + Coord3{0, 2 * n, 2 * ((7 * n) % 16)}, row);
-          for (const Sign sign : row)
-            ASSERT_EQ(sign, extent == Extent::inside ? Sign::plus : Sign::minus);
-        }
-      }
-  EXPECT_GT(known, 500);
+  const extents::Known known = extents::known_blocks(*domain, domain->lattice());
+  EXPECT_EQ(known.contradiction, "");
+  EXPECT_GT(known.inside + known.outside, 500);
 }
 
 TEST(SurfaceDomain, DisagreeingTrianglesAreJudgedByParity) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <random>
 
+#include "../lattice_rows.hpp"
 #include "../seed.hpp"
 #include "certet/error.hpp"
 #include "certet/surface.hpp"
@@ -14,10 +15,7 @@
 namespace certet {
 namespace {
 
-using surfaces::ball;
-using surfaces::both;
-using surfaces::box;
-using surfaces::inside_out;
+using namespace surfaces;
 
 /// Lattice points whose signs differ; both solids have the same box.
 int differences(const TriangleSurface& one, const TriangleSurface& other, double size) {
@@ -25,13 +23,11 @@ int differences(const TriangleSurface& one, const TriangleSurface& other, double
   const Lattice& lattice = a->lattice();
   int found = 0;
   std::vector<Sign> of_a(static_cast<std::size_t>(lattice.cells[0])), of_b(of_a);
-  for (int k = 0; k < 2 * lattice.cells[2]; ++k)
-    for (int j = k % 2; j < 2 * lattice.cells[1]; j += 2) {
-      const Coord3 first = lattice.origin + Coord3{k % 2, j, k};
-      a->row(first, of_a);
-      b->row(first, of_b);
-      for (std::size_t i = 0; i < of_a.size(); ++i) found += of_a[i] != of_b[i];
-    }
+  for_each_row(lattice, [&](Coord3 first) {
+    a->row(first, of_a);
+    b->row(first, of_b);
+    for (std::size_t i = 0; i < of_a.size(); ++i) found += of_a[i] != of_b[i];
+  });
   return found;
 }
 

@@ -16,7 +16,6 @@ DrawnTriangle wide(Light color, float nearness) {
                       OnCanvas{-40, 120, nearness}};
   triangle.normals = {Vec{0, 0, 1}, Vec{0, 0, 1}, Vec{0, 0, 1}};
   triangle.color = color;
-  triangle.edges = 0;
   return triangle;
 }
 
@@ -58,7 +57,7 @@ TEST(Canvas, EdgesAreDark) {
   DrawnTriangle triangle = wide(red, 1);
   triangle.corners = {OnCanvas{2, 2, 1}, OnCanvas{30, 2, 1}, OnCanvas{2, 30, 1}};
   plain.draw(triangle);
-  triangle.edges = 0.8F;
+  triangle.edges.fill({0.8F, 0.75F});
   edged.draw(triangle);
   const std::size_t on_edge = 3 * (10 * side + 2), inside = 3 * (10 * side + 10);
   EXPECT_LT(edged.develop().rgb[on_edge] + 30, plain.develop().rgb[on_edge]);

@@ -10,6 +10,7 @@ import tempfile
 import unittest
 
 import browser
+import images
 import png
 import vtu
 from program import CERTET, TORUS, ProgramTest
@@ -22,24 +23,22 @@ def certet(folder, *arguments):
                           timeout=300)
 
 
-class Page(unittest.TestCase):
+class InBrowser(unittest.TestCase):
     """One page in one browser; each test loads it anew."""
 
     @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = pathlib.Path(folder.name)
-        cls.made_by = json.loads(certet(cls.folder, "mesh", *TORUS, "--size", "0.15", "-o", "t<i>.vtu",
-                                    "--json", "-").stdout)
-        (cls.folder / "run.json").write_text(json.dumps(cls.made_by))
-        cls.check = json.loads(certet(cls.folder, "check", "t<i>.vtu", "--json", "-").stdout)
-        made = certet(cls.folder, "report", "t<i>.vtu", "--run", "run.json", "-o", "t.html")
-        assert (made.returncode, made.stdout, made.stderr) == (0, "", ""), made
+    def show(cls):
+        """The page t.html of the folder."""
         if "id=\"canvas\"" not in (cls.folder / "t.html").read_text():
             raise unittest.SkipTest("the view was not built in")
         cls.driver = browser.start()
         cls.addClassCleanup(cls.driver.quit)
+
+    @classmethod
+    def make_folder(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
 
     def setUp(self):
         self.load()
@@ -70,6 +69,20 @@ class Page(unittest.TestCase):
 
     def drawn_colors(self):
         return collections.Counter(p[:3] for p in self.pixels() if p[3] == 255)
+
+class Page(InBrowser):
+    """Of one region."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.make_folder()
+        cls.made_by = json.loads(certet(cls.folder, "mesh", *TORUS, "--size", "0.15", "-o", "t<i>.vtu",
+                                    "--json", "-").stdout)
+        (cls.folder / "run.json").write_text(json.dumps(cls.made_by))
+        cls.check = json.loads(certet(cls.folder, "check", "t<i>.vtu", "--json", "-").stdout)
+        made = certet(cls.folder, "report", "t<i>.vtu", "--run", "run.json", "-o", "t.html")
+        assert (made.returncode, made.stdout, made.stderr) == (0, "", ""), made
+        cls.show()
 
     def test_asks_for_nothing_and_complains_of_nothing(self):
         self.pixels()
@@ -160,6 +173,61 @@ class Page(unittest.TestCase):
         self.load()
         self.assertEqual(self.js("return document.documentElement.scrollWidth"), 360)
         self.assertGreater(len(self.drawn_colors()), 50)
+
+
+class Parts(InBrowser):
+    """Of three regions, one of them inside another and one beside it."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.make_folder()
+        size = (14, 14, 14)
+
+        def label(i, j, k):
+            return 0 if not 2 <= i < 12 else 5 if i < 4 else 9 if 5 <= min(j, k) and max(
+                i, j, k) < 9 else 2
+
+        images.write_nrrd(cls.folder / "a.nrrd", size, images.voxels(size, label), kind="B")
+        (cls.folder / "names.txt").write_text("2 <big>\n5 flat\n9 inner\n")
+        certet(cls.folder, "mesh", "a.nrrd", "-o", "t.msh", "--label-names", "names.txt")
+        cls.check = json.loads(certet(cls.folder, "check", "t.msh", "--json", "-").stdout)
+        made = certet(cls.folder, "report", "t.msh", "-o", "t.html")
+        assert (made.returncode, made.stdout, made.stderr) == (0, "", ""), made
+        cls.show()
+
+    def part(self, value):
+        self.js(f"const p = document.getElementById('part'); p.value = '{value}';"
+                "p.dispatchEvent(new Event('change'))")
+        return self.triangles()
+
+    def test_a_part_alone_is_drawn(self):
+        self.assertEqual(self.driver.get_log("browser"), [])
+        self.assertEqual(self.triangles(), self.check["mesh"]["boundary_faces"])
+        for place, region in enumerate(self.check["regions"]):
+            self.assertEqual(self.part(f"r{place}"), region["surface"]["faces"])
+        places = {region["label"]: place for place, region in enumerate(self.check["regions"])}
+        for interface in self.check["interfaces"]:
+            a, b = (places[label] for label in interface["labels"])
+            self.assertEqual(self.part(f"i{a},{b}"), interface["triangles"])
+        self.assertEqual(self.part("interfaces"),
+                         sum(i["triangles"] for i in self.check["interfaces"]))
+        self.assertEqual(self.part("all"), self.check["mesh"]["boundary_faces"])
+        self.assertEqual(self.driver.get_log("browser"), [])
+
+    def test_a_part_is_cut_open(self):
+        whole = self.part("r0")
+        self.choose("input[name=axis][value=\"1\"]")
+        one = self.triangles()
+        self.choose("#flip")
+        self.assertGreater(one + self.triangles(), whole)
+        self.assertGreater(len(self.drawn_colors()), 20)
+
+    def test_tables_have_names_and_measures(self):
+        rows = self.js("return [...document.querySelectorAll('#regions tbody tr, #interfaces tbody tr')]"
+                       ".map((row) => row.innerText)")
+        self.assertEqual(len(rows), len(self.check["regions"]) + len(self.check["interfaces"]))
+        self.assertIn("<big> (2)", rows[0])
+        self.assertTrue(any("<big> (2) | inner (9)" in row for row in rows))
 
 
 class WithoutWebGL(unittest.TestCase):

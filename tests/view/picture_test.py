@@ -2,6 +2,7 @@
 
 import unittest
 
+import images
 import png
 from program import TORUS, ProgramTest
 
@@ -48,6 +49,30 @@ class Picture(ProgramTest):
         angle = set(png.pixels(self.draw("--size", "200x100", "--color", "angle")))
         self.assertFalse(any(r > b + 60 for r, g, b in region))
         self.assertTrue(any(r > b + 60 for r, g, b in angle))
+
+    def test_labels_are_cut_flat_with_lines_between(self):
+        """Two labels one over the other: a flat cut has one straight line between their colours."""
+        size = (16, 16, 16)
+        images.write_nrrd(self.folder / "a.nrrd", size,
+                          images.voxels(size, lambda i, j, k: 1 if k < 8 else 2), kind="B")
+        self.mesh("a.nrrd", "-o", "t.vtu")
+        view = ("--view", "cut", "--clip", "y:0.5", "--size", "300x300")
+        flat = self.draw(*view)
+        self.assertEqual(flat, self.draw(*view, "--cut", "flat"))
+        self.assertNotEqual(flat, self.draw(*view, "--cut", "whole"))
+        pixels = png.pixels(flat)
+
+        def kind(pixel):
+            red, _, blue = pixel
+            return "dark" if max(pixel) < 130 else "lower" if blue > red + 20 else (
+                "upper" if red > blue + 20 else None)
+        columns = 0
+        for x in range(100, 180):
+            kinds = [kind(pixels[300 * y + x]) for y in range(300)]
+            seen = [k for k, before in zip(kinds, [None] + kinds) if k and k != before]
+            columns += "upper" in seen and "lower" in seen and "dark" in seen[
+                seen.index("upper"):len(seen) - seen[::-1].index("lower")]
+        self.assertGreater(columns, 70)
 
     def test_refusals(self):
         def fails(status, words, *arguments):

@@ -60,6 +60,19 @@ TEST(SeparatingFaces, AreThoseOfTheSlowSearch) {
   }
 }
 
+TEST(SeparatingFaces, AreThoseBetweenLabelsToo) {
+  const FileMesh mesh = ball(9);
+  std::size_t between = 0;
+  for (const auto& [key, tets] : all_faces(mesh))
+    if (tets.size() > 1 && mesh.labels[tets[0]] != mesh.labels[tets[1]]) ++between;
+  const auto faces = separating_faces(mesh, {}, BetweenLabels::found);
+  EXPECT_GT(between, 0u);
+  EXPECT_EQ(faces.size(), separating_faces(mesh, {}).size() + between);
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count_if(
+                faces, [&](const auto& face) { return is_between_labels(mesh, face); })),
+            between);
+}
+
 TEST(SeparatingFaces, AMissingTetrahedronIsNoticed) {
   FileMesh mesh = ball(9);
   const auto whole = expected(mesh, {});

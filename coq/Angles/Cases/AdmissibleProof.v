@@ -1,10 +1,9 @@
 (** * What [Warp] leaves behind is admissible: proof *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Warp.WarpProof.
-From Certet Require Import Stuffing.Stuffing Angles.Geometry Angles.AnglesSpec.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Warp.WarpProof.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -7,10 +7,9 @@
     product's is [GetUnstructuredTets]. *)
 
 From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp.
-From Certet Require Import Angles.Geometry Angles.Forms.Checker.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Angles.Definitions.
+From Certet Require Import Angles.Forms.Checker.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -5,8 +5,8 @@
     angle. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Stencil.UnstructuredTet Angles.Geometry.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Angles.Definitions.
 Import ListNotations.
 Open Scope Z_scope.
 

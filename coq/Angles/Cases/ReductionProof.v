@@ -4,13 +4,11 @@
     of the enumerated configurations. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
-From Certet Require Import Angles.Forms.Checker Angles.Forms.EdgeProof Angles.Forms.CheckerProof.
-From Certet Require Import Angles.Cases.Configurations Angles.Cases.Isometry.
-From Certet Require Import Angles.Cases.SymmetryProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Angles.Forms.Checker Angles.Forms.EdgeProof
+  Angles.Forms.CheckerProof Angles.Cases.Configurations Angles.Cases.Isometry
+  Angles.Cases.SymmetryProof.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -3,10 +3,10 @@
     The axioms of Coq's real numbers enter here and nowhere else. *)
 
 From Coq Require Import ZArith Reals List Lra Lia.
-From Certet Require Import Lattice.Coord3 Stencil.UnstructuredTet.
-From Certet Require Import Stuffing.Stuffing Warp.Warp Warp.Cut.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
-From Certet Require Import Angles.Forms.CheckerProof Angles.AngleTheorems.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Angles.DegreesSpec Angles.Forms.CheckerProof
+  Angles.AngleTheorems.
 Open Scope R_scope.
 
 (** ** Numbers *)

@@ -1,13 +1,11 @@
 (** * Bounds in degrees for the product's own cuts, and how sharp they are *)
 
 From Coq Require Import ZArith Reals List Bool Lra Lia.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing Stuffing.Domain.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
-From Certet Require Import Angles.Forms.CheckerProof Angles.AngleTheorems.
-From Certet Require Import Angles.Degrees.DegreesProof Angles.Degrees.Witnesses.
-From Certet Require Import Angles.Degrees.SharpnessProof Angles.DomainProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Angles.DegreesSpec Angles.Forms.CheckerProof
+  Angles.AngleTheorems Angles.Degrees.DegreesProof Angles.Degrees.Witnesses
+  Angles.Degrees.SharpnessProof Angles.DomainProof.
 Open Scope R_scope.
 
 Theorem BisectedBoundsInDegrees sign domain tid t :

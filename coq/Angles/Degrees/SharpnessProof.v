@@ -1,12 +1,10 @@
 (** * The bounds are sharp within 0.02 degrees: proofs *)
 
 From Coq Require Import ZArith Reals List Bool Lra Lia.
-From Certet Require Import Lattice.Coord3 Lattice.StructuredTet.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp Stuffing.Stuffing.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
-From Certet Require Import Angles.Forms.CheckerProof Angles.AngleTheorems.
-From Certet Require Import Angles.Degrees.DegreesProof Angles.Degrees.Witnesses.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Angles.DegreesSpec Angles.Forms.CheckerProof
+  Angles.AngleTheorems Angles.Degrees.DegreesProof Angles.Degrees.Witnesses.
 Open Scope R_scope.
 
 (** n/d is at least the square of the cotangent of the angle. *)

@@ -9,8 +9,9 @@
     and [||], because those compute both sides. *)
 
 From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Coord3 Stencil.UnstructuredTet.
-From Certet Require Import Angles.Geometry Angles.Forms.BoxForm.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Angles.Definitions.
+From Certet Require Import Angles.Forms.BoxForm.
 Import ListNotations.
 Open Scope Z_scope.
 

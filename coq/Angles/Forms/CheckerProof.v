@@ -1,9 +1,10 @@
 (** * The checker is sound: proofs *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Stencil.UnstructuredTet.
-From Certet Require Import Angles.Geometry Angles.Forms.BoxForm Angles.Forms.BoxFormProof.
-From Certet Require Import Angles.Forms.Checker Angles.Forms.EdgeProof.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Angles.Definitions.
+From Certet Require Import Angles.Forms.BoxForm Angles.Forms.BoxFormProof
+  Angles.Forms.Checker Angles.Forms.EdgeProof.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -4,9 +4,10 @@
     [CheckFull] are right about the vertices' every position. *)
 
 From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Coord3 Stencil.UnstructuredTet.
-From Certet Require Import Angles.Geometry Angles.Forms.BoxForm Angles.Forms.BoxFormProof.
-From Certet Require Import Angles.Forms.Checker.
+From Certet Require Import Lattice.Definitions Stencil.Definitions
+  Angles.Definitions.
+From Certet Require Import Angles.Forms.BoxForm Angles.Forms.BoxFormProof
+  Angles.Forms.Checker.
 Import ListNotations.
 Open Scope Z_scope.
 

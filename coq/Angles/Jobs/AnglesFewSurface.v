@@ -2,8 +2,9 @@
     surface. *)
 
 From Coq Require Import ZArith.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Warp.Warp Angles.AnglesSpec Angles.Cases.Configurations.
+From Certet Require Import Stencil.Definitions Warp.Definitions
+  Angles.Definitions.
+From Certet Require Import Angles.Cases.Configurations.
 Open Scope Z_scope.
 
 Lemma AnglesFewSurface :

@@ -2,8 +2,9 @@
     tetrahedron are warped, along whatever edges, it is not turned over. *)
 
 From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Coord3 Lattice.Direction Warp.Warp.
-From Certet Require Import Angles.Geometry Angles.Cases.Configurations.
+From Certet Require Import Lattice.Definitions Warp.Definitions
+  Angles.Definitions.
+From Certet Require Import Angles.Cases.Configurations.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -2,8 +2,7 @@
     nothing slides. *)
 
 From Coq Require Import ZArith.
-From Certet Require Import Stencil.UnstructuredTet.
-From Certet Require Import Angles.Geometry Angles.AnglesSpec.
+From Certet Require Import Stencil.Definitions Angles.Definitions.
 From Certet Require Import Angles.Cases.Configurations.
 Open Scope Z_scope.
 

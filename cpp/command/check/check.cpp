@@ -2,8 +2,8 @@
 #include <memory>
 #include <utility>
 
-#include "certet/count_pieces.hpp"
 #include "certet/error.hpp"
+#include "certet/examine.hpp"
 #include "certet/formats.hpp"
 #include "check_report.hpp"
 #include "commands.hpp"
@@ -26,6 +26,12 @@ memory {peak}.  mesh.checksum is what `certet mesh` tells as mesh.file_checksum.
 
 Pieces are what faces that two tetrahedra share, or points, join.  A surface that is no
 manifold is told of, and is no defect: --method paper makes such.
+
+Each region must have a closed surface.  Where two touch is their interface, which must end
+where a third region or the outside is, and nowhere else.  Surfaces that a .msh, .mesh or
+.meshb file holds are compared with them where they have the names, or without names the
+numbers, that certet gives to interfaces: a triangle that is missing, or lies elsewhere, is
+a defect.  Surfaces of other programs are only told of, in the JSON.
 
 Angles are checked as they are shown, in thousandths of a degree.  With --run it is a
 defect too where points or tetrahedra are not, bit by bit, those that the run wrote;
@@ -65,6 +71,22 @@ void check_options(const CheckOptions& options) {
   check_output(options.json);
 }
 
+/// The mesh, its regions and interfaces, and the surfaces that the file holds beside it.
+void examine_file(const FileMesh& mesh, CheckedFile& checked, Context& context) {
+  Examination found = certet::examine(
+      mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets), mesh.labels, context);
+  name_regions(found.survey, mesh.names);
+  SurfaceComparison compared = compare_surfaces(mesh, found.survey);
+  checked.report = std::move(found.report);
+  for (std::string& failure : compared.failures)
+    checked.report.failures.push_back(std::move(failure));
+  checked.pieces = std::move(found.pieces);
+  checked.regions = std::move(found.regions);
+  checked.interfaces = std::move(found.interfaces);
+  checked.surfaces = std::move(compared.surfaces);
+  checked.names = mesh.names;
+}
+
 Status check(const CheckOptions& options) {
   const Stopwatch clock;
   Context context;
@@ -77,10 +99,7 @@ Status check(const CheckOptions& options) {
   if (!options.run.empty()) checked.run = read_run(options.run);
   const FileMesh mesh = certet::read(options.mesh, context);
   checked.read_seconds = clock.seconds();
-  checked.report = certet::check(mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets),
-                                context);
-  checked.pieces = count_pieces(mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets),
-                                mesh.labels, context);
+  examine_file(mesh, checked, context);
   checked.checksum = checksum(mesh);
   if (checked.run) {
     std::string defect = content_defect(*checked.run, options.mesh, mesh, checked.checksum);

@@ -7,6 +7,50 @@
 #include "pieces.hpp"
 
 namespace certet::command {
+namespace {
+
+Json json_of(const ManifoldFaults& faults) {
+  return {{"edges", faults.edges}, {"vertices", faults.vertices}};
+}
+
+Json json_of(const RegionReport& region, const LabelNames& names) {
+  return {{"label", region.label},
+          {"name", name_of(region.label, names)},
+          {"tets", region.quality.tets},
+          {"volume", region.quality.volume},
+          {"dihedral",
+           {{"min", region.quality.min_dihedral}, {"max", region.quality.max_dihedral}}},
+          {"pieces", region.pieces.by_faces},
+          {"pieces_by_vertices", region.pieces.by_vertices},
+          {"surface",
+           {{"faces", region.faces},
+            {"area", region.area},
+            {"open_edges", region.open_edges},
+            {"nonmanifold", json_of(region.nonmanifold)}}}};
+}
+
+Json json_of(const InterfaceReport& interface, const LabelNames& names) {
+  return {{"labels", interface.labels},
+          {"names", {name_of(interface.labels[0], names), name_of(interface.labels[1], names)}},
+          {"triangles", interface.triangles},
+          {"area", interface.area},
+          {"border_edges", interface.border_edges},
+          {"loose_edges", interface.loose_edges},
+          {"nonmanifold", json_of(interface.nonmanifold)}};
+}
+
+Json json_of(const SurfaceReport& surface) {
+  Json json = {{"number", surface.number},   {"name", surface.name},
+               {"triangles", surface.triangles}, {"outer", surface.outer},
+               {"between", surface.between}, {"elsewhere", surface.elsewhere}};
+  if (!surface.interface) return json;
+  json["interface"] = *surface.interface;
+  json["missing"] = surface.missing;
+  json["wrong"] = surface.wrong;
+  return json;
+}
+
+}  // namespace
 
 std::string json(const CheckedFile& checked) {
   const CheckReport& report = checked.report;
@@ -30,10 +74,12 @@ std::string json(const CheckedFile& checked) {
                   {"boundary_faces", report.boundary_faces},
                   {"open_edges", report.open_edges}};
   add_pieces(json["mesh"], checked.pieces);
-  for (const auto& [label, pieces] : checked.pieces.regions)
-    json["regions"].push_back({{"label", label},
-                               {"pieces", pieces.by_faces},
-                               {"pieces_by_vertices", pieces.by_vertices}});
+  for (const RegionReport& region : checked.regions)
+    json["regions"].push_back(json_of(region, checked.names));
+  for (const InterfaceReport& interface : checked.interfaces)
+    json["interfaces"].push_back(json_of(interface, checked.names));
+  for (const SurfaceReport& surface : checked.surfaces)
+    json["surfaces"].push_back(json_of(surface));
   json["dihedral"] = {{"min", report.quality.min_dihedral},
                       {"max", report.quality.max_dihedral},
                       {"histogram", report.quality.histogram}};

@@ -11,9 +11,9 @@ namespace certet::command {
 namespace {
 
 constexpr const char* conformance_notes = R"(
-The kit holds lattice, stencil, bisection, warp and whole-mesh cases with the
-answers of the certified functions, so that another implementation can check
-itself.  Its member read_me explains the rest.)";
+The kit holds lattice, stencil, bisection, warp, link and whole-mesh cases, of
+one material and of several, with the answers of the certified functions, so
+that another implementation can check itself.  Its member read_me explains the rest.)";
 
 /// The name of the kit in a folder.
 constexpr const char* file_name = "certet-conformance.json";

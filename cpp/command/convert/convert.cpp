@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "format_choice.hpp"
 #include "json.hpp"
+#include "option_values.hpp"
 #include "outputs.hpp"
 #include "report.hpp"
 #include "signals.hpp"
@@ -19,27 +20,34 @@ namespace {
 
 constexpr const char* convert_notes = R"(
 Labels are kept, and their names and the patches of the boundary where the formats
-have them (.vtu has neither); the boundary is found anew.
+have them (.vtu has neither); the boundary is found anew, and so are the interfaces, where
+two labels touch, which go out beside it.  Groups of .msh have positive numbers: other labels
+have the next that are free there, which a warning tells, and a comment in the file, by which
+they are read back.
 
 All formats but .stl have coordinates of double precision.  A boundary that single
 precision cannot hold is not written (status 6): where points would fall together, or
 triangles lose their area or turn by more than 4.5 degrees.
 
-Keys of the JSON: certet, command, input, output {file, format, bytes, origin}, mesh
-{points, tets, regions, boundary_faces, checksum}, seconds.)";
+Keys of the JSON: certet, command, input, output {file, format, bytes, origin, scale}, mesh
+{points, tets, regions, boundary_faces, interfaces, interface_faces, checksum}, seconds,
+warnings.)";
 
 /// What the user asks of `certet convert`.
 struct ConvertOptions {
   std::filesystem::path input, output, label_names;
-  std::string format, json, origin, surface;
+  std::string format, json, origin, surface, scale;
   bool compress = false;
 };
 
 /// What is known at the end.
 struct ConvertReport {
   std::string input, output, format;
-  std::uint64_t bytes = 0, points = 0, tets = 0, regions = 0, boundary_faces = 0, checksum = 0;
+  std::uint64_t bytes = 0, points = 0, tets = 0, regions = 0, boundary_faces = 0, interfaces = 0, interface_faces = 0,
+                checksum = 0;
   Point3 output_origin{};  ///< in the input: where the coordinates of the output have their 0
+  double scale = 1;
+  std::vector<std::string> warnings = {};
   double seconds = 0;
 };
 
@@ -50,9 +58,14 @@ std::string table(const ConvertReport& report) {
   if (report.output_origin != Point3{})
     lines.add("origin", "0 in the output is ({:.17g}, {:.17g}, {:.17g}) in the input",
               report.output_origin[0], report.output_origin[1], report.output_origin[2]);
+  if (report.scale != 1) lines.add("scale", "{:.9g}, of all coordinates", report.scale);
   lines.add("mesh", "{} points, {} tetrahedra, {} regions, {} boundary faces",
             grouped(report.points), grouped(report.tets), grouped(report.regions),
             grouped(report.boundary_faces));
+  if (report.interfaces > 0)
+    lines.add("", "{} interfaces of {} triangles", grouped(report.interfaces),
+              grouped(report.interface_faces));
+  for (const std::string& warning : report.warnings) lines.add("warning", "{}", warning);
   lines.add("checksum", "0x{:016x}", report.checksum);
   lines.add("seconds", "{:.2f}", report.seconds);
   return std::move(lines).text();
@@ -65,13 +78,16 @@ std::string json(const ConvertReport& report) {
   json["input"] = report.input;
   json["output"] = {
       {"file", report.output}, {"format", report.format}, {"bytes", report.bytes},
-      {"origin", report.output_origin}};
+      {"origin", report.output_origin}, {"scale", report.scale}};
   json["mesh"] = {{"points", report.points},
                   {"tets", report.tets},
                   {"regions", report.regions},
                   {"boundary_faces", report.boundary_faces},
+                  {"interfaces", report.interfaces},
+                  {"interface_faces", report.interface_faces},
                   {"checksum", fmt::format("0x{:016x}", report.checksum)}};
   json["seconds"] = report.seconds;
+  json["warnings"] = report.warnings;
   return print(json);
 }
 
@@ -126,15 +142,17 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
   check_files(options, format);
   FileMesh mesh = certet::read(options.input, context);
   check_indices(options, mesh);
+  const double factor = options.scale.empty() ? 1 : parse_positive("--scale", options.scale);
   const Point3 moved_to = options.origin == "0" ? move_to_zero(mesh) : Point3{};
+  scale(mesh, factor);
   if (!options.label_names.empty()) mesh.names = read_label_names(options.label_names);
-  auto found = std::make_shared<Survey>(survey(mesh.points.size(), mesh.tets, mesh.labels, context));
-  set_border(*found, std::move(mesh.border));
-  name_regions(*found, mesh.names);
+  const auto found = std::make_shared<Survey>(survey(mesh, context));
   const std::uint64_t boundary_faces = found->boundary.size();
+  const std::uint64_t interfaces = found->interfaces.size(), faces = face_count(*found);
   choose_surface(options.surface, mesh.names, *found);
   stop_if_cancelled(context);
-  const MeshSize size{mesh.points.size(), mesh.tets.size(), !mesh.labels.empty(), found};
+  const MeshSize size{mesh.points.size(), mesh.tets.size(), !mesh.labels.empty(), found,
+                      mesh.space};
   write(options, format, mesh, size, context);
   ConvertReport report{options.input.string(), options.output.string(), std::string(name(format))};
   for (const std::filesystem::path& file : files_of(options.output, format))
@@ -143,8 +161,12 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
   report.tets = size.tets;
   report.regions = found->regions.size();
   report.boundary_faces = boundary_faces;
+  report.interfaces = interfaces;
+  report.interface_faces = faces - boundary_faces;
   report.checksum = checksum(mesh);
   report.output_origin = moved_to;
+  report.scale = factor;
+  report.warnings = label_losses(format, *found);
   report.seconds = clock.seconds();
   return report;
 }
@@ -152,7 +174,9 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
 Status convert(const ConvertOptions& options) {
   Context context;
   const Signals signals(context);
-  tell(run(options, context), options.json);
+  const ConvertReport report = run(options, context);
+  warn(report.warnings);
+  tell(report, options.json);
   return Status::ok;
 }
 
@@ -165,7 +189,7 @@ Run declare_convert(CLI::App& app) {
       ->option_text("IN");
   app.add_option("output", options->output,
                  "Mesh: .vtu, .mesh, .meshb, .msh, .inp, .feb, .node (with .ele, .face); its "
-                 "boundary: .stl, .ply")
+                 "surfaces: .vtp, .stl, .ply")
       ->required()
       ->option_text("OUT");
   app.add_option("--format", options->format, format_names() + " (default: by the extension)")
@@ -176,6 +200,9 @@ Run declare_convert(CLI::App& app) {
                  "than it is long is moved there, exactly, which table and JSON tell")
       ->check(CLI::IsMember({"world", "0"}))
       ->option_text("world|0");
+  app.add_option("--scale", options->scale,
+                 "Factor of all coordinates, like 0.001 from mm to m (after --origin)")
+      ->option_text("S");
   app.add_option("--label-names", options->label_names,
                  "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
       ->option_text("FILE");

@@ -46,6 +46,7 @@ Source open_materials(const MeshOptions& options, const Context& context) {
     solids->push_back({material.name, open_solid(material, options, context, source.notes)});
     source.names.emplace(static_cast<std::int32_t>(solids->size()), material.name);
   }
+  source.pieces = unknown_pieces;
   source.place = [solids = std::shared_ptr<const std::vector<NamedSolid>>(std::move(solids)),
                   margin = options.margin, priority = options.priority](double size) {
     return placed(materials_domain(*solids, {size, margin}, priority));

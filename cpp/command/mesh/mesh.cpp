@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <iterator>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -8,7 +9,7 @@
 #include "certet/error.hpp"
 #include "certet/label_names.hpp"
 #include "commands.hpp"
-#include "kept_volume.hpp"
+#include "kept.hpp"
 #include "memory.hpp"
 #include "mesh_files.hpp"
 #include "mesh_memory.hpp"
@@ -71,52 +72,18 @@ MeshSize announce(const MeshOptions& options, const LabelNames& names, const Cou
   return size;
 }
 
-/// Counts at the sizes that a search tries.
-KeepingSize::CountAt count_for_search(const MeshOptions& options, const Source& source,
-                                      std::uint64_t limit, Context& context) {
-  return [&options, &source, limit, &context](double size,
-                                              SearchBudget& budget) -> std::optional<Counted> {
+/// What it is compared with, at sizes whose lattices memory allows.
+SizedShape sized(const MeshOptions& options, const Source& source, const Counted& counted,
+                 std::uint64_t limit) {
+  const auto place = [&options, &source, limit](double size) {
     PlacedSource placed = source.place(size);
     check_lattice(placed, options.method, limit);
-    if (!budget.pay_for(placed)) return std::nullopt;
-    Stuffing stuffing(*placed.domain, placed.lattice, options.method, context);
-    if (static_cast<double>(stuffing.tet_count()) > most_searched_tets) return std::nullopt;
-    return Counted{std::move(placed), std::move(stuffing)};
+    return std::move(placed.domain);
   };
+  return {source.name, place, counted.source.volume, source.thin, source.pieces};
 }
 
-/// Looks for a size that keeps a solid.
-KeepingSize keeping_size(const MeshOptions& options, const Source& source, std::uint64_t limit,
-                         Context& context) {
-  return {count_for_search(options, source, limit, context), source.thin, context};
-}
-
-[[noreturn]] void refuse_empty(const MeshOptions& options, const Source& source, double size,
-                               std::uint64_t limit, Context& context) {
-  std::string sentence =
-      fmt::format("nothing of '{}' is inside at size {:.6g}, so there is no mesh", source.name, size);
-  KeepingSize search = keeping_size(options, source, limit, context);
-  const std::optional<KeptSize> kept = search.find(size);
-  sentence += "; " + advice(kept, search.finest(), source.thin);
-  throw Error(ErrorCode::empty_domain, sentence);
-}
-
-/// Whether a mesh that has been measured has the volume of its solid.  What becomes of
-/// the single labels of an image, `RegionWatch` tells.
-void check_volume(const MeshOptions& options, const Source& source, const Counted& counted,
-                  Context& context, MeshReport& report) {
-  const SolidVolume solid = volume_of(counted.source, context);
-  const double mesh = report.written.world.volume + report.dropped.volume;
-  if (!(solid.volume > 0) || solid.may_be(mesh)) return;
-  KeepingSize search = keeping_size(options, source, report.memory_limit, context);
-  const std::optional<KeptSize> kept = search.find(report.size);
-  report.warnings.push_back(
-      fmt::format("the mesh has {:.1f} % of the volume of '{}', {:.6g} of {}{:.6g}; {}",
-                  100 * mesh / solid.volume, source.name, mesh, solid.exact ? "" : "about ",
-                  solid.volume, advice(kept, search.finest(), source.thin)));
-}
-
-void write(const MeshOptions& options, const Source& from, const Counted& counted,
+void write(const MeshOptions& options, const SizedShape& shape, const Counted& counted,
            const Slabs& slabs, const MeshSize& size, Context& context, Progress& progress,
            MeshReport& report) {
   const auto& [source, stuffing] = counted;
@@ -130,7 +97,7 @@ void write(const MeshOptions& options, const Source& from, const Counted& counte
                               size.survey == nullptr ? none : size.survey->materials,
                               options.label_pieces);
   check_written(report);
-  check_volume(options, from, counted, context, report);
+  tell_losses(shape, counted, context, report);
   const Stopwatch finishing;
   writer.finish();
   report.written.write_seconds += finishing.seconds();
@@ -194,7 +161,7 @@ void drop_pieces(const MeshOptions& options, Counted& counted, Context& context,
   report.keep = options.keep_text;
   report.dropped.tets = rest.tet_count();
   report.dropped.pieces = rest.pieces(source.frame, context).whole.by_faces;
-  report.dropped.volume = measured_volume(rest, source.frame, context);
+  report.dropped.volume = volume_of(rest, source.frame, context);
   if (rest.tet_count() > 0 && stuffing.tet_count() == 0)
     throw Error(ErrorCode::empty_domain,
                 fmt::format("none of the {} pieces of '{}' is kept by --keep {}",
@@ -245,21 +212,21 @@ MeshReport run(const MeshOptions& options, Context& context) {
   count_pieces(counted, context, report);
   report.pieces_seconds = looking.seconds();
   describe(options, counted, progress, report);
-  if (report.tets == 0)
-    refuse_empty(options, source, report.size, report.memory_limit, context);
+  const SizedShape shape = sized(options, source, counted, report.memory_limit);
+  if (report.tets == 0) refuse_empty(shape, report.size, options.method, context);
   const MeshSize size = announce(options, names, counted, context);
   report.output_bytes = file_bytes(options.format, size);
+  if (size.survey != nullptr) report.warnings = label_losses(options.format, *size.survey);
   const Slabs slabs = plan(counted, size, report);
   RegionWatch watch(source, counted.source, context);
   if (!options.dry_run)
-    write(options, source, counted, slabs, size, context, progress, report);
+    write(options, shape, counted, slabs, size, context, progress, report);
   watch.see(report.written.regions);
   watch.see(report.pieces,
             report.pieces.regions.empty() ? report.written.region_pieces : report.pieces.regions,
             report.dropped.pieces > 0);
-  const auto size_for = [&](const ImageRegion& region) {
-    return size_for_pieces(count_for_search(options, source, report.memory_limit, context),
-                           report.size, region, context);
+  const auto size_for = [&](std::span<const ImageRegion> regions) {
+    return size_for_pieces(shape, *source.voxels, regions, report, context);
   };
   describe(watch, size_for, report);
   if (!options.materials.empty()) describe_materials(counted.source, context, report);
@@ -273,8 +240,7 @@ Status mesh(const MeshOptions& options) {
   context.threads = options.threads;
   const Signals signals(context);
   const MeshReport report = run(options, context);
-  for (const std::string& warning : report.warnings)
-    std::fprintf(stderr, "certet: warning: %s\n", warning.c_str());
+  warn(report.warnings);
   tell(report, options.json);
   return Status::ok;
 }

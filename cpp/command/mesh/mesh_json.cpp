@@ -22,6 +22,13 @@ Json guarantee(const MeshReport& report) {
   return json;
 }
 
+Json lengths(const ShiftLengths& world, const ShiftLengths& edges) {
+  return {{"greatest", world.greatest},
+          {"rms", world.rms},
+          {"greatest_edges", edges.greatest},
+          {"rms_edges", edges.rms}};
+}
+
 Json method(const MeshReport& report) {
   Json json{{"name", name(report.used)}};
   if (report.used != Method::embedded) return json;
@@ -31,11 +38,9 @@ Json method(const MeshReport& report) {
   json["violated"] = warp.violated;
   json["stayed"] = warp.stayed;
   json["shortened"] = warp.shortened;
-  json["clamped"] = {{"cuts", world.cuts},
-                     {"greatest", world.greatest},
-                     {"rms", world.rms},
-                     {"greatest_edges", edges.greatest},
-                     {"rms_edges", edges.rms}};
+  json["missed"] = lengths(missed_by(warp, report.size), missed_by(warp, 1));
+  json["clamped"] = lengths(world, edges);
+  json["clamped"]["cuts"] = world.cuts;
   return json;
 }
 
@@ -57,7 +62,7 @@ Json seconds(const MeshReport& report) {
 
 Json regions(const MeshReport& report) {
   Json all = Json::array();
-  for (const auto& [region, tets, volume, voxel_volume, pieces] : report.regions) {
+  for (const auto& [region, tets, volume, voxel_volume, change, pieces] : report.regions) {
     Json one{{"label", region.label}, {"voxels", region.voxels}};
     if (const auto name = report.names.find(region.label); name != report.names.end())
       one["name"] = name->second;
@@ -66,6 +71,7 @@ Json regions(const MeshReport& report) {
       one["volume"] = volume;
       one["voxel_volume"] = voxel_volume;
     }
+    if (change) one["change_percent"] = 100 * *change;
     if (pieces) {
       one["pieces"] = pieces->by_faces;
       one["pieces_by_vertices"] = pieces->by_vertices;
@@ -101,7 +107,8 @@ Json regions(const std::vector<MeshedMaterial>& materials, bool dry_run) {
 
 Json smoothing(const MeshReport& report) {
   const Smoothing& smoothing = *report.smoothing;
-  Json json{{"sigma", smoothing.sigma}, {"voxel_volume", smoothing.voxel_volume}};
+  Json json{{"voxel_volume", smoothing.voxel_volume}};
+  if (smoothing.sigma) json["sigma"] = *smoothing.sigma;
   if (report.dry_run) return json;
   json["mesh_volume"] = report.written.world.volume;
   json["change"] = report.written.world.volume / smoothing.voxel_volume - 1;

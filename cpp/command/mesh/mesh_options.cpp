@@ -53,17 +53,25 @@ volumes, or of several numbers per voxel, is read with --volume.  The segments o
 Slicer (.seg.nrrd) and of DICOM SEG are labels with the names that the file has;
 where they overlap the later one wins, which a note counts.
 
+Surfaces of labels, between two of them and to the outside, are smooth.  Each label has a
+field, its share of the voxels around, weighted by (1 4 6 4 1)/16 along every axis or, with
+--smooth SIGMA, by a Gaussian (SIGMA is at most 4 voxels along any axis); the greatest field
+wins.  Thin parts are smoothed less, a constant for each label gives its region about the
+volume of its voxels, and at the centre of a voxel its own label wins, so that no label is
+lost, and no piece of one.  --smooth 0 keeps the faces of voxels, with their steps.
+
 Labels that touch each other are cut where they meet, but not by --method paper, where
-each tetrahedron has the label at its centre.  Formats with named surfaces have one for
+each tetrahedron has the label at its centre, the surface follows the faces of voxels, and
+--smooth SIGMA smooths the outside alone.  Formats with named surfaces have one for
 each pair that touches, called after both.
 
 A label that the lattice is too coarse for is named in a warning, and so is one that
 has more or fewer pieces among the lattice's points than in the image, where voxels may
-touch at edges and corners or not.  That is looked at where --size is above the smallest
-voxel spacing, and with --smooth; not with --crop.  At the smallest spacing, without
---smooth, no label and no piece is lost.  With --iso the pieces are those of the mesh,
-and up to 12 sizes are tried, each a fifth smaller than the one before, for one that
-keeps them.
+touch at edges and corners or not.  That is looked at unless every voxel has a point of the
+lattice at its centre or, with --smooth 0, --size is at most the smallest voxel spacing, for
+then no label and no piece is lost; not with --crop.  With --iso the pieces are those of the
+mesh, at any size.  With --iso, and with --smooth and --method paper, a size is looked for that
+keeps them all, and the volume.
 
 The pieces of every mesh are counted, by faces and by vertices, and of several labels
 those of each; with --method paper the latter by --label-pieces alone, for it takes long.
@@ -87,12 +95,16 @@ solid behind a fiftieth of the surface is thin, the default size is a quarter of
 thickness, as far as about 4 million tetrahedra or 32 million cells of the lattice.
 
 The volume of the mesh is compared with that of the solid: of a closed surface and of
-all shapes but the gyroid the true one, of others an estimate.  Beyond 2 % a warning
-names a size that has been tried and keeps the volume; so does the sentence where
-nothing is inside.  At most 14 sizes are tried, each a third smaller than the one
-before, up to 10 million tetrahedra, and until 64 million cells that the surface may
-pass through, or 400 million in all, are spent; where none of them keeps the volume,
-that is said.
+all shapes but the gyroid the true one, of others an estimate.  So are its pieces: a
+closed surface has as many as outer shells, a shape one.  Of formulas, volumes, gyroids,
+shapes cut by --bounds, and surfaces that are open or pass through themselves, those are
+counted that the lattice's points have at a quarter of the size, or at half of it, where
+not so many cells would be sampled for it as the mesh has pairs of tetrahedra.  Beyond 2 %,
+or with other pieces, a warning names a size that has been tried and keeps both; the
+sentence where nothing is inside has one that keeps the volume.  At most 16 sizes are
+tried, each a fifth smaller than the one before, later a third, up to 10 million
+tetrahedra, and until 64 million cells that the surface may pass through, or 400 million
+in all, are spent; where none of them does, that is said.
 
 A solid far from the origin of the world may be finer than the numbers of a file are
 apart there.  A mesh that they cannot hold is not written (status 6): in .stl, of
@@ -108,8 +120,9 @@ samples, which are + where the lattice's points are inside.
 
 Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file,
 format, bytes, origin}, lattice {cells, size, cuts, and with --target-tets:
-target_tets, tries}, method {name, and of embedded: violated, stayed, shortened, clamped {cuts,
-greatest, rms, greatest_edges, rms_edges}}, theorem, mesh {points, tets, volume, checksum, file_checksum,
+target_tets, tries}, method {name, and of embedded: violated, stayed, shortened, missed (the
+surface, by shortened moves) {greatest, rms, greatest_edges, rms_edges}, clamped {cuts and
+the same}}, theorem, mesh {points, tets, volume, checksum, file_checksum,
 pieces {by_faces, by_vertices, largest_tets}, nonmanifold {edges, vertices, edge_places,
 vertex_places: in the world, of the first 8}}, with --keep: dropped {keep, pieces, kept,
 tets, volume}, dihedral
@@ -117,11 +130,12 @@ tets, volume}, dihedral
 theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
 cut, warp, count, pieces, emit, measure, write, total}, memory {limit, needed, least,
 peak}, warnings, and for images regions [{label, voxels, tets, name where the file or
---label-names has one, volume, voxel_volume, pieces (by faces) and pieces_by_vertices; of several
+--label-names has one, volume, voxel_volume, change_percent, pieces (by faces) and pieces_by_vertices; of several
 labels with --method paper by --label-pieces alone, else pieces is of the samples, and told
-where the image's are: image_pieces {by_corners, by_faces}}], for several solids regions
-[{label, name, tets, volume, solid_volume (estimated), pieces, pieces_by_vertices}], with
---smooth: smoothing {sigma, voxel_volume, mesh_volume, change}.  Lengths are in world units, angles in degrees, memory in bytes; the
+where the image's are: image_pieces {by_corners, by_faces}}], of several solids regions
+[{label, name, tets, volume, solid_volume (estimated), pieces, pieces_by_vertices}], of labels
+that are smoothed: smoothing {sigma (left out where it is one voxel), voxel_volume, mesh_volume,
+change}.  Lengths are in world units, angles in degrees, memory in bytes; the
 histogram has 36 bins of 5 degrees, counted before coordinates are rounded; rounding
 is what the doubles of the world can turn an angle by; output.origin is where in the
 world the output has its 0; file_checksum is what `certet check` tells of a file with
@@ -156,7 +170,9 @@ void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
                   "Size of a voxel, in the place of what the image's file says")
       ->option_text("a,b,c");
   mesh.add_option("--smooth", raw.smooth,
-                  "Smooths labels by a Gaussian of this standard deviation, in world units")
+                  "How smooth the surfaces of labels are: the standard deviation of a Gaussian, "
+                  "in world units (default: one voxel; with --method paper 0); 0: they follow "
+                  "the faces of voxels")
       ->option_text("SIGMA");
   mesh.add_option("--crop", raw.crop,
                   "Box in world coordinates; of an image's solid, only what is in it is meshed")
@@ -214,7 +230,7 @@ void declare_lattice(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
 void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("-o,--output", options.output,
                   "Mesh: .vtu, .mesh, .meshb, .msh, .inp, .feb, .node (with .ele, .face); "
-                  "its boundary: .stl, .ply")
+                  "its surfaces: .vtp, .stl, .ply")
       ->option_text("OUT");
   mesh.add_option("--format", raw.format, format_names() + " (default: by the extension)")
       ->option_text("F");
@@ -325,6 +341,12 @@ double parse_nan(const MeshOptions& options, const std::string& text) {
   return value;
 }
 
+double parse_smooth(const std::string& text) {
+  const double value = parse_number("--smooth", text);
+  if (value < 0) refuse("--smooth takes a positive number or 0, not '" + text + "'");
+  return value;
+}
+
 MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   options.materials = chosen_materials(raw.inputs, raw.materials);
   options.priority = chosen_priority(options.materials, raw.materials);
@@ -334,7 +356,7 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   options.method = chosen(raw.method);
   if (!raw.iso.empty()) options.iso = parse_number("--iso", raw.iso);
   if (!raw.labels.empty()) options.labels = parse_labels(raw.labels);
-  if (!raw.smooth.empty()) options.smooth = positive("--smooth", raw.smooth);
+  if (!raw.smooth.empty()) options.smooth = parse_smooth(raw.smooth);
   if (!raw.crop.empty()) options.crop = parse_bounds(raw.crop, "--crop");
   if (!raw.volume.empty()) options.image.volume = parse_whole("--volume", raw.volume);
   if (!raw.nan.empty()) options.nan = parse_nan(options, raw.nan);

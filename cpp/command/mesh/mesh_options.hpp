@@ -37,7 +37,9 @@ struct MeshOptions {
   std::optional<double> iso;
   ImageChoice image;         ///< what an image's file may leave open
   std::optional<double> nan;  ///< in the place of voxels that are NaN
-  double smooth = 0;         ///< in world units; 0: not at all
+  /// Of labels, in world units; 0: not at all; nothing: by one voxel, where the method cuts
+  /// labels apart.
+  std::optional<double> smooth;
   std::optional<Bounds> crop;
   std::string grid;          ///< of a volume; empty: the one that speaks for itself
   bool repair = false;       ///< closes the holes of a surface

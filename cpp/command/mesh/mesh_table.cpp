@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "mesh_report.hpp"
 #include "pieces.hpp"
@@ -31,6 +32,10 @@ void add_settling(Lines& lines, const MeshReport& report) {
   const ShiftLengths world = shift_in_world(warp, report.size);
   lines.add("", "{} of {} vertices too close to the surface stayed, {} moves shortened",
             grouped(warp.stayed), grouped(warp.violated), grouped(warp.shortened));
+  if (const ShiftLengths missed = missed_by(warp, 1); missed.cuts != 0)
+    lines.add("", "shortened ones miss the surface by at most {:.3f} edges ({:.4g}), rms {:.3f} ({:.4g})",
+              missed.greatest, missed.greatest * report.size, missed.rms,
+              missed.rms * report.size);
   if (world.cuts != 0)
     lines.add("", "{} cuts moved by at most {:.3f} edges ({:.4g}), rms {:.3f} ({:.4g})",
               grouped(world.cuts), edges.greatest, world.greatest, edges.rms, world.rms);
@@ -46,11 +51,25 @@ void add_pieces(Lines& lines, const MeshReport& report) {
     lines.add("surface", "{}", sentence(report.pieces.surface));
 }
 
+/// Of labels that are not small, the volume that differs most from that of its voxels.
+std::string volumes_told(const std::vector<MeshedRegion>& regions) {
+  constexpr std::uint64_t least_voxels = 1000;
+  const MeshedRegion* most = nullptr;
+  for (const MeshedRegion& one : regions)
+    if (one.change && one.region.voxels >= least_voxels &&
+        (most == nullptr || std::abs(*one.change) > std::abs(*most->change)))
+      most = &one;
+  if (most == nullptr) return "";
+  return fmt::format("; of {} voxels and more, label {} differs most from their volume, by {:+.2f} %",
+                     grouped(least_voxels), most->region.label, 100 * *most->change);
+}
+
 void add_regions(Lines& lines, const MeshReport& report) {
   const auto present = std::count_if(report.regions.begin(), report.regions.end(),
                                      [](const MeshedRegion& region) { return region.tets > 0; });
   if (!report.regions.empty() && report.input_kind == "labels" && !report.dry_run)
-    lines.add("labels", "{} of {} in the mesh", present, report.regions.size());
+    lines.add("labels", "{} of {} in the mesh{}", present, report.regions.size(),
+              volumes_told(report.regions));
   for (const MeshedMaterial& one : report.materials)
     lines.add("material", "{} {}{}{}", one.label, one.name,
               report.dry_run ? ""
@@ -87,8 +106,10 @@ std::string table(const MeshReport& report) {
   if (!report.dry_run) {
     lines.add("volume", "{:.9g}", report.written.world.volume);
     if (report.smoothing)
-      lines.add("smoothing", "sigma {:.6g}, volume of the voxels {:.9g}, change {:+.2f} %",
-                report.smoothing->sigma, report.smoothing->voxel_volume,
+      lines.add("smoothing", "sigma {}, volume of the voxels {:.9g}, change {:+.2f} %",
+                report.smoothing->sigma ? fmt::format("{:.6g}", *report.smoothing->sigma)
+                                        : "one voxel",
+                report.smoothing->voxel_volume,
                 100 * (report.written.world.volume / report.smoothing->voxel_volume - 1));
     lines.add("checksum", "0x{:016x}", report.written.checksum);
     add_angles(lines, report.written.world);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kept_volume.hpp"
+#include "certet/kept.hpp"
 
 namespace certet::command {
 namespace {
@@ -55,7 +55,7 @@ std::vector<std::string> warnings_on(const std::vector<MeshedMaterial>& material
                                      bool written, bool dropped) {
   std::vector<std::string> sentences;
   for (const MeshedMaterial& one : materials) {
-    const SolidVolume solid{one.solid.volume, 3 * one.solid.deviation, false};
+    const ShapeVolume solid{one.solid.volume, 3 * one.solid.deviation};
     if (is_missing(one, written))
       sentences.push_back(fmt::format("the material '{}' is not in the mesh: {}", one.name,
                                       why_missing(one, size, dropped)));

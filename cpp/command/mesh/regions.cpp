@@ -22,10 +22,23 @@ std::string named(const ImageRegion& region, bool level) {
   return level ? "the solid" : fmt::format("label {}", region.label);
 }
 
+PieceBounds bounds_of(const ImageRegion& region) {
+  return {region.pieces_by_corners, region.pieces_by_faces};
+}
+
 /// Rounded down, so that it still is small enough.
 std::string at_most(double size) { return fmt::format("{:.4g}", size * (1 - 5e-4)); }
 
 }  // namespace
+
+bool keeps_pieces(const SolidVoxels& voxels, std::span<const ImageRegion> regions,
+                  const PlacedDomain& domain, const Pieces& mesh, const Context& context) {
+  if (voxels.level) return may_be(bounds_of(regions.front()), mesh.whole);
+  std::vector<ImageRegion> found(regions.size());
+  for (std::size_t r = 0; r < found.size(); ++r) found[r].label = regions[r].label;
+  count_pieces(*voxels.image, voxels.level, domain, found, context);
+  return std::ranges::all_of(found, &ImageRegion::keeps_pieces);
+}
 
 RegionWatch::RegionWatch(const Source& source, const PlacedSource& placed,
                          const Context& context)
@@ -37,9 +50,15 @@ RegionWatch::RegionWatch(const Source& source, const PlacedSource& placed,
                          : regions_of_labels(*solid.image, solid.labels);
   tets_.resize(regions_.size());
   volumes_.resize(regions_.size());
-  if (solid.cropped || (size_ <= finest_ && !solid.smoothed)) return;
-  count_pieces(*solid.image, solid.level, *placed.domain, regions_, context);
+  if (solid.cropped || placed.keeps_voxels) return;
   counted_pieces_ = true;
+  if (!solid.level) {
+    count_pieces(*solid.image, {}, *placed.domain, regions_, context);
+    return;
+  }
+  const auto [least, most] = pieces_above(*solid.image, *solid.level, context);
+  regions_[0].pieces_by_corners = least;
+  regions_[0].pieces_by_faces = most;
 }
 
 void RegionWatch::see(std::span<const Region> written) {
@@ -69,18 +88,23 @@ void RegionWatch::see(const Pieces& pieces, std::span<const RegionPieces> region
 
 std::vector<MeshedRegion> RegionWatch::regions(std::uint64_t all_tets) const {
   std::vector<MeshedRegion> result;
+  const bool whole = source_.voxels && !source_.voxels->level && !source_.voxels->cropped &&
+                     !dropped_;
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto& spacing = source_.voxels->image->spacing;
     const double voxel = spacing[0] * spacing[1] * spacing[2];
-    result.push_back({regions_[r], source_.voxels->level ? all_tets : tets_[r], volumes_[r],
-                      voxel * static_cast<double>(regions_[r].voxels), pieces_[r]});
+    MeshedRegion one{regions_[r], source_.voxels->level ? all_tets : tets_[r], volumes_[r],
+                     voxel * static_cast<double>(regions_[r].voxels)};
+    if (whole && one.volume > 0) one.change = one.volume / one.voxel_volume - 1;
+    one.pieces = pieces_[r];
+    result.push_back(one);
   }
   return result;
 }
 
 bool RegionWatch::is_lost(std::size_t which, bool written) const {
-  if (written && !source_.voxels->level) return tets_[which] == 0;
-  return counted_pieces_ && regions_[which].points == 0;
+  if (source_.voxels->level) return false;
+  return written ? tets_[which] == 0 : counted_pieces_ && regions_[which].points == 0;
 }
 
 std::string RegionWatch::lost(std::size_t which) {
@@ -89,26 +113,38 @@ std::string RegionWatch::lost(std::size_t which) {
                                  region.voxels);
   if (dropped_) return text + ", of which pieces were dropped";
   if (source_.voxels->cropped) return text + ", as far as it is cropped";
-  if (source_.voxels->smoothed) return text + "; a smaller --smooth may keep it";
+  if (source_.voxels->surfaces == LabelSurfaces::smoothed)
+    return text + "; a smaller --smooth may keep it";
   find_certain_size(*source_.voxels->image, source_.voxels->level, regions_, which);
   return text + "; --size " + at_most(region.certain_size) + " or less keeps it";
 }
 
 bool RegionWatch::keeps(std::size_t which) const {
-  return source_.voxels->level ? keeps_pieces(regions_[which], whole_)
-                               : regions_[which].keeps_pieces();
+  const std::optional<PieceCount>& mesh = pieces_[which];
+  return mesh ? may_be(bounds_of(regions_[which]), *mesh) : regions_[which].keeps_pieces();
 }
 
-std::string RegionWatch::other_pieces(std::size_t which, const SizeFor& size_for) const {
+std::string RegionWatch::other_pieces(std::size_t which) const {
   const ImageRegion& region = regions_[which];
   const bool exact = region.pieces_by_corners == region.pieces_by_faces;
-  std::string text = fmt::format(
-      "{} has {} in the mesh, {}{} in the image", named(region, source_.voxels->level.has_value()),
-      region.lattice_pieces == 1 ? "1 piece" : fmt::format("{} pieces", region.lattice_pieces),
+  const std::optional<PieceCount>& mesh = pieces_[which];
+  const std::uint64_t pieces = mesh ? mesh->by_faces : region.lattice_pieces;
+  return fmt::format(
+      "{} has {} {}, {}{} in the image; ", named(region, source_.voxels->level.has_value()),
+      pieces == 1 ? "1 piece" : fmt::format("{} pieces", pieces),
+      mesh ? "in the mesh" : "among the lattice's points",
       exact ? "" : fmt::format("{} to ", region.pieces_by_corners), region.pieces_by_faces);
-  if (source_.voxels->smoothed) return text + "; a smaller --smooth may keep them";
-  if (source_.voxels->level) return text + "; " + size_for(region);
-  return text + fmt::format("; --size {:.6g} or less keeps them", finest_);
+}
+
+/// Of labels that are not smoothed it is known, and of others found.
+std::string RegionWatch::size_for_pieces(const std::vector<ImageRegion>& changed,
+                                         const SizeFor& size_for) const {
+  const bool smoothed = source_.voxels->surfaces == LabelSurfaces::smoothed;
+  if (!smoothed && !source_.voxels->level)
+    return fmt::format("--size {:.6g} or less keeps them", finest_);
+  const KeepingSizes sizes = size_for(changed);
+  std::string text = advice_on_pieces(sizes, "--size ");
+  return sizes.kept || !smoothed ? text : text + "; a smaller --smooth may keep them";
 }
 
 std::vector<std::string> RegionWatch::warnings(bool written, const SizeFor& size_for) {
@@ -117,19 +153,24 @@ std::vector<std::string> RegionWatch::warnings(bool written, const SizeFor& size
     sentences.push_back(fmt::format(
         "the image looks like one of gray values, of which {} became labels; --iso V takes what is "
         "above a value", regions_.size()));
-  std::size_t lost_ones = 0, changed = 0;
+  std::size_t lost_ones = 0;
+  std::vector<std::string> others;
+  std::vector<ImageRegion> changed;
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     if (is_lost(r, written)) {
       if (++lost_ones <= most_told) sentences.push_back(lost(r));
     } else if (counted_pieces_ && !dropped_ && !keeps(r)) {
-      if (++changed <= most_told) sentences.push_back(other_pieces(r, size_for));
+      changed.push_back(regions_[r]);
+      if (changed.size() <= most_told) others.push_back(other_pieces(r));
     }
   }
   if (lost_ones > most_told)
     sentences.push_back(fmt::format("{} more labels are not in the mesh", lost_ones - most_told));
-  if (changed > most_told)
-    sentences.push_back(
-        fmt::format("{} more labels have other pieces than in the image", changed - most_told));
+  const std::string size = changed.empty() ? "" : size_for_pieces(changed, size_for);
+  for (const std::string& other : others) sentences.push_back(other + size);
+  if (changed.size() > most_told)
+    sentences.push_back(fmt::format("{} more labels have other pieces than in the image",
+                                    changed.size() - most_told));
   return sentences;
 }
 

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "kept_pieces.hpp"
 #include "source.hpp"
 
 namespace certet::command {
@@ -20,8 +19,16 @@ struct MeshedRegion {
   std::uint64_t tets = 0;
   double volume = 0;        ///< of the mesh, in world units
   double voxel_volume = 0;  ///< of its voxels
+  std::optional<double> change = {};  ///< by how much of that one `volume` differs, where all
+                                      ///< of a label was to be meshed
   std::optional<PieceCount> pieces = {};  ///< of the mesh, if they were counted
 };
+
+/// Whether a mesh of the image has the pieces of some regions: of a level by the whole mesh,
+/// of labels by the lattice points that have them, which their tetrahedra are around.
+/// \throws Error `cancelled`.
+bool keeps_pieces(const SolidVoxels& voxels, std::span<const ImageRegion> regions,
+                  const PlacedDomain& domain, const Pieces& mesh, const Context& context);
 
 /// Watches a run from the counted lattice to the written mesh.
 class RegionWatch {
@@ -42,15 +49,17 @@ class RegionWatch {
 
   /// Sentences about what is lost, split or joined; `written` tells whether there
   /// are tetrahedra to go by, or lattice points alone.  `size_for` looks for a size that
-  /// keeps the pieces of a level.
-  using SizeFor = std::function<std::string(const ImageRegion&)>;
+  /// keeps the pieces of some regions, and is asked once at most.
+  using SizeFor = std::function<KeepingSizes(std::span<const ImageRegion>)>;
   [[nodiscard]] std::vector<std::string> warnings(bool written, const SizeFor& size_for);
 
  private:
   [[nodiscard]] bool is_lost(std::size_t which, bool written) const;
   [[nodiscard]] std::string lost(std::size_t which);
   [[nodiscard]] bool keeps(std::size_t which) const;
-  [[nodiscard]] std::string other_pieces(std::size_t which, const SizeFor& size_for) const;
+  [[nodiscard]] std::string other_pieces(std::size_t which) const;
+  [[nodiscard]] std::string size_for_pieces(const std::vector<ImageRegion>& changed,
+                                            const SizeFor& size_for) const;
 
   const Source& source_;
   double size_, finest_ = 0;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "certet/error.hpp"
@@ -19,7 +20,9 @@ Source from_formula(const MeshOptions& options) {
                       margin = options.margin](double size) {
     return placed(std::make_unique<FormulaDomain>(formula, bounds, size, margin));
   };
-  return {"formula", options.formula, place};
+  Source source{"formula", options.formula, place};
+  source.pieces = unknown_pieces;
+  return source;
 }
 
 Source from_shape(const MeshOptions& options) {
@@ -31,7 +34,11 @@ Source from_shape(const MeshOptions& options) {
     source.volume = volume;
     return source;
   };
-  return {"shape", options.shape, place};
+  Source source{"shape", options.shape, place};
+  source.pieces = [options](Context&) {
+    return ShapeDomain(options.shape, options.bounds, 0, options.margin).pieces();
+  };
+  return source;
 }
 
 Source from_surface(const MeshOptions& options, const Context& context) {
@@ -50,6 +57,9 @@ Source from_surface(const MeshOptions& options, const Context& context) {
   if (own_choice && !checked.size_note.empty()) checked.notes.push_back(checked.size_note);
   Source source{"surface", surface->name, place, std::move(checked.notes)};
   source.thin = checked.measures.thin;
+  source.pieces = [surface, defects = checked.defects](Context& context) {
+    return pieces_of(*surface, defects, context);
+  };
   return source;
 }
 
@@ -59,7 +69,9 @@ Source from_volume(const MeshOptions& options) {
                       margin = options.margin](double size) {
     return placed(volume_domain(volume, iso, {size, margin}));
   };
-  return {"volume", options.input.string(), place};
+  Source source{"volume", options.input.string(), place};
+  source.pieces = unknown_pieces;
+  return source;
 }
 
 Image read(const MeshOptions& options, std::uint64_t max_bytes) {
@@ -73,36 +85,61 @@ PlacedSource placed_image(std::unique_ptr<PlacedDomain> domain, const MeshOption
                              : std::move(domain));
 }
 
-double chosen_volume(const Image& image, const std::vector<LabelRange>& labels) {
-  std::uint64_t voxels = 0;
-  for (const ImageRegion& region : regions_of_labels(image, labels)) voxels += region.voxels;
-  return static_cast<double>(voxels) * image.spacing[0] * image.spacing[1] * image.spacing[2];
+/// Where no voxel is narrower than a long edge, each has a point of the lattice.
+bool has_all_voxels(const Image& image, double size) {
+  return size <= *std::ranges::min_element(image.spacing);
 }
 
+/// The outside alone, as one solid's.
 Source from_smoothed(const std::shared_ptr<const Image>& image, const MeshOptions& options) {
   const auto smoothed = std::make_shared<const Image>(
-      smoothed_labels(*image, options.labels, options.smooth, options.threads));
+      smoothed_labels(*image, options.labels, *options.smooth, options.threads));
   const auto place = [image, smoothed, options](double size) {
     return placed_image(
         smoothed_domain(image, options.labels, smoothed, {size, options.margin}), options);
   };
   Source source{"labels", image->name, place, image->notes};
-  source.smoothing = Smoothing{options.smooth, chosen_volume(*image, options.labels)};
+  source.smoothing = Smoothing{options.smooth, volume_of_labels(*image, options.labels)};
   return source;
 }
 
 Source from_voxels(const std::shared_ptr<const Image>& image, const MeshOptions& options) {
   std::optional<double> volume;
-  if (!options.iso && !options.crop) volume = chosen_volume(*image, options.labels);
+  if (!options.iso && !options.crop) volume = volume_of_labels(*image, options.labels);
   const auto place = [image, options, volume](double size) {
     const ImageLattice lattice{size, options.margin, !facts(options.method).settles};
     PlacedSource source = placed_image(options.iso ? level_domain(image, *options.iso, lattice)
                                                    : label_domain(image, options.labels, lattice),
                                        options);
     source.volume = volume;
+    source.keeps_voxels = !options.iso && has_all_voxels(*image, source.frame.size);
     return source;
   };
   return {options.iso ? "level" : "labels", image->name, place, image->notes};
+}
+
+Source from_interfaces(const std::shared_ptr<const Image>& image, const MeshOptions& options,
+                       const Context& context) {
+  const double volume = volume_of_labels(*image, options.labels);
+  const auto fields = label_fields(image, options.labels, {options.smooth}, context);
+  const auto place = [fields, options, volume](double size) {
+    auto domain = interface_domain(fields, {size, options.margin});
+    const bool keeps_voxels = domain->keeps_voxels();
+    PlacedSource source = placed_image(std::move(domain), options);
+    if (!options.crop) source.volume = volume;
+    source.keeps_voxels = keeps_voxels;
+    return source;
+  };
+  Source source{"labels", image->name, place, image->notes};
+  source.smoothing = Smoothing{options.smooth, volume};
+  return source;
+}
+
+/// By default surfaces are smooth where the method cuts labels apart.
+LabelSurfaces surfaces_of(const MeshOptions& options) {
+  if (options.iso || options.smooth == 0.0) return LabelSurfaces::flat;
+  if (facts(options.method).interfaces) return LabelSurfaces::interfaces;
+  return options.smooth ? LabelSurfaces::smoothed : LabelSurfaces::flat;
 }
 
 /// As the options want it: labels, or values of which none is NaN where that is so.
@@ -116,13 +153,21 @@ Image wanted_image(const MeshOptions& options, std::uint64_t max_bytes) {
   return options.iso ? std::move(image) : with_labels(std::move(image));
 }
 
-Source from_image(const MeshOptions& options, std::uint64_t max_bytes) {
+Source from_image(const MeshOptions& options, std::uint64_t max_bytes, const Context& context) {
   const auto image = std::make_shared<const Image>(wanted_image(options, max_bytes));
-  Source source =
-      options.smooth != 0 ? from_smoothed(image, options) : from_voxels(image, options);
+  const LabelSurfaces surfaces = surfaces_of(options);
+  const auto opened = [&] {
+    switch (surfaces) {
+      case LabelSurfaces::interfaces: return from_interfaces(image, options, context);
+      case LabelSurfaces::smoothed: return from_smoothed(image, options);
+      case LabelSurfaces::flat: break;
+    }
+    return from_voxels(image, options);
+  };
+  Source source = opened();
   if (!options.iso) source.names = image->names;
-  source.voxels = SolidVoxels{image, options.labels, options.iso, options.smooth != 0,
-                              options.crop.has_value()};
+  source.voxels =
+      SolidVoxels{image, options.labels, options.iso, surfaces, options.crop.has_value()};
   return source;
 }
 
@@ -138,13 +183,15 @@ PlacedSource placed(std::unique_ptr<PlacedDomain> domain) {
   return source;
 }
 
+std::optional<PieceBounds> unknown_pieces(Context&) { return std::nullopt; }
+
 Source open_source(const MeshOptions& options, std::uint64_t max_bytes, const Context& context) {
   if (!options.materials.empty()) return open_materials(options, context);
   if (!options.formula.empty()) return from_formula(options);
   if (!options.shape.empty()) return from_shape(options);
   if (is_surface_file(options.input)) return from_surface(options, context);
   if (is_volume_file(options.input)) return from_volume(options);
-  return from_image(options, max_bytes);
+  return from_image(options, max_bytes, context);
 }
 
 }  // namespace certet::command

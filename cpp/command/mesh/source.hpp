@@ -8,22 +8,32 @@
 #include <string>
 #include <vector>
 
+#include "certet/kept.hpp"
 #include "certet/write_mesh.hpp"
 #include "mesh_options.hpp"
 
 namespace certet::command {
+
+/// What the surfaces of an image's labels are.
+enum class LabelSurfaces {
+  flat,        ///< the faces of voxels
+  smoothed,    ///< the outside alone, smoothed as one solid
+  interfaces,  ///< smooth between any two labels
+};
 
 /// The voxels of a solid, where it is made of some.
 struct SolidVoxels {
   std::shared_ptr<const Image> image;  ///< before smoothing
   std::vector<LabelRange> labels;
   std::optional<double> level = {};
-  bool smoothed = false, cropped = false;
+  LabelSurfaces surfaces = LabelSurfaces::flat;
+  bool cropped = false;
 };
 
-/// What `--smooth` did.
+/// How labels were smoothed.
 struct Smoothing {
-  double sigma = 0, voxel_volume = 0;
+  std::optional<double> sigma;  ///< in world units; nothing: by one voxel along each axis
+  double voxel_volume = 0;
 };
 
 /// A domain on a lattice of one size.
@@ -33,6 +43,7 @@ struct PlacedSource {
   Frame frame;
   double longest_side = 0;  ///< of the solid's box, in world units
   std::optional<double> volume = {};  ///< of the solid, where there is a formula for it
+  bool keeps_voxels = false;  ///< no label of the image is lost on the lattice, and no piece
   std::uint64_t bytes = 0;
 };
 
@@ -49,10 +60,14 @@ struct Source {
   std::optional<SolidVoxels> voxels = {};
   std::optional<Smoothing> smoothing = {};
   double thin = 0;  ///< how thick its thin parts are, in world units; 0: not known
+  KnownPieces pieces = {};  ///< as `SizedShape` has them; of images `RegionWatch` tells
 };
 
 /// A domain, on the lattice that it was made for.
 PlacedSource placed(std::unique_ptr<PlacedDomain> domain);
+
+/// Of what has no pieces that can be counted but on a lattice.
+std::optional<PieceBounds> unknown_pieces(Context& context);
 
 /// Reads the image, surface, volume, formula, shape or several solids.  \throws Error, `cancelled` too.
 Source open_source(const MeshOptions& options, std::uint64_t max_bytes, const Context& context);

@@ -72,7 +72,7 @@ CheckedSurface open_surface(const std::filesystem::path& file, bool close_holes,
   const SurfaceRepairs repairs = repair_surface(result.surface, {close_holes}, context);
   result.notes = sentences_on(repairs);
   result.open = repairs.closed_holes.count != 0;
-  const SurfaceDefects defects = inspect(result.surface, context);
+  const SurfaceDefects& defects = result.defects = inspect(result.surface, context);
   if (result.open) refuse_unclear(result.surface, context);
   else refuse_open(result.surface, defects, close_holes ? "" : remedy(defects));
   for (std::string& note : notes_on(result.surface, defects, result.open))

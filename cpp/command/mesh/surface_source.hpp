@@ -16,6 +16,7 @@ struct CheckedSurface {
   TriangleSurface surface;
   bool open = false;      ///< its holes are to be closed by the winding number
   std::vector<std::string> notes;
+  SurfaceDefects defects;  ///< that are left
   SurfaceMeasures measures;
   SurfaceSize size;       ///< if none is asked for
   std::string size_note;  ///< why it is less than usual, if it is

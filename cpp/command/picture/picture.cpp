@@ -56,7 +56,7 @@ Status picture(PictureRequest options) {
 
 Run declare_picture(CLI::App& app) {
   const auto options = std::make_shared<PictureRequest>();
-  app.add_option("mesh", options->mesh, "Mesh: .vtu or .mesh")->required()->option_text("MESH");
+  app.add_option("mesh", options->mesh, "Mesh: .vtu, .mesh, .meshb or .msh")->required()->option_text("MESH");
   app.add_option("-o,--output", options->output, "Picture: .png")
       ->required()->option_text("FILE");
   app.add_option("--size", options->size, "Pixels (1600x800)")->option_text("WxH");
@@ -70,6 +70,12 @@ Run declare_picture(CLI::App& app) {
   app.add_option("--clip", options->clip,
                  "Where the mesh is cut open: an axis and, from 0 to 1, a place on it (x:0.5)")
       ->option_text("x|y|z[:F]");
+  app.add_option("--cut", options->picture.cut,
+                 "flat: through tetrahedra, which shows where regions meet (default, of several "
+                 "regions); whole: between them, which shows what they are like")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, PictureCut>{
+          {"flat", PictureCut::flat}, {"whole", PictureCut::whole}}))
+      ->option_text("flat|whole");
   app.add_option("--color", options->picture.color,
                  "region: the label (default), or angle: the worst dihedral angle")
       ->transform(CLI::CheckedTransformer(std::map<std::string, PictureColor>{

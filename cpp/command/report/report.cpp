@@ -3,8 +3,8 @@
 #include <memory>
 #include <optional>
 
-#include "certet/count_pieces.hpp"
 #include "certet/error.hpp"
+#include "certet/examine.hpp"
 #include "certet/formats.hpp"
 #include "certet/page.hpp"
 #include "commands.hpp"
@@ -76,12 +76,21 @@ void add_run(const RunFile& run, const std::filesystem::path& file, const FileMe
   facts.rows.insert(facts.rows.end(), run.rows.begin(), run.rows.end());
 }
 
-void add_pieces(const FileMesh& mesh, PageFacts& facts) {
-  Context context;
-  const Pieces pieces = count_pieces(
-      mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets), mesh.labels, context);
-  facts.rows.push_back({"pieces", sentence(pieces, mesh.tets.size())});
+void add_pieces(const Examination& found, PageFacts& facts) {
+  const Pieces& pieces = found.pieces;
+  facts.rows.push_back({"pieces", sentence(pieces, found.report.quality.tets)});
   if (pieces.surface.vertices > 0) facts.rows.push_back({"surface", sentence(pieces.surface)});
+}
+
+/// The mesh, and the surfaces that its file holds beside it.
+Examination examine_for_page(const FileMesh& mesh, PageFacts& facts) {
+  Context context;
+  Examination found = certet::examine(
+      mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets), mesh.labels, context);
+  name_regions(found.survey, mesh.names);
+  for (std::string& failure : compare_surfaces(mesh, found.survey).failures)
+    facts.defects.push_back(std::move(failure));
+  return found;
 }
 
 Status report(const ReportOptions& options) {
@@ -96,8 +105,9 @@ Status report(const ReportOptions& options) {
     add_run(*run, options.mesh, mesh, facts);
   else
     facts.bounds = possible_bounds(options);
-  add_pieces(mesh, facts);
-  const Page page = make_page(mesh, facts);
+  Examination found = examine_for_page(mesh, facts);
+  add_pieces(found, facts);
+  const Page page = make_page(mesh, facts, std::move(found));
   write_text(options.output.string(), page.html);
   return page.report.failures.empty() ? Status::ok : Status::check_failed;
 }
@@ -106,7 +116,7 @@ Status report(const ReportOptions& options) {
 
 Run declare_report(CLI::App& app) {
   const auto options = std::make_shared<ReportOptions>();
-  app.add_option("mesh", options->mesh, "Mesh: .vtu or .mesh")->required()->option_text("MESH");
+  app.add_option("mesh", options->mesh, "Mesh: .vtu, .mesh, .meshb or .msh")->required()->option_text("MESH");
   app.add_option("-o,--output", options->output, "Page: .html")
       ->required()->option_text("FILE");
   app.add_option("--run", options->run, "What `certet mesh --json` told of this mesh")

@@ -9,19 +9,24 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <memory>
 #include <numbers>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "certet/error.hpp"
+#include "certet/formula.hpp"
 #include "functions.hpp"
 
 namespace certet {
 namespace {
 
 /// One line, whatever the formula and muParser have in them.
-[[noreturn]] void refuse(const std::string& text, const std::string& reason) {
-  std::string sentence = "the formula \"" + text + "\" cannot be read: " + reason;
+[[noreturn]] void refuse(const std::string& text, const std::string& reason,
+                         std::size_t around = 0) {
+  std::string sentence = "the formula \"" + shortened_formula(text, around) +
+                         "\" cannot be read: " + shortened_formula(reason);
   std::ranges::replace_if(sentence, [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
   throw Error(ErrorCode::bad_input, sentence);
 }
@@ -36,7 +41,7 @@ namespace {
   if (!reason.empty()) reason[0] = static_cast<char>(std::tolower(reason[0]));
   const auto position = static_cast<std::size_t>(std::max(error.GetPos(), 0));
   if (position < text.size()) reason += " at position " + std::to_string(position + 1);
-  refuse(text, reason);
+  refuse(text, reason, position);
 }
 
 // What muParser calls while it tries the formula once; a function is known in the
@@ -60,7 +65,7 @@ void define(mu::Parser& parser, const FormulaFunction& function) {
   }
 }
 
-void define_language(mu::Parser& parser, Point3& variables) {
+void define_language(mu::Parser& parser) {
   parser.EnableOptimizer(false);  // what it would rearrange is the tape's to decide
   parser.ClearFun();
   parser.ClearInfixOprt();
@@ -69,14 +74,39 @@ void define_language(mu::Parser& parser, Point3& variables) {
   parser.DefineInfixOprt("+", plus, mu::prINFIX, false);
   for (const char* name : {"pi", "_pi"}) parser.DefineConst(name, std::numbers::pi);
   for (const char* name : {"e", "_e"}) parser.DefineConst(name, std::numbers::e);
-  constexpr std::array names{"x", "y", "z"};
-  for (std::size_t a = 0; a < 3; ++a) parser.DefineVar(names[a], &variables[a]);
 }
+
+/// Names and what they stand for: the coordinates, and what was defined.
+class Variables {
+ public:
+  explicit Variables(Tape& tape) {
+    constexpr std::array names{"x", "y", "z"};
+    for (std::size_t a = 0; a < names.size(); ++a) define(names[a], tape.variable(a));
+  }
+
+  void define(const std::string& name, NodeId id) {
+    ids_.push_back({name, id, std::make_unique<double>(0)});
+  }
+  void declare_to(mu::Parser& parser) const {
+    for (const Variable& one : ids_) parser.DefineVar(one.name, one.place.get());
+  }
+  [[nodiscard]] NodeId at(const double* place) const {
+    return std::ranges::find(ids_, place, [](const Variable& one) { return one.place.get(); })->id;
+  }
+
+ private:
+  struct Variable {
+    std::string name;
+    NodeId id;
+    std::unique_ptr<double> place;  ///< by which muParser knows it
+  };
+  std::vector<Variable> ids_;
+};
 
 /// Runs the bytecode on a stack of node numbers in place of values.
 class Recorder {
  public:
-  Recorder(const std::string& text, const Point3& variables, Tape& tape)
+  Recorder(const std::string& text, const Variables& variables, Tape& tape)
       : text_(text), variables_(variables), tape_(tape) {}
 
   NodeId record(const mu::ParserByteCode& code) {
@@ -89,7 +119,7 @@ class Recorder {
     switch (token.Cmd) {
       case mu::cmVAL: return push(tape_.constant(token.Val.data2));
       case mu::cmVAR:
-        return push(tape_.variable(static_cast<std::size_t>(token.Val.ptr - variables_.data())));
+        return push(variables_.at(token.Val.ptr));
       case mu::cmADD: return binary(Operation::add);
       case mu::cmSUB: return binary(Operation::subtract);
       case mu::cmMUL: return binary(Operation::multiply);
@@ -153,18 +183,16 @@ class Recorder {
   }
 
   const std::string& text_;
-  const Point3& variables_;
+  const Variables& variables_;
   Tape& tape_;
   std::vector<NodeId> stack_;
 };
 
-}  // namespace
-
-NodeId parse(const std::string& formula, Tape& tape) {
+NodeId parse_one(const std::string& formula, const Variables& variables, Tape& tape) {
   try {
-    Point3 variables{0, 0, 0};
     mu::Parser parser;
-    define_language(parser, variables);
+    define_language(parser);
+    variables.declare_to(parser);
     parser.SetExpr(formula);
     int values = 0;
     parser.Eval(values);
@@ -174,6 +202,46 @@ NodeId parse(const std::string& formula, Tape& tape) {
   } catch (const mu::ParserError& error) {
     refuse_with(formula, error);
   }
+}
+
+constexpr std::string_view blanks = " \t\r\n\v\f";
+
+std::string trimmed(std::string_view text) {
+  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
+  text.remove_prefix(begin);
+  return std::string(text.substr(0, text.find_last_not_of(blanks) + 1));
+}
+
+bool is_name(std::string_view text) {
+  const auto is_letter = [](char c) {
+    return c == '_' || std::isalpha(static_cast<unsigned char>(c)) != 0;
+  };
+  return !text.empty() && is_letter(text.front()) && std::ranges::all_of(text, [&](char c) {
+    return is_letter(c) || std::isdigit(static_cast<unsigned char>(c)) != 0;
+  });
+}
+
+/// name = formula
+void define(const std::string& definition, Variables& variables, Tape& tape) {
+  const std::size_t sign = std::min(definition.find('='), definition.size());
+  const std::string name = trimmed(std::string_view(definition).substr(0, sign));
+  if (sign == definition.size() || definition.substr(sign).starts_with("==") || !is_name(name))
+    refuse(definition, "what ends with a semicolon is a definition, like r = hypot(x,y);");
+  variables.define(name, parse_one(trimmed(std::string_view(definition).substr(sign + 1)),
+                                   variables, tape));
+}
+
+}  // namespace
+
+NodeId parse(const std::string& formula, Tape& tape) {
+  Variables variables(tape);
+  std::size_t begin = 0;
+  for (std::size_t end = formula.find(';'); end != formula.npos; end = formula.find(';', begin)) {
+    define(trimmed(std::string_view(formula).substr(begin, end - begin)), variables, tape);
+    begin = end + 1;
+  }
+  return parse_one(begin == 0 ? formula : trimmed(std::string_view(formula).substr(begin)),
+                   variables, tape);
 }
 
 }  // namespace certet

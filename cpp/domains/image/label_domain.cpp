@@ -358,17 +358,12 @@ std::unique_ptr<PlacedDomain> label_domain(std::shared_ptr<const Image> image,
   return std::visit(
       [&]<class T>(const Buffer<T>& voxels) -> std::unique_ptr<PlacedDomain> {
         if constexpr (std::is_floating_point_v<T>) {
-          throw Error(ErrorCode::bad_input,
-                      "the voxels of '" + scan.name +
-                          "' are not whole numbers, so they are no labels; choose a level");
+          refuse_levels(scan);
         } else {
           refuse_wide_labels(scan, voxels, set);
           LabelCollector found;
           VoxelMask mask = mark(scan, voxels, set, found);
-          if (mask.bounds().high[0] < 0)
-            throw Error(ErrorCode::empty_domain,
-                        "no voxel of '" + scan.name + "' has " +
-                            (all ? "a label other than 0" : "one of the chosen labels"));
+          if (mask.bounds().high[0] < 0) refuse_unlabelled(scan, all);
           const Placement placement = place(
               scan, mask.bounds(), lattice, lattice.walls_halfway ? 0.25 : 0.4375);
           return std::make_unique<LabelDomain<T>>(image, std::move(mask),

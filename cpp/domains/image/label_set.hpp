@@ -44,6 +44,20 @@ class LabelSet {
   std::vector<LabelRange> ranges_;  ///< empty: all but 0
 };
 
+/// \throws Error `bad_input`, for voxels that are no whole numbers.
+[[noreturn]] inline void refuse_levels(const Image& image) {
+  throw Error(ErrorCode::bad_input,
+              "the voxels of '" + image.name +
+                  "' are not whole numbers, so they are no labels; choose a level");
+}
+
+/// \throws Error `empty_domain`, where no voxel is chosen; `all`: of all labels but 0.
+[[noreturn]] inline void refuse_unlabelled(const Image& image, bool all) {
+  throw Error(ErrorCode::empty_domain,
+              "no voxel of '" + image.name + "' has " +
+                  (all ? "a label other than 0" : "one of the chosen labels"));
+}
+
 /// The cell field of labels has 32-bit signed numbers.
 template <class T>
 void refuse_wide_labels(const Image& image, const Buffer<T>& voxels, const LabelSet& set) {

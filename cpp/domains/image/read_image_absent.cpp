@@ -2,6 +2,7 @@
 
 #include "certet/error.hpp"
 #include "certet/image.hpp"
+#include "certet/patient_axes.hpp"
 
 namespace certet {
 
@@ -11,6 +12,8 @@ Image read_image(const std::filesystem::path& file, std::uint64_t, const ImageCh
   throw Error(ErrorCode::bad_input,
               "'" + file.string() + "' cannot be read: reading images was not built in");
 }
+
+std::optional<PatientAxes> axes_of_file(const std::filesystem::path&) { return std::nullopt; }
 
 Image smoothed_labels(const Image& image, std::vector<LabelRange>, double, int) {
   throw Error(ErrorCode::bad_input,

@@ -230,6 +230,20 @@ std::vector<ImageRegion> regions_of_level(const Image& image, double level) {
   return {region};
 }
 
+double volume_of_labels(const Image& image, const std::vector<LabelRange>& labels) {
+  std::uint64_t voxels = 0;
+  for (const ImageRegion& region : regions_of_labels(image, labels)) voxels += region.voxels;
+  return static_cast<double>(voxels) * image.spacing[0] * image.spacing[1] * image.spacing[2];
+}
+
+PieceBounds pieces_above(const Image& image, double level, const Context& context) {
+  const std::vector<ImageRegion> regions(1);
+  const auto count = [&](std::span<const Link> links) {
+    return image_pieces(image, 1, links, {regions, level}, context)[0];
+  };
+  return {count(by_corners), count(by_faces)};
+}
+
 void count_pieces(const Image& image, std::optional<double> level, const PlacedDomain& domain,
                   std::vector<ImageRegion>& regions, const Context& context) {
   const auto faces = image_pieces(image, regions.size(), by_faces, {regions, level},

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -21,7 +22,16 @@ using namespace shape;
   throw Error(ErrorCode::bad_option, "the shape '" + text + "' " + reason);
 }
 
-using AnyShape = std::variant<Sphere, Torus, Box, Cylinder, Within<Gyroid>>;
+using AnyShape =
+    std::variant<Sphere, Torus, Box, Cylinder, Within<Gyroid>, Within<Primitive>, Within<Diamond>,
+                 Within<Iwp>, Within<Neovius>, Within<Struts>>;
+
+/// Solids without an end, of which a box is taken.
+template <class Solid>
+constexpr bool is_endless = false;
+template <class Solid>
+constexpr bool is_endless<Within<Solid>> = true;
+
 using Numbers = std::span<const double>;
 
 Box cube(double a, double b, double c) {
@@ -33,12 +43,13 @@ AnyShape torus(const std::string& text, Numbers n) {
   return Torus{n[0], n[1]};
 }
 
-/// The function is at most 1.5 before it is divided.
-AnyShape gyroid(const std::string& text, Numbers n) {
-  if (n[1] >= 1.5 * n[0] / (std::numbers::pi * std::numbers::sqrt3))
-    refuse(text, "has a wall so thick that it leaves no gap");
+/// A period or cell, a thickness or radius, and the side of a cube, two of the first by default.
+template <class Solid>
+AnyShape endless(const std::string& text, Numbers n) {
+  const Solid solid{n[0], n[1]};
+  if (n[1] >= solid.most()) refuse(text, "has parts so thick that they leave no gap");
   const double side = n.size() == 3 ? n[2] : 2 * n[0];
-  return Within<Gyroid>{{n[0], n[1]}, cube(side, side, side)};
+  return Within<Solid>{solid, cube(side, side, side)};
 }
 
 /// One kind of shape, and the numbers that it takes.
@@ -56,7 +67,12 @@ constexpr std::array kinds{
          [](const std::string&, Numbers n) -> AnyShape { return cube(n[0], n[1], n[2]); }},
     Kind{"cylinder", "R,H", 2, 2,
          [](const std::string&, Numbers n) -> AnyShape { return Cylinder{n[0], n[1] / 2}; }},
-    Kind{"gyroid", "PERIOD,THICKNESS[,SIDE]", 2, 3, gyroid},
+    Kind{"gyroid", "PERIOD,THICKNESS[,SIDE]", 2, 3, endless<Gyroid>},
+    Kind{"primitive", "PERIOD,THICKNESS[,SIDE]", 2, 3, endless<Primitive>},
+    Kind{"diamond", "PERIOD,THICKNESS[,SIDE]", 2, 3, endless<Diamond>},
+    Kind{"iwp", "PERIOD,THICKNESS[,SIDE]", 2, 3, endless<Iwp>},
+    Kind{"neovius", "PERIOD,THICKNESS[,SIDE]", 2, 3, endless<Neovius>},
+    Kind{"struts", "CELL,RADIUS[,SIDE]", 2, 3, endless<Struts>},
 };
 
 std::string_view name_in(std::string_view text) { return text.substr(0, text.find(':')); }
@@ -64,7 +80,9 @@ std::string_view name_in(std::string_view text) { return text.substr(0, text.fin
 const Kind& kind_of(const std::string& text) {
   const auto kind = std::ranges::find(kinds, name_in(text), &Kind::name);
   if (kind != kinds.end()) return *kind;
-  refuse(text, "does not exist: there are sphere, torus, box, cylinder and gyroid");
+  std::string names;
+  for (const Kind& one : kinds) names.append(names.empty() ? "" : ", ").append(one.name);
+  refuse(text, "does not exist: there are " + names);
 }
 
 std::vector<double> numbers_of(const std::string& text, const Kind& kind) {
@@ -93,23 +111,27 @@ AnyShape read(const std::string& text) {
   return kind.make(text, numbers_of(text, kind));
 }
 
-Bounds bounds_of(const Within<Gyroid>& gyroid) { return gyroid.box.sides; }
 template <class Solid>
 Bounds bounds_of(const Solid& solid) {
-  return solid.bounds();
+  if constexpr (is_endless<Solid>) return solid.box.sides;
+  else return solid.bounds();
 }
 
-std::optional<double> volume_of(const Within<Gyroid>&) { return std::nullopt; }
 template <class Solid>
 std::optional<double> volume_of(const Solid& solid) {
-  return solid.volume();
+  if constexpr (is_endless<Solid>) return std::nullopt;
+  else return solid.volume();
 }
 
-/// A gyroid has no bounds of its own.
+bool fills_a_box(const AnyShape& shape) {
+  return std::visit([]<class Solid>(const Solid&) { return is_endless<Solid>; }, shape);
+}
+
+/// What has no end has no bounds of its own.
 Bounds meet(const std::string& text, const AnyShape& shape, const std::optional<Bounds>& bounds) {
   Bounds result = std::visit([](const auto& solid) { return bounds_of(solid); }, shape);
   if (!bounds) return result;
-  if (std::holds_alternative<Within<Gyroid>>(shape)) return *bounds;
+  if (fills_a_box(shape)) return *bounds;
   for (std::size_t a = 0; a < 3; ++a) {
     result.low[a] = std::max(result.low[a], bounds->low[a]);
     result.high[a] = std::min(result.high[a], bounds->high[a]);
@@ -129,10 +151,8 @@ std::unique_ptr<Domain> domain(const AnyShape& shape, const std::optional<Bounds
   return std::visit(
       [&]<class Solid>(const Solid& solid) -> std::unique_ptr<Domain> {
         if (!bounds) return domain(solid, frame);
-        if constexpr (std::is_same_v<Solid, Within<Gyroid>>)
-          return domain(Within<Gyroid>{solid.solid, {*bounds}}, frame);
-        else
-          return domain(Within<Solid>{solid, {*bounds}}, frame);
+        if constexpr (is_endless<Solid>) return domain(Solid{solid.solid, {*bounds}}, frame);
+        else return domain(Within<Solid>{solid, {*bounds}}, frame);
       },
       shape);
 }
@@ -151,7 +171,8 @@ ShapeDomain::ShapeDomain(const std::string& shape, const std::optional<Bounds>& 
   bounds_ = meet(shape, solid, bounds);
   if (!bounds)
     volume_ = std::visit([](const auto& one) { return volume_of(one); }, solid);
-  else
+  if (fills_a_box(solid)) room_ = Box{bounds_}.volume();
+  if (bounds)
     border_.push_back(BorderBox::along_frame(around_.frame, bounds->low, bounds->high));
   solid_ = domain(solid, bounds, around_.frame);
 }

@@ -18,14 +18,20 @@ class TriangleColumns {
   TriangleColumns(std::vector<Coord3> points,
                   std::vector<std::array<std::uint32_t, 3>> triangles);
 
-  /// Calls visit(corners) for every triangle that, seen along x, may contain the
+  /// Calls visit(triangle) for every triangle that, seen along x, may contain the
   /// point, and reaches as far as its x.
   template <class Visit>
-  void for_each_ahead(Coord3 point, const Visit& visit) const {
+  void for_each_number_ahead(Coord3 point, const Visit& visit) const {
     for (const Entry& entry : column(point)) {
       if (entry.high_x < point.x) return;  // nor do those behind it
-      if (entry.covers(point)) visit(corners(entry.triangle));
+      if (entry.covers(point)) visit(entry.triangle);
     }
+  }
+
+  /// The same with visit(corners).
+  template <class Visit>
+  void for_each_ahead(Coord3 point, const Visit& visit) const {
+    for_each_number_ahead(point, [&](std::uint32_t triangle) { visit(corners(triangle)); });
   }
 
   /// How often the ray along x from a moved point leaves the solid, less how often it

@@ -4,6 +4,7 @@
 #include "names.hpp"
 #include "region_sections.hpp"
 #include "registry.hpp"
+#include "sheet_text.hpp"
 #include "sheets.hpp"
 #include "streamed_writer.hpp"
 
@@ -12,6 +13,9 @@ namespace {
 
 /// Abaqus' number of the face of a C3D4 that does not have a corner.
 constexpr std::array<int, 4> face_number{3, 4, 2, 1};
+
+constexpr std::string_view element_heading = "*ELEMENT, TYPE=C3D4, ELSET=";
+constexpr std::string_view surface_heading = "*SURFACE, TYPE=ELEMENT, NAME=";
 
 class AbaqusWriter final : public StreamedWriter {
  public:
@@ -37,7 +41,7 @@ class AbaqusWriter final : public StreamedWriter {
     std::uint64_t end = text_.end();
     const std::vector<std::string> names = names_of(survey().regions, NameRule::identifier);
     for (std::size_t i = 0; i < names.size(); ++i) {
-      const std::string heading = "*ELEMENT, TYPE=C3D4, ELSET=" + names[i] + "\n";
+      const std::string heading = std::string(element_heading) + names[i] + "\n";
       end = tets_.open(survey().regions[i], end, std::as_bytes(std::span(heading)),
                        line_bytes());
     }
@@ -58,7 +62,7 @@ class AbaqusWriter final : public StreamedWriter {
     tets_.flush();
     const Sheets sheets(survey(), NameRule::identifier);
     for (const Sheet& sheet : sheets.all()) {
-      text_.append_all((Line() << "*SURFACE, TYPE=ELEMENT, NAME=" << sheet.name << '\n').text());
+      text_.append_all((Line() << surface_heading << sheet.name << '\n').text());
       sheets.for_each_face(sheet, [&](const BoundaryFace& face) {
         text_.append_all(
             (Line() << face.tet + 1 << ", S" << face_number[face.opposite] << '\n').text());
@@ -81,9 +85,12 @@ std::unique_ptr<MeshWriter> open_abaqus(const std::filesystem::path& file,
 
 std::uint64_t abaqus_bytes(const MeshSize& size) {
   const std::uint64_t point_digits = digits_of(size.points), tet_digits = digits_of(size.tets);
-  const std::uint64_t faces = size.survey == nullptr ? 0 : face_count(*size.survey);
+  const SheetText text(survey_of(size), NameRule::identifier);
   return 200 + size.points * (point_digits + 63 + 3) +
-         size.tets * (tet_digits + 4 * (2 + point_digits) + 1) + faces * (tet_digits + 5);
+         size.tets * (tet_digits + 4 * (2 + point_digits) + 1) +
+         text.regions * (element_heading.size() + 1) + text.region_names +
+         text.sheets * (surface_heading.size() + 1) + text.sheet_names +
+         text.faces * (tet_digits + 5);
 }
 
 }  // namespace certet::formats

@@ -5,6 +5,7 @@
 #include "names.hpp"
 #include "region_sections.hpp"
 #include "registry.hpp"
+#include "sheet_text.hpp"
 #include "sheets.hpp"
 #include "streamed_writer.hpp"
 
@@ -18,6 +19,8 @@ constexpr std::string_view head =
     "  <Mesh>\n"
     "    <Nodes name=\"points\">\n";
 constexpr std::string_view part_end = "    </Elements>\n";
+/// What is around the name of a part, and of a surface, its end included.
+constexpr std::uint64_t part_frame = 35 + part_end.size(), surface_frame = 23 + 15;
 
 class FebioWriter final : public StreamedWriter {
  public:
@@ -102,10 +105,11 @@ std::unique_ptr<MeshWriter> open_febio(const std::filesystem::path& file, const 
 
 std::uint64_t febio_bytes(const MeshSize& size) {
   const std::uint64_t point_digits = digits_of(size.points), tet_digits = digits_of(size.tets);
-  const std::uint64_t faces = size.survey == nullptr ? 0 : face_count(*size.survey);
+  const SheetText text(survey_of(size), NameRule::xml);
   return 400 + size.points * (point_digits + 60 + 22) +
          size.tets * (tet_digits + 4 * point_digits + 25) +
-         faces * (digits_of(faces) + 3 * point_digits + 24);
+         text.regions * part_frame + text.region_names + text.sheets * surface_frame +
+         text.sheet_names + text.faces * (digits_of(text.faces) + 3 * point_digits + 24);
 }
 
 }  // namespace certet::formats

@@ -6,6 +6,7 @@
 
 #include "certet/checksum.hpp"
 #include "certet/error.hpp"
+#include "gmsh_labels.hpp"
 #include "registry.hpp"
 
 namespace certet {
@@ -22,6 +23,7 @@ struct Entry {
   std::unique_ptr<MeshWriter> (*open)(const fs::path&, const MeshSize&);
   std::uint64_t (*bytes)(const MeshSize&);
   FileMesh (*read)(const fs::path&, const Context&);  ///< null: it is only written
+  std::vector<std::string> (*losses)(const Survey&) = nullptr;  ///< null: it has every label
 };
 
 constexpr Entry registry[] = {
@@ -30,12 +32,15 @@ constexpr Entry registry[] = {
     {Format::medit, "medit", {".mesh"}, true, open_medit, medit_bytes, read_medit},
     {Format::medit_binary, "meditb", {".meshb"}, true, open_medit_binary, medit_binary_bytes,
      read_medit_binary},
-    {Format::gmsh, "msh", {".msh"}, true, open_gmsh, gmsh_bytes, read_gmsh},
-    {Format::gmsh22, "msh22", {}, true, open_gmsh22, gmsh22_bytes, read_gmsh},
+    {Format::gmsh, "msh", {".msh"}, true, open_gmsh, gmsh_bytes, read_gmsh,
+     gmsh_label_losses},
+    {Format::gmsh22, "msh22", {}, true, open_gmsh22, gmsh22_bytes, read_gmsh,
+     gmsh_label_losses},
     {Format::abaqus, "inp", {".inp"}, true, open_abaqus, abaqus_bytes, nullptr},
     {Format::febio, "feb", {".feb"}, true, open_febio, febio_bytes, nullptr},
     {Format::tetgen, "tetgen", {".node", ".ele", ".face"}, true, open_tetgen, tetgen_bytes,
      nullptr},
+    {Format::vtp, "vtp", {".vtp"}, true, open_vtp, vtp_bytes, nullptr},
     {Format::stl, "stl", {".stl"}, true, open_stl, stl_bytes, nullptr},
     {Format::ply, "ply", {".ply"}, true, open_ply, ply_bytes, nullptr},
 };
@@ -97,6 +102,11 @@ std::unique_ptr<MeshWriter> open_writer(const fs::path& file, Format format,
 
 std::uint64_t file_bytes(Format format, const MeshSize& size) {
   return entry_of(format).bytes(size);
+}
+
+std::vector<std::string> label_losses(Format format, const Survey& survey) {
+  const Entry& entry = entry_of(format);
+  return entry.losses == nullptr ? std::vector<std::string>() : entry.losses(survey);
 }
 
 FileMesh read(const fs::path& file, const Context& context) {

@@ -5,6 +5,7 @@
 #include "line.hpp"
 #include "registry.hpp"
 #include "section.hpp"
+#include "sheet_text.hpp"
 #include "streamed_writer.hpp"
 
 namespace certet::formats {
@@ -15,7 +16,7 @@ class Gmsh22Writer final : public StreamedWriter {
   Gmsh22Writer(const std::filesystem::path& file, const MeshSize& size)
       : StreamedWriter(file, size), groups_(survey()), text_(file_, 0) {
     text_.append_text("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
-    text_.append_text(groups_.names_section());
+    text_.append_text(groups_.naming_sections());
     append(Line() << "$Nodes\n" << size.points << '\n');
   }
 
@@ -74,10 +75,13 @@ std::unique_ptr<MeshWriter> open_gmsh22(const std::filesystem::path& file,
 
 std::uint64_t gmsh22_bytes(const MeshSize& size) {
   const std::uint64_t digits = digits_of(size.points);
-  const std::uint64_t faces = size.survey == nullptr ? 0 : face_count(*size.survey);
-  return 200 + size.points * (digits + 60 + 2) +
-         size.tets * (digits_of(size.tets) + 11 + 4 * (digits + 1)) +
-         faces * (digits_of(size.tets) + 9 + 3 * (digits + 1));
+  const Survey& survey = survey_of(size);
+  const SheetText text(survey, NameRule::quoted);
+  const std::uint64_t number = digits_of(size.tets + text.faces);
+  // The number, " 4 2", both tags, the points and the end of the line.
+  return 200 + GmshGroups(survey).naming_sections().size() + size.points * (digits + 60 + 4) +
+         size.tets * (number + 4 + 2 + 4 * (digits + 1) + 1) + 2 * text.label_digits +
+         text.faces * (number + 4 + 2 + 3 * (digits + 1) + 1) + 2 * text.number_digits;
 }
 
 }  // namespace certet::formats

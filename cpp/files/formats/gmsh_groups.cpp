@@ -2,26 +2,26 @@
 
 #include <algorithm>
 
+#include "gmsh_labels.hpp"
 #include "names.hpp"
 
 namespace certet::formats {
 
 GmshGroups::GmshGroups(const Survey& survey) : sheets(survey, NameRule::quoted) {
   const std::vector<std::string> names = names_of(survey.regions, NameRule::quoted);
-  const bool positive = survey.regions.empty() || survey.regions.front().label > 0;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::int32_t label = survey.regions[i].label;
-    regions.push_back({label, positive ? label : static_cast<std::int32_t>(i) + 1, names[i]});
-  }
+  const std::vector<std::int32_t> tags = gmsh_tags(survey.regions);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    regions.push_back({survey.regions[i].label, tags[i], names[i]});
+  label_section = gmsh_label_section(survey.regions);
 }
 
-std::string GmshGroups::names_section() const {
+std::string GmshGroups::naming_sections() const {
   std::string text = "$PhysicalNames\n" + std::to_string(sheets.all().size() + regions.size()) + "\n";
   for (const Sheet& sheet : sheets.all())
     text += "2 " + std::to_string(sheet.number) + " \"" + sheet.name + "\"\n";
   for (const Group& region : regions)
     text += "3 " + std::to_string(region.tag) + " \"" + region.name + "\"\n";
-  return text + "$EndPhysicalNames\n";
+  return text + "$EndPhysicalNames\n" + label_section;
 }
 
 std::int32_t GmshGroups::tag_of(std::int32_t label) const {

@@ -14,17 +14,18 @@ struct GmshGroups {
   /// `survey` must live as long.
   explicit GmshGroups(const Survey& survey);
 
-  /// The section $PhysicalNames.
-  [[nodiscard]] std::string names_section() const;
+  /// $PhysicalNames, and behind it what `gmsh_label_section` has to say.
+  [[nodiscard]] std::string naming_sections() const;
   [[nodiscard]] std::int32_t tag_of(std::int32_t label) const;
 
   struct Group {
     std::int32_t label;
-    std::int32_t tag;  ///< the label if all labels are positive, otherwise its rank
+    std::int32_t tag;  ///< as `gmsh_tags` has it
     std::string name;
   };
   std::vector<Group> regions;  ///< by growing labels
   Sheets sheets;               ///< the number of each is its tag
+  std::string label_section;
 };
 
 }  // namespace certet::formats

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <optional>
+#include <string>
 #include <utility>
 
 #include "certet/survey.hpp"
 #include "cursor.hpp"
 #include "gmsh_elements.hpp"
+#include "gmsh_labels.hpp"
+#include "names.hpp"
 #include "registry.hpp"
 
 namespace certet::formats {
@@ -41,16 +43,15 @@ class GmshReader {
   void read_elements();
   void read_elements_22();
   void read_element_block_22(std::int32_t type, std::uint64_t count, std::uint64_t tags);
-  void take_tet(std::uint64_t tag, std::int32_t label);
+  void read_comments();
+  void take_tet(std::uint64_t tag, std::int32_t group, std::int32_t entity);
   void check_type(std::int32_t type) const;
-  [[nodiscard]] bool is_border(std::int32_t type, std::int32_t group) const {
-    return type == gmsh_triangle && border_group_ == group;
-  }
   std::int32_t read_entity(std::uint64_t coordinates);
 
   void order_points();
   void order_tets();
   void finish_labels();
+  void finish_surfaces();
   [[nodiscard]] std::uint64_t index_of(std::uint64_t tag) const;
 
   /// Numbers as the file has them: in words or in binary.
@@ -82,8 +83,11 @@ class GmshReader {
   bool binary_ = false, version_22_ = false;
   bool has_nodes_ = false, has_elements_ = false;
   std::map<std::int32_t, std::int32_t> group_of_volume_, group_of_surface_;
-  std::optional<std::int32_t> border_group_;  ///< of surfaces
+  std::map<std::int32_t, std::string> surface_names_;  ///< of groups
+  std::map<std::int32_t, std::vector<std::array<std::uint64_t, 3>>> surfaces_;
+  std::map<std::int32_t, std::int32_t> label_of_group_;  ///< where it is not the group's number
   std::vector<std::uint64_t> point_tags_, tet_tags_;
+  std::vector<std::int32_t> entities_;  ///< of the tetrahedra
   FileMesh mesh_;
 };
 
@@ -95,6 +99,7 @@ FileMesh GmshReader::read() {
     if (section.front() != '$' || section.size() > 60)
       file_.fail("it is damaged: " + in_quotes(section) + " is not a section");
     if (section == "$PhysicalNames") read_names();
+    if (section == "$Comments") read_comments();
     if (section == "$Entities" && !version_22_) read_entities();
     if (section == "$Nodes" && !std::exchange(has_nodes_, true))
       version_22_ ? read_nodes_22() : read_nodes();
@@ -105,6 +110,7 @@ FileMesh GmshReader::read() {
   if (!has_nodes_ || !has_elements_) file_.fail("it has no nodes or no elements");
   order_points();
   order_tets();
+  finish_surfaces();
   finish_labels();
   return std::move(mesh_);
 }
@@ -123,7 +129,7 @@ void GmshReader::read_format() {
   cursor_.skip_past("$EndMeshFormat");
 }
 
-/// Always in words; those of volumes are kept, and which surfaces are the border.
+/// Always in words; those of volumes and of surfaces are kept.
 void GmshReader::read_names() {
   const auto count =
       cursor_.checked(cursor_.number<std::uint64_t>("a number"), 6, "physical names");
@@ -135,8 +141,18 @@ void GmshReader::read_names() {
     if (begin == line.npos || end == begin) file_.fail("it has a physical name without quotes");
     const std::string_view name = line.substr(begin + 1, end - begin - 1);
     if (dimension == 3) mesh_.names[tag] = name;
-    if (dimension == 2 && name == patch_names[static_cast<std::size_t>(Patch::border)])
-      border_group_ = tag;
+    if (dimension == 2) surface_names_[tag] = name;
+  }
+}
+
+/// Whatever they are; what this program has to say there is kept.
+void GmshReader::read_comments() {
+  cursor_.line();
+  while (cursor_.remaining() > 0) {
+    const std::uint64_t begin = cursor_.position();
+    const std::string_view line = cursor_.line();
+    if (line.find("$EndComments") != line.npos) return cursor_.go_to(begin);
+    read_gmsh_label(line, label_of_group_);
   }
 }
 
@@ -228,14 +244,15 @@ void GmshReader::read_elements() {
     const std::uint64_t count = checked(size(), words, 8 * words, "elements");
     const auto& groups = type == gmsh_triangle ? group_of_surface_ : group_of_volume_;
     const auto group = groups.find(entity);
-    const std::int32_t label = group == groups.end() ? entity : group->second;
+    const std::int32_t physical = group == groups.end() ? 0 : group->second;
     for (std::uint64_t i = 0; i < count; ++i) {
       const std::uint64_t tag = size();
       if (type == gmsh_tetrahedron) {
-        take_tet(tag, label);
+        take_tet(tag, physical, entity);
         for (std::uint64_t& point : mesh_.tets.back()) point = size();
-      } else if (is_border(type, label)) {
-        for (std::uint64_t& point : mesh_.border.emplace_back()) point = size();
+      } else if (type == gmsh_triangle) {
+        auto& faces = surfaces_[physical != 0 ? physical : entity];
+        for (std::uint64_t& point : faces.emplace_back()) point = size();
       } else {
         for (int c = 0; c < corners; ++c) size();
       }
@@ -272,27 +289,28 @@ void GmshReader::read_element_block_22(std::int32_t type, std::uint64_t count,
       tags = tag_22();
     }
     check_type(type);
-    std::int32_t label = 0;
+    std::array<std::int32_t, 2> groups{};  // the physical one, the elementary one
     checked(tags, 1, 4, "tags");
     for (std::uint64_t t = 0; t < tags; ++t) {
-      // The physical group, or where there is none the elementary one.
       const std::int32_t tag = integer();
-      if (t < 2 && label == 0) label = tag;
+      if (t < groups.size()) groups[t] = tag;
     }
-    const bool border = is_border(type, label);
-    if (type == gmsh_tetrahedron) take_tet(number, label);
-    if (border) mesh_.border.emplace_back();
+    if (type == gmsh_tetrahedron) take_tet(number, groups[0], groups[1]);
+    std::array<std::uint64_t, 3>* const face =
+        type == gmsh_triangle
+            ? &surfaces_[groups[0] != 0 ? groups[0] : groups[1]].emplace_back() : nullptr;
     for (int c = 0; c < corners_of[static_cast<std::size_t>(type)]; ++c) {
       const std::uint64_t point = tag_22();
       if (type == gmsh_tetrahedron) mesh_.tets.back()[static_cast<std::size_t>(c)] = point;
-      if (border) mesh_.border.back()[static_cast<std::size_t>(c)] = point;
+      if (face != nullptr) (*face)[static_cast<std::size_t>(c)] = point;
     }
   }
 }
 
-void GmshReader::take_tet(std::uint64_t tag, std::int32_t label) {
+void GmshReader::take_tet(std::uint64_t tag, std::int32_t group, std::int32_t entity) {
   mesh_.tets.emplace_back();
-  mesh_.labels.push_back(label);
+  mesh_.labels.push_back(group);
+  entities_.push_back(entity);
   tet_tags_.push_back(tag);
 }
 
@@ -337,16 +355,40 @@ void GmshReader::order_tets() {
     const std::vector<std::uint64_t> order = order_of(tet_tags_);
     reorder(mesh_.tets, order);
     reorder(mesh_.labels, order);
+    reorder(entities_, order);
   }
   for (Tet<std::uint64_t>& tet : mesh_.tets)
     for (std::uint64_t& point : tet) point = index_of(point);
-  for (auto& face : mesh_.border)
-    for (std::uint64_t& point : face) point = index_of(point);
 }
 
+void GmshReader::finish_surfaces() {
+  for (auto& [group, faces] : surfaces_) {
+    for (auto& face : faces)
+      for (std::uint64_t& point : face) point = index_of(point);
+    const auto name = surface_names_.find(group);
+    FileSurface surface{group, name == surface_names_.end() ? "" : name->second, std::move(faces)};
+    if (surface.name == patch_names[static_cast<std::size_t>(Patch::border)])
+      mesh_.border = surface.faces;
+    mesh_.surfaces.push_back(std::move(surface));
+  }
+}
+
+/// Labels are the physical groups, of which 0 is none; where no tetrahedron has one, the
+/// entities, whose numbers would else be mistaken for those of groups.
 void GmshReader::finish_labels() {
-  if (std::ranges::all_of(mesh_.labels, [](std::int32_t label) { return label == 0; }))
-    mesh_.labels = {};
+  const auto is_none = [](std::int32_t label) { return label == 0; };
+  if (std::ranges::all_of(mesh_.labels, is_none)) mesh_.labels = std::move(entities_);
+  if (std::ranges::all_of(mesh_.labels, is_none)) mesh_.labels = {};
+  LabelNames names;
+  const auto label_of = [&](std::int32_t group) {
+    const auto found = label_of_group_.find(group);
+    return found == label_of_group_.end() ? group : found->second;
+  };
+  for (std::int32_t& label : mesh_.labels) label = label_of(label);
+  for (auto& [group, name] : mesh_.names)
+    if (const std::int32_t label = label_of(group); name != default_name(label))
+      names.emplace(label, std::move(name));
+  mesh_.names = std::move(names);
 }
 
 }  // namespace

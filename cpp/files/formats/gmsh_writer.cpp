@@ -56,7 +56,7 @@ void add_entities(Bytes& bytes, const GmshGroups& groups, const Bounds& box) {
 Bytes header_of(const GmshGroups& groups, const Bounds& box) {
   Bytes bytes;
   bytes.text("$MeshFormat\n4.1 1 8\n").add(Int{1}).text("\n$EndMeshFormat\n");
-  bytes.text(groups.names_section());
+  bytes.text(groups.naming_sections());
   add_entities(bytes, groups, box);
   return bytes;
 }
@@ -177,8 +177,7 @@ std::unique_ptr<MeshWriter> open_gmsh(const std::filesystem::path& file, const M
 }
 
 std::uint64_t gmsh_bytes(const MeshSize& size) {
-  static const Survey nothing;
-  const Survey& survey = size.survey == nullptr ? nothing : *size.survey;
+  const Survey& survey = survey_of(size);
   const GmshGroups groups(survey);
   const std::uint64_t faces = face_count(survey);
   const std::uint64_t blocks = groups.regions.size() + groups.sheets.all().size();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <concepts>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -18,8 +19,8 @@ struct Padded {
   std::size_t width;
 };
 
-/// How many digits a number has.
-inline std::size_t digits_of(std::uint64_t number) { return std::to_string(number).size(); }
+/// How many characters a whole number has.
+inline std::size_t digits_of(std::integral auto number) { return std::to_string(number).size(); }
 
 /// One line, or a few short ones.  Numbers are in the shortest form that reads
 /// back the same.  Holds up to 8 numbers and the few words around them.

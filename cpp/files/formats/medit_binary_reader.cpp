@@ -69,7 +69,7 @@ FileMesh MeditBinaryReader::read() {
     cursor_.go_to(next);
   }
   if (!has_points_ || !has_tets_) file_.fail("it has no vertices or no tetrahedra");
-  mesh_.border = patches_.take(mesh_);
+  patches_.give(mesh_);
   return std::move(mesh_);
 }
 
@@ -112,13 +112,10 @@ void MeditBinaryReader::read_tets() {
   const std::uint64_t tets = cursor_.checked(place(), 5 * index_bytes(), "tetrahedra");
   mesh_.tets.resize(tets);
   mesh_.labels.resize(tets);
-  bool labelled = false;
   for (std::uint64_t i = 0; i < tets; ++i) {
     for (std::uint64_t& point : mesh_.tets[i]) point = vertex();
     mesh_.labels[i] = reference();
-    labelled = labelled || mesh_.labels[i] != 0;
   }
-  if (!labelled) mesh_.labels = {};
 }
 
 std::int32_t MeditBinaryReader::reference() {

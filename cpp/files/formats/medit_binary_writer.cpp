@@ -1,9 +1,9 @@
 #include <limits>
 
 #include "medit_binary.hpp"
-#include "sheets.hpp"
 #include "registry.hpp"
 #include "section.hpp"
+#include "sheets.hpp"
 #include "streamed_writer.hpp"
 
 namespace certet::formats {
@@ -14,7 +14,7 @@ using namespace medit_binary;
 /// The widths of numbers, and where every block begins.
 struct Layout {
   explicit Layout(const MeshSize& size) {
-    const std::uint64_t faces = size.survey == nullptr ? 0 : face_count(*size.survey);
+    const std::uint64_t faces = face_count(survey_of(size));
     constexpr std::uint64_t limit = std::numeric_limits<std::int32_t>::max();
     const bool many = std::max({size.points, size.tets, faces}) > limit;
     version = many ? 4 : 2;

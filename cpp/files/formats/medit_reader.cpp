@@ -42,7 +42,7 @@ class MeditReader {
     }
     if (!has_points || !has_tets) file_.fail("it has no vertices or no tetrahedra");
     if (!words_.word().empty()) file_.fail("it goes on behind its end");
-    mesh_.border = patches_.take(mesh_);
+    patches_.give(mesh_);
     return std::move(mesh_);
   }
 
@@ -112,13 +112,10 @@ void MeditReader::read_tets() {
   const std::uint64_t tets = count(std::string_view("1 1 1 1 0\n").size());
   mesh_.tets.resize(tets);
   mesh_.labels.resize(tets);
-  bool labelled = false;
   for (std::uint64_t i = 0; i < tets; ++i) {
     for (std::uint64_t& index : mesh_.tets[i]) index = vertex();
     mesh_.labels[i] = words_.number<std::int32_t>("a reference");
-    labelled = labelled || mesh_.labels[i] != 0;
   }
-  if (!labelled) mesh_.labels = {};
 }
 
 void MeditReader::refuse(std::string_view word) const {

@@ -3,6 +3,7 @@
 #include "line.hpp"
 #include "registry.hpp"
 #include "section.hpp"
+#include "sheet_text.hpp"
 #include "sheets.hpp"
 #include "streamed_writer.hpp"
 
@@ -66,10 +67,10 @@ std::uint64_t medit_bytes(const MeshSize& size) {
   // Most doubles need 17 digits, a sign or exponent now and then, and a point.
   constexpr std::uint64_t point_line = 3 * 20 + 2;
   const std::uint64_t digits = digits_of(size.points);
-  const std::uint64_t tet_line = 4 * (digits + 1) + (size.labels ? 5 : 2);
-  const std::uint64_t face_line = 3 * (digits + 1) + 2;
-  const std::uint64_t faces = size.survey == nullptr ? 0 : face_count(*size.survey);
-  return 100 + size.points * point_line + size.tets * tet_line + faces * face_line;
+  const std::uint64_t tet_line = 4 * (digits + 1) + 1, face_line = 3 * (digits + 1) + 1;
+  const SheetText text(survey_of(size), NameRule::quoted);
+  return 100 + size.points * point_line + size.tets * tet_line + text.label_digits +
+         text.faces * face_line + text.number_digits;
 }
 
 }  // namespace certet::formats

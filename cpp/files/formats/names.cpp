@@ -78,18 +78,17 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-std::string default_name(const Region& region) {
-  return (region.label < 0 ? "region_minus_" : "region_") +
-         std::to_string(std::abs(std::int64_t{region.label}));
-}
-
 }  // namespace
+
+std::string default_name(std::int32_t label) {
+  return (label < 0 ? "region_minus_" : "region_") + std::to_string(std::abs(std::int64_t{label}));
+}
 
 std::vector<std::string> names_of(const std::vector<Region>& regions, NameRule rule) {
   std::vector<std::string> names;
   std::set<std::string> taken;
   for (const Region& region : regions) {
-    const std::string wish = region.name.empty() ? default_name(region) : region.name;
+    const std::string wish = region.name.empty() ? default_name(region.label) : region.name;
     const std::string fit = rule == NameRule::identifier ? as_identifier(wish) : as_text(wish);
     std::string name = fit;
     shorten(name, longest(rule));
@@ -109,7 +108,7 @@ std::vector<std::string> names_of(const std::vector<Region>& regions, NameRule r
 std::vector<std::string> names_of_interfaces(const Survey& survey, NameRule rule) {
   const auto name_of = [&](std::int32_t label) {
     const auto region = std::ranges::find(survey.regions, label, &Region::label);
-    return region == survey.regions.end() || region->name.empty() ? default_name({label, {}, 0})
+    return region == survey.regions.end() || region->name.empty() ? default_name(label)
                                                                   : region->name;
   };
   std::vector<Region> pairs;

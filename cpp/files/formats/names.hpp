@@ -17,8 +17,11 @@ enum class NameRule {
   xml,         ///< valid XML text, to stand in an attribute: FEBio
 };
 
+/// Of a region that has none: region_5, region_minus_5.
+std::string default_name(std::int32_t label);
+
 /// A name for each region, all different, even where case does not matter; those
-/// that have none are called region_<label>.
+/// that have none have their `default_name`.
 std::vector<std::string> names_of(const std::vector<Region>& regions, NameRule rule);
 
 /// A name for each interface: those of its two regions, with a hyphen between them or, in an

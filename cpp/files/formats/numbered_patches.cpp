@@ -29,16 +29,21 @@ bool are_interfaces(const FileMesh& mesh, std::vector<std::array<std::uint64_t, 
 }  // namespace
 
 void NumberedPatches::add(const std::array<std::uint64_t, 3>& face, std::int64_t number) {
-  are_ours_ = are_ours_ && number >= 1;
-  if (number == Sheets::number_of(Patch::border)) border_.push_back(face);
-  if (number < Sheets::first_interface) return;
-  inner_.push_back(face);
-  std::ranges::sort(inner_.back());
+  faces_[number].push_back(face);
 }
 
-std::vector<std::array<std::uint64_t, 3>> NumberedPatches::take(const FileMesh& mesh) {
-  if (!are_ours_ || border_.empty() || !are_interfaces(mesh, std::move(inner_))) return {};
-  return std::move(border_);
+void NumberedPatches::give(FileMesh& mesh) {
+  const auto border = faces_.find(Sheets::number_of(Patch::border));
+  if (border != faces_.end() && faces_.begin()->first >= 1) {
+    Faces inner;
+    for (auto sheet = faces_.lower_bound(Sheets::first_interface); sheet != faces_.end(); ++sheet)
+      for (std::array<std::uint64_t, 3> face : sheet->second) {
+        std::ranges::sort(face);
+        inner.push_back(face);
+      }
+    if (are_interfaces(mesh, std::move(inner))) mesh.border = border->second;
+  }
+  for (auto& [number, faces] : faces_) mesh.surfaces.push_back({number, {}, std::move(faces)});
 }
 
 }  // namespace certet::formats

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "certet/formats.hpp"
@@ -17,13 +18,12 @@ class NumberedPatches {
  public:
   void add(const std::array<std::uint64_t, 3>& face, std::int64_t number);
 
-  /// The faces of `border` of the mesh, all of which has been read.
-  std::vector<std::array<std::uint64_t, 3>> take(const FileMesh& mesh);
+  /// Gives the mesh, all of which has been read, its surfaces and the faces of `border`.
+  void give(FileMesh& mesh);
 
  private:
   using Faces = std::vector<std::array<std::uint64_t, 3>>;
-  bool are_ours_ = true;
-  Faces border_, inner_;
+  std::map<std::int64_t, Faces> faces_;
 };
 
 }  // namespace certet::formats

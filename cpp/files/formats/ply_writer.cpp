@@ -37,7 +37,9 @@ class PlyWriter final : public SurfaceWriter {
   [[nodiscard]] std::string heading() const {
     const bool little = std::endian::native == std::endian::little;
     return std::string("ply\nformat binary_") + (little ? "little" : "big") +
-           "_endian 1.0\ncomment certet\nelement vertex " + std::to_string(kept().size()) +
+           "_endian 1.0\ncomment certet\n" +
+           (size_.space.empty() ? "" : "comment SPACE=" + size_.space + "\n") + "element vertex " +
+           std::to_string(kept().size()) +
            "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
            std::to_string(survey().boundary.size()) +
            "\nproperty list uchar int vertex_indices\nend_header\n";
@@ -52,7 +54,7 @@ std::unique_ptr<MeshWriter> open_ply(const std::filesystem::path& file, const Me
 
 std::uint64_t ply_bytes(const MeshSize& size) {
   // A closed surface has about half as many points as triangles.
-  const std::uint64_t faces = size.survey == nullptr ? 0 : size.survey->boundary.size();
+  const std::uint64_t faces = survey_of(size).boundary.size();
   return 200 + 13 * faces + faces / 2 * sizeof(Point3);
 }
 

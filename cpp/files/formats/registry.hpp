@@ -10,6 +10,12 @@
 
 namespace certet::formats {
 
+/// The survey of a mesh, or one of nothing where it has none.
+inline const Survey& survey_of(const MeshSize& size) {
+  static const Survey nothing;
+  return size.survey == nullptr ? nothing : *size.survey;
+}
+
 std::unique_ptr<MeshWriter> open_vtu(const std::filesystem::path& file, const MeshSize& size);
 std::uint64_t vtu_bytes(const MeshSize& size);
 FileMesh read_vtu(const std::filesystem::path& file, const Context& context);
@@ -46,6 +52,9 @@ std::uint64_t tetgen_bytes(const MeshSize& size);
 
 std::unique_ptr<MeshWriter> open_stl(const std::filesystem::path& file, const MeshSize& size);
 std::uint64_t stl_bytes(const MeshSize& size);
+
+std::unique_ptr<MeshWriter> open_vtp(const std::filesystem::path& file, const MeshSize& size);
+std::uint64_t vtp_bytes(const MeshSize& size);
 
 std::unique_ptr<MeshWriter> open_ply(const std::filesystem::path& file, const MeshSize& size);
 std::uint64_t ply_bytes(const MeshSize& size);

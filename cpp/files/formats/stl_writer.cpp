@@ -26,7 +26,9 @@ class StlWriter final : public SurfaceWriter {
   void close() override {
     Section out(file_, 0);
     std::array<char, 80> heading{};
-    std::ranges::copy(std::string_view("certet"), heading.begin());
+    const std::string text = "certet" + (size_.space.empty() ? "" : " SPACE=" + size_.space);
+    std::ranges::copy_n(text.begin(), static_cast<std::ptrdiff_t>(std::min(text.size(), heading.size())),
+                        heading.begin());
     out.append_all(std::span<const char>(heading));
     const auto count = static_cast<std::uint32_t>(survey().boundary.size());
     out.append_all(std::span(&count, 1));
@@ -57,7 +59,7 @@ std::unique_ptr<MeshWriter> open_stl(const std::filesystem::path& file, const Me
 }
 
 std::uint64_t stl_bytes(const MeshSize& size) {
-  return 84 + 50 * (size.survey == nullptr ? 0 : size.survey->boundary.size());
+  return 84 + 50 * survey_of(size).boundary.size();
 }
 
 }  // namespace certet::formats

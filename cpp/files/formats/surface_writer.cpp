@@ -2,16 +2,22 @@
 
 namespace certet::formats {
 
-SurfaceWriter::SurfaceWriter(const std::filesystem::path& file, const MeshSize& size)
+SurfaceWriter::SurfaceWriter(const std::filesystem::path& file, const MeshSize& size,
+                             bool interfaces)
     : StreamedWriter(file, size) {
-  numbers_.reserve(3 * survey().boundary.size());
-  for (const BoundaryFace& face : survey().boundary)
-    numbers_.insert(numbers_.end(), face.points.begin(), face.points.end());
+  const auto add = [this](const std::vector<BoundaryFace>& faces) {
+    for (const BoundaryFace& face : faces)
+      numbers_.insert(numbers_.end(), face.points.begin(), face.points.end());
+  };
+  numbers_.reserve(3 * (interfaces ? face_count(survey()) : survey().boundary.size()));
+  add(survey().boundary);
+  if (interfaces)
+    for (const Interface& interface : survey().interfaces) add(interface.faces);
   std::ranges::sort(numbers_);
   numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
   numbers_.shrink_to_fit();
   if (!numbers_.empty() && numbers_.back() >= size.points)
-    file_.fail("a face of its boundary names a point that is not there");
+    file_.fail("a face of its surfaces names a point that is not there");
   kept_.reserve(numbers_.size());
 }
 

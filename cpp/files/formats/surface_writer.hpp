@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the formats for the boundary alone have in common.
+/// What the formats for surfaces alone have in common.
 
 #include <vector>
 
@@ -8,12 +8,13 @@
 
 namespace certet::formats {
 
-/// Keeps the points of the boundary, numbered anew in their old order.
+/// Keeps the points of the boundary, and of the interfaces where they are wanted, numbered
+/// anew in their old order.
 class SurfaceWriter : public StreamedWriter {
  protected:
-  SurfaceWriter(const std::filesystem::path& file, const MeshSize& size);
+  SurfaceWriter(const std::filesystem::path& file, const MeshSize& size, bool interfaces = false);
 
-  /// Those that the boundary has.
+  /// Those that the faces have.
   [[nodiscard]] const std::vector<Point3>& kept() const { return kept_; }
   /// The number of a point among those.
   [[nodiscard]] std::size_t rank(std::uint64_t point) const;

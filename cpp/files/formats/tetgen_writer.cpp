@@ -4,6 +4,7 @@
 #include "line.hpp"
 #include "registry.hpp"
 #include "section.hpp"
+#include "sheet_text.hpp"
 #include "sheets.hpp"
 #include "streamed_writer.hpp"
 
@@ -76,10 +77,10 @@ std::unique_ptr<MeshWriter> open_tetgen(const std::filesystem::path& file,
 
 std::uint64_t tetgen_bytes(const MeshSize& size) {
   const std::uint64_t digits = digits_of(size.points), tet_digits = digits_of(size.tets);
-  const std::uint64_t faces = size.survey == nullptr ? 0 : face_count(*size.survey);
-  return 100 + size.points * (digits + 60 + 1) +
-         size.tets * (tet_digits + 4 * (digits + 1) + 4) +
-         faces * (digits_of(faces) + 3 * (digits + 1) + 3);
+  const SheetText text(survey_of(size), NameRule::quoted);
+  return 100 + size.points * (digits + 60 + 4) +
+         size.tets * (tet_digits + 4 * (digits + 1) + 2) + text.label_digits +
+         text.faces * (digits_of(text.faces) + 3 * (digits + 1) + 2) + text.number_digits;
 }
 
 }  // namespace certet::formats

@@ -124,7 +124,16 @@ class HeaderReader {
   bool has_piece_ = false;
 };
 
+/// What this program's comment before the first tag says.
+std::string space_in(std::string_view text) {
+  const std::string_view before = text.substr(0, text.find("<VTKFile"));
+  for (const char* space : {"LPS", "RAS"})
+    if (before.find(std::string("<!-- SPACE=") + space + " -->") != before.npos) return space;
+  return {};
+}
+
 VtuHeader HeaderReader::read() {
+  header_.space = space_in(text_);
   Tag tag = tags_.next();
   if (tag.name != "VTKFile") file_.fail("it is not a VTK XML file");
   take_file(tag);

@@ -26,6 +26,7 @@ struct VtuHeader {
   bool wide_sizes = false;  ///< UInt64, not UInt32
   bool compressed = false;  ///< by vtkZLibDataCompressor
   bool appended = false;    ///< whether there are data behind the XML
+  std::string space;        ///< as `MeshSize` has it
   /// By the tag they stand in and their name: "Cells/connectivity".
   std::map<std::string, VtuArrayEntry> arrays;
 };

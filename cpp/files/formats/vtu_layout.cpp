@@ -23,6 +23,7 @@ std::string data_array(std::string_view name, const VtuArray& array,
 
 std::string vtu_header_of(const VtuLayout& layout, const MeshSize& size, bool compressed) {
   std::string header = "<?xml version=\"1.0\"?>\n";
+  if (!size.space.empty()) header += "<!-- SPACE=" + size.space + " -->\n";
   header.append("<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"")
       .append(vtu_byte_order)
       .append("\" header_type=\"UInt64\"")

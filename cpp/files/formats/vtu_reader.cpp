@@ -216,6 +216,7 @@ void VtuReader::read_labels(FileMesh& mesh, const std::vector<std::uint8_t>& typ
 
 FileMesh VtuReader::read() {
   FileMesh mesh;
+  mesh.space = header_.space;
   read_points(mesh);
   read_cells(mesh);
   return mesh;

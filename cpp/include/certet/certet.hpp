@@ -20,6 +20,8 @@
 ///     check(mesh)               verifies a Mesh or FileMesh anew
 ///     quality(mesh)             its dihedral angles and volume
 ///     count_pieces(mesh, context)   its pieces, and where its surface is no manifold
+///     examine(points, tets, labels, context)   all that, and each region and interface
+///     find_losses(shape, mesh, context)   what it has not kept of its shape, and a size that does
 ///
 /// Each takes a `Context` too, which has the number of threads, stops a run and tells of
 /// its progress.  Coordinates are the world's, in the units of the input, but for
@@ -32,9 +34,11 @@
 #include "certet/context.hpp"
 #include "certet/count_pieces.hpp"
 #include "certet/error.hpp"
+#include "certet/examine.hpp"
 #include "certet/formats.hpp"
 #include "certet/formula.hpp"
 #include "certet/image.hpp"
+#include "certet/kept.hpp"
 #include "certet/label_names.hpp"
 #include "certet/materials_domain.hpp"
 #include "certet/mesh.hpp"

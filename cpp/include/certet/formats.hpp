@@ -28,14 +28,15 @@ enum class Format {
   abaqus,        ///< Abaqus input: nodes, elements and sets (.inp)
   febio,         ///< FEBio 4.0: the mesh alone (.feb)
   tetgen,        ///< three files: .node, .ele and .face
-  stl,           ///< the boundary alone, binary (.stl)
-  ply,           ///< the boundary alone, binary (.ply)
+  vtp,           ///< VTK XML surfaces: the boundary and all interfaces, raw (.vtp)
+  stl,           ///< the boundary or a chosen surface alone, binary (.stl)
+  ply,           ///< the same, binary (.ply)
 };
 
 /// The format that a file name's extension stands for.
 std::optional<Format> format_of(const std::filesystem::path& file);
 /// The format of a name: vtu, vtu-zlib, medit, meditb, msh, msh22, inp, feb,
-/// tetgen, stl, ply.
+/// tetgen, vtp, stl, ply.
 std::optional<Format> format_named(std::string_view name);
 std::string_view name(Format format);
 /// All names, for sentences.
@@ -58,6 +59,9 @@ struct MeshSize {
   bool labels = false;  ///< whether tetrahedra have labels
   /// Where the format needs it; it must be the survey of the mesh that follows.
   std::shared_ptr<const Survey> survey = nullptr;
+  /// Which way the axes go in a patient, LPS or RAS, where that is known: .vtu, .stl and .ply
+  /// have it as a comment, SPACE=LPS, as 3D Slicer looks for it.
+  std::string space = {};
 };
 
 /// Writes a mesh piece by piece, so that it never needs to be in memory whole:
@@ -91,16 +95,61 @@ std::unique_ptr<MeshWriter> open_writer(const std::filesystem::path& file, Forma
 /// The exact size in bytes for binary formats, an estimate for others.
 std::uint64_t file_bytes(Format format, const MeshSize& size);
 
+/// What a format cannot hold of a mesh's labels and what became of it, a sentence each.
+/// Gmsh's groups have positive numbers: all other labels have the next that are free there, and
+/// a comment by which `read` gives them back.
+std::vector<std::string> label_losses(Format format, const Survey& survey);
+
+/// Triangles that a file holds together, under a number and, where the format has them, a name.
+struct FileSurface {
+  std::int64_t number = 0;
+  std::string name = {};
+  std::vector<std::array<std::uint64_t, 3>> faces = {};  ///< as the file turns them
+};
+
 /// A mesh as a file holds it.
 struct FileMesh {
   std::vector<Point3> points;
   std::vector<Tet<std::uint64_t>> tets;
-  std::vector<std::int32_t> labels;  ///< empty, or one for each tetrahedron; zeros
-                                     ///< alone are none in formats that must have some
+  std::vector<std::int32_t> labels;  ///< empty, or one for each tetrahedron
   LabelNames names;                  ///< where the format has them
+  std::string space = {};            ///< as `MeshSize` has it; where .vtu tells
   /// The points of faces of the patch `border`, in any order; where the format has them.
   std::vector<std::array<std::uint64_t, 3>> border;
+  /// All triangles of .mesh, .meshb and .msh files, by growing numbers: the patches, the
+  /// interfaces, or whatever the writer meant by them.
+  std::vector<FileSurface> surfaces = {};
 };
+
+/// The regions, the boundary and the interfaces of what a file held, found anew, with the names
+/// and the border that it told.
+/// \throws Error `cancelled`.
+Survey survey(const FileMesh& mesh, Context& context);
+
+/// How the triangles that a file holds compare with what its tetrahedra say.
+struct SurfaceReport {
+  std::int64_t number = 0;
+  std::string name;
+  std::uint64_t triangles = 0;
+  std::uint64_t outer = 0;      ///< on the boundary
+  std::uint64_t between = 0;    ///< between two labels
+  std::uint64_t elsewhere = 0;  ///< neither; within one label, or no face of the mesh
+  /// The interface that it is, by its name or number: then `missing` triangles of that are not
+  /// in it, and `wrong` ones in it lie elsewhere.
+  std::optional<std::array<std::int32_t, 2>> interface = std::nullopt;
+  std::uint64_t missing = 0, wrong = 0;
+};
+
+/// What `compare_surfaces` found.
+struct SurfaceComparison {
+  std::vector<SurfaceReport> surfaces;  ///< as the file has them
+  std::vector<std::string> failures;    ///< one sentence for each broken one
+};
+
+/// Compares them.  A surface is taken for an interface where it has the name that our writers
+/// would give it or, in a file without names, the number, and most triangles agree; other
+/// programs' surfaces may be anything, and are told of alone.  `found` is the survey of the mesh.
+SurfaceComparison compare_surfaces(const FileMesh& mesh, const Survey& found);
 
 /// Reads .vtu, .mesh, .meshb and .msh files, by their extension.  Looks at
 /// everything but whether the indices are those of points: that is the task of
@@ -115,15 +164,18 @@ FileMesh read(const std::filesystem::path& file, const Context& context = {});
 /// `open_writer` and `MeshWriter`, and where the doubles of the world cannot hold the
 /// mesh), `check_failed` (angles beyond the bounds of the mesh's method: a bug),
 /// `too_large`, `cancelled`.
-void write(const Mesh& mesh, const std::filesystem::path& file, Format format, Context& context);
-void write(const Mesh& mesh, const std::filesystem::path& file, Context& context);
-void write(const Mesh& mesh, const std::filesystem::path& file);
+/// \returns the `label_losses`.
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file, Format format,
+                               Context& context);
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file,
+                               Context& context);
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file);
 
 /// The same of what a file held, as it is: its angles are not checked.
 /// \throws Error `bad_input` besides, for tetrahedra that name points which are not there.
-void write(const FileMesh& mesh, const std::filesystem::path& file, Format format,
-           Context& context);
-void write(const FileMesh& mesh, const std::filesystem::path& file);
+std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path& file,
+                               Format format, Context& context);
+std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path& file);
 
 /// Verifies what a file held, as `check` of points and tetrahedra does.
 CheckReport check(const FileMesh& mesh, Context& context);
@@ -137,6 +189,13 @@ Quality quality(const FileMesh& mesh);
 /// long, the end that is nearer to 0 comes to 0.  \returns where the new 0 is in the old
 /// coordinates.
 Point3 move_to_zero(FileMesh& mesh);
+
+/// Multiplies all coordinates, from one unit of length to another.
+/// \throws Error `bad_option` for what is no positive number, `bad_input` where coordinates
+/// become infinite.
+void scale(FileMesh& mesh, double factor);
+/// The same of the frame of a mesh, whose points are whole numbers of steps.
+void scale(Mesh& mesh, double factor);
 
 /// A hash of the points, bit by bit, and the tetrahedra, but not of labels: the
 /// same for all files of one mesh, whatever their format.

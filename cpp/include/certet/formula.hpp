@@ -2,7 +2,9 @@
 /// \file
 /// Domains given by a formula.
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -16,6 +18,13 @@ namespace certet {
 /// Whether formulas were built in.
 bool can_read_formulas();
 
+/// The formula that a file holds, on lines as one likes; # begins a comment.
+/// \throws Error `bad_input` with one sentence that names the file.
+std::string read_formula(const std::filesystem::path& file);
+
+/// A formula as a sentence quotes it: of one longer than 200 bytes, the part around one of them.
+std::string shortened_formula(const std::string& formula, std::size_t around = 0);
+
 /// Where a formula in x, y, z (world coordinates) is negative, within bounds.
 /// Beyond the bounds all is outside, which closes the solid there; where the
 /// formula gives NaN is outside too.
@@ -27,6 +36,10 @@ bool can_read_formulas();
 /// asinh acosh atanh floor ceil round trunc rint not; atan2(y,x) pow(a,b) fmod(a,b);
 /// clamp(v,low,high) mix(a,b,t) if(c,a,b); pi and e.  A smooth union of a and b,
 /// rounded over about 1/k: -log(exp(-k*a)+exp(-k*b))/k.
+///
+/// Before it there may be definitions, each ending with a semicolon, of names that what
+/// follows uses: r = hypot(x,y); max(r - 1, abs(z) - 2).  Each of them, and the formula, has at
+/// most 20,000 bytes.
 ///
 /// Points are computed in batches, and blocks of the lattice that interval
 /// arithmetic proves to lie on one side are not computed at all.

@@ -20,6 +20,7 @@
 #include "certet/context.hpp"
 #include "certet/placed_domain.hpp"
 #include "certet/labels.hpp"
+#include "certet/pieces.hpp"
 
 namespace certet {
 
@@ -176,6 +177,10 @@ struct RegionVolume {
 /// Solids of an image whose labels meet in smooth surfaces.
 class InterfaceDomain : public PlacedDomain {
  public:
+  /// Whether the lattice has a point at the centre of every voxel, so that no label is lost,
+  /// and no piece of one.
+  [[nodiscard]] virtual bool keeps_voxels() const = 0;
+
   /// Of the chosen labels, ascending, counted at 64 points of every cell between voxel
   /// centres.  \throws Error `cancelled`.
   [[nodiscard]] virtual std::vector<RegionVolume> volumes(const Context& context = {}) const = 0;
@@ -188,6 +193,16 @@ struct InterfaceSmoothing {
   std::optional<double> sigma = {};
 };
 
+/// The fields of an image's labels, which `interface_domain` says more of.  They are the same
+/// for every lattice.
+class LabelFields;
+
+/// \throws Error as `interface_domain`, but for what the lattice is refused for.
+std::shared_ptr<const LabelFields> label_fields(std::shared_ptr<const Image> image,
+                                                std::vector<LabelRange> labels,
+                                                const InterfaceSmoothing& smoothing = {},
+                                                const Context& context = {});
+
 /// Every chosen label is a material, and regions meet where smoothed labels are equally
 /// strong: each label has a field u, its share of the voxels around a voxel's centre,
 /// weighted by (1 4 6 4 1)/16 along every axis, and trilinear in between; beyond the image
@@ -199,7 +214,8 @@ struct InterfaceSmoothing {
 ///     their label;
 ///   - a constant is added to each label's field by which its region has about the volume of
 ///     its voxels;
-///   - the field of a voxel's own label is raised at its centre where it is not the greatest.
+///   - the field of a voxel's own label is raised at its centre where it is not the greatest
+///     by a 64th or, near voxels that lie in no such block, by a quarter.
 ///
 /// Where the size is the spacing, or a whole fraction of it, along every axis, even points
 /// of the lattice lie at voxel centres.  Each of those has its voxel's label, and between
@@ -225,6 +241,10 @@ std::unique_ptr<InterfaceDomain> interface_domain(std::shared_ptr<const Image> i
                                                  const ImageLattice& lattice,
                                                  const InterfaceSmoothing& smoothing = {},
                                                  const Context& context = {});
+
+/// The same of fields that there are already.
+std::unique_ptr<InterfaceDomain> interface_domain(std::shared_ptr<const LabelFields> fields,
+                                                 const ImageLattice& lattice);
 
 /// One label in an image, and what a lattice finds of it.  A piece is what hangs
 /// together: voxels by their faces, or by faces, edges and corners; points of the
@@ -253,6 +273,13 @@ std::vector<ImageRegion> regions_of_labels(const Image& image, std::vector<Label
 /// One region: the voxels above the level.
 std::vector<ImageRegion> regions_of_level(const Image& image, double level);
 
+/// World units cubed, of all chosen voxels.
+double volume_of_labels(const Image& image, const std::vector<LabelRange>& labels);
+/// The pieces above a level, between voxels too: those of the voxels by corners and by faces,
+/// since every point above the level is joined to a voxel that is, and neighbours by their
+/// face are joined.  \throws Error `cancelled`.
+PieceBounds pieces_above(const Image& image, double level, const Context& context = {});
+
 /// Counts pieces and points.  Where the domain is one of labels and its size is at
 /// most the smallest spacing, nothing can be lost: every voxel has a point of the
 /// even lattice, those of voxels that share a face hang together, and an edge is
@@ -276,6 +303,12 @@ inline std::unique_ptr<PlacedDomain> label_domain(Image image,
 inline std::unique_ptr<PlacedDomain> level_domain(Image image, double level,
                                                  const ImageLattice& lattice = {}) {
   return level_domain(std::make_shared<const Image>(std::move(image)), level, lattice);
+}
+inline std::unique_ptr<InterfaceDomain> interface_domain(
+    Image image, std::vector<LabelRange> labels = {}, const ImageLattice& lattice = {},
+    const InterfaceSmoothing& smoothing = {}, const Context& context = {}) {
+  return interface_domain(std::make_shared<const Image>(std::move(image)), std::move(labels),
+                          lattice, smoothing, context);
 }
 
 }  // namespace certet

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "certet/check.hpp"
+#include "certet/examine.hpp"
 #include "certet/formats.hpp"
 #include "certet/quality.hpp"
 
@@ -41,6 +42,8 @@ struct Page {
 /// planes as make a page of some 15 MB at most.
 /// \throws std::bad_alloc
 Page make_page(const FileMesh& mesh, const PageFacts& facts);
+/// Of a mesh that was examined.
+Page make_page(const FileMesh& mesh, const PageFacts& facts, Examination found);
 
 /// Whether the view was built in; without it a page has tables and histograms.
 bool can_view_pages();

@@ -14,7 +14,7 @@ namespace certet {
 enum class PictureView {
   both,     ///< the surface on the left, the cut mesh on the right
   surface,  ///< the mesh from outside
-  cut,      ///< without the tetrahedra on the near side of a plane
+  cut,      ///< without what is on the near side of a plane
 };
 
 /// What the colour of a tetrahedron says.
@@ -23,10 +23,18 @@ enum class PictureColor {
   angle,   ///< TetShape::worst_angle
 };
 
+/// How a mesh is cut open.
+enum class PictureCut {
+  automatic,  ///< flat where there are several regions and colours tell them apart, else whole
+  whole,      ///< whole tetrahedra are taken away, by their centroids
+  flat,       ///< at the plane, through tetrahedra
+};
+
 struct PictureOptions {
   int width = 1600, height = 800;  ///< pixels, 16 to 8192
   PictureView view = PictureView::both;
   PictureColor color = PictureColor::region;
+  PictureCut cut = PictureCut::automatic;
   int axis = 0;           ///< that the plane is orthogonal to: 0, 1 or 2
   double fraction = 0.5;  ///< where the plane is, from the low end of the mesh to the high
 };
@@ -37,7 +45,8 @@ struct Picture {
   std::vector<std::uint8_t> rgb;
 };
 
-/// Draws a mesh; tetrahedra that lack a corner are left out.  The same bytes for
+/// Draws a mesh, with lines where regions of different colours meet; tetrahedra that lack a
+/// corner are left out.  The same bytes for
 /// the same mesh.
 /// \throws Error `bad_option` for a size, axis or fraction out of range,
 /// `empty_domain` where nothing is to be seen.

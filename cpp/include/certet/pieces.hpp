@@ -18,6 +18,18 @@ struct PieceCount {
   friend bool operator==(const PieceCount&, const PieceCount&) = default;
 };
 
+/// How many pieces a shape has: where two parts touch at an edge or a corner, its mesh may
+/// join them or not.
+struct PieceBounds {
+  std::uint64_t least = 0, most = 0;
+  friend bool operator==(const PieceBounds&, const PieceBounds&) = default;
+};
+
+/// Whether the mesh may be one of such a shape.
+inline bool may_be(const PieceBounds& shape, const PieceCount& mesh) {
+  return shape.least <= mesh.by_faces && mesh.by_vertices <= shape.most;
+}
+
 /// The pieces of one label's tetrahedra; those of other labels join nothing.
 struct RegionPieces {
   std::int32_t label = 0;

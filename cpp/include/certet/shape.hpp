@@ -10,6 +10,7 @@
 
 #include "certet/bounds.hpp"
 #include "certet/lattice.hpp"
+#include "certet/pieces.hpp"
 #include "certet/placed_domain.hpp"
 #include "certet/solid.hpp"
 
@@ -24,9 +25,14 @@ namespace certet {
 ///     gyroid:PERIOD,T[,SIDE] a wall along the gyroid of this period, in a cube of
 ///                            SIDE (two periods).  It is at least T thick, and up
 ///                            to 1.23 T where T is small.
+///     primitive, diamond, iwp, neovius:PERIOD,T[,SIDE]
+///                            walls along Schwarz' P and D, Schoen's I-WP and
+///                            Neovius' surface, at least T thick
+///     struts:CELL,R[,SIDE]   round bars of radius R along the edges of cubic cells,
+///                            in a cube of SIDE (two cells)
 ///
-/// All but the gyroid are signed distances to the surface; the gyroid's function
-/// is no more than the distance.
+/// Those without an end, from the gyroid on, have functions that are no more than the
+/// distance; all others are signed distances to the surface.
 class ShapeDomain final : public PlacedDomain {
  public:
   /// Within `bounds`, if there are any, which cut the solid off.  `size` and
@@ -44,9 +50,15 @@ class ShapeDomain final : public PlacedDomain {
   [[nodiscard]] double longest_side() const override { return certet::longest_side(bounds_); }
   /// The box around the solid, exact but where `bounds` cut it.
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
-  /// In world units cubed, where there is a formula: for all but the gyroid, unless
+  /// Of the box that a solid without an end fills a part of, in world units cubed.
+  [[nodiscard]] std::optional<double> room() const { return room_; }
+  /// In world units cubed, where there is a formula: for all that have an end, unless
   /// bounds cut the solid off.
   [[nodiscard]] std::optional<double> volume() const { return volume_; }
+  /// How many it has, where that is known: one where there is a formula for the volume.
+  [[nodiscard]] std::optional<PieceBounds> pieces() const {
+    return volume_ ? std::optional(PieceBounds{1, 1}) : std::nullopt;
+  }
 
   void row(Coord3 first, std::span<Sign> out) const override { solid_->row(first, out); }
   void at(std::span<const Coord3> positions, std::span<Sign> out) const override {
@@ -59,7 +71,7 @@ class ShapeDomain final : public PlacedDomain {
 
  private:
   Bounds bounds_;
-  std::optional<double> volume_;
+  std::optional<double> volume_, room_;
   PlacedLattice around_;
   std::vector<BorderBox> border_;  ///< the bounds, if they cut the solid off
   std::unique_ptr<Domain> solid_;

@@ -109,8 +109,9 @@ class Stuffing {
   /// \throws Error `cancelled`, `too_large` (out of memory, or 2^32 runs).
   [[nodiscard]] Pieces pieces(const Frame& frame, Context& context) const;
 
-  /// Of a mesh without interfaces: tells which tetrahedra of a layer share a face with each other, or with which of the
-  /// next layer: each pair once, in no order that means anything.
+  /// Tells which tetrahedra of a layer share a face with each other, or with which of the next
+  /// layer: each pair once, in no order that means anything.
+  /// \throws Error `bad_option` of a mesh that has interfaces, of which `pieces` tells all.
   void visit_faces_within(std::int32_t layer, const VisitTetPairs& visit) const;
   void visit_faces_between(std::int32_t layer, const VisitTetPairs& visit) const;
 
@@ -142,6 +143,9 @@ class Stuffing {
 /// (memory, coordinate range), `cancelled`; what the domain throws.
 Mesh mesh(const PlacedDomain& domain, Method method, Context& context);
 Mesh mesh(const PlacedDomain& domain, Method method = Method::embedded);
+
+/// The same of a mesh of the domain that has been counted already.  \throws Error as `emit`.
+Mesh mesh(const PlacedDomain& domain, const Stuffing& stuffing, Context& context);
 
 /// The whole mesh in memory, of a domain that does not know where it lies.  \throws Error as `Stuffing` and `emit`, and `empty_domain`.
 Mesh stuff(const Domain& domain, const Lattice& lattice, const Frame& frame,

@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "certet/context.hpp"
+#include "certet/pieces.hpp"
 #include "certet/placed_domain.hpp"
 #include "certet/solid.hpp"
 
@@ -163,6 +165,15 @@ struct SurfaceMeasures {
 
 /// \throws Error as `inspect` and, of an open surface, `open_surface_domain`.
 SurfaceMeasures measure(const TriangleSurface& surface, const Context& context = {});
+
+/// How many pieces the solid inside of a closed surface has: its outer shells, since a shell
+/// within a solid that faces the other way is a cavity of it.  Parts that have edges or points
+/// in common are one piece or several.  Nothing where the surface is open, triangles pass
+/// through each other, or shells touch elsewhere; where triangles do not agree which side is
+/// out, shells are counted by parity.  `defects` are the surface's, as `inspect` found them.
+/// \throws Error as `inspect`.
+std::optional<PieceBounds> pieces_of(const TriangleSurface& surface,
+                                     const SurfaceDefects& defects, const Context& context = {});
 
 /// For the sake of thin parts, a default goes to no more tetrahedra than about these,
 /// and to no more cells of the lattice.

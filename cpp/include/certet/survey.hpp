@@ -82,6 +82,11 @@ Survey survey(std::uint64_t points, std::span<const Tet<std::uint32_t>> tets,
 Survey survey(std::uint64_t points, std::span<const Tet<std::uint64_t>> tets,
               std::span<const std::int32_t> labels, Context& context);
 
+/// Surveys a mesh in memory, with its names and patches; interfaces only where its method cuts
+/// labels apart.
+/// \throws Error `cancelled`.
+Survey survey(const Mesh& mesh, Context& context);
+
 /// Puts those faces of the boundary that have the points of one of `faces`, in any
 /// order, into the patch `border`.
 void set_border(Survey& survey, std::vector<std::array<std::uint64_t, 3>> faces);
@@ -93,6 +98,11 @@ std::uint64_t face_count(const Survey& survey);
 /// two labels, where their regions touch, as the lesser sees it.  Interfaces are none then.
 /// \throws Error `bad_option` if there is no such region or interface.
 void keep_surface(Survey& survey, std::span<const std::int32_t> labels);
+
+/// Leaves of the boundary the interfaces alone, all together, each as its lesser label sees it;
+/// as a set of its own there is none then.
+/// \throws Error `bad_option` if no regions touch each other.
+void keep_interfaces(Survey& survey);
 
 /// Gives regions their names.
 void name_regions(Survey& survey, const LabelNames& names);

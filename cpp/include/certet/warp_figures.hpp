@@ -31,18 +31,20 @@ struct CutShift {
 struct WarpFigures {
   std::uint64_t violated = 0, stayed = 0, shortened = 0;  ///< vertices
   CutShift long_edges, short_edges;
+  CutShift missed;  ///< by how much shortened moves, all along long edges, miss the surface
 
   void add(const WarpFigures& other) {
     violated += other.violated;
     stayed += other.stayed;
     shortened += other.shortened;
+    missed.add(other.missed);
     long_edges.add(other.long_edges);
     short_edges.add(other.short_edges);
   }
   friend bool operator==(const WarpFigures&, const WarpFigures&) = default;
 };
 
-/// The same of all cuts, as lengths.
+/// The same of all cuts, as lengths, or of all shortened moves.
 struct ShiftLengths {
   std::uint64_t cuts = 0;
   double greatest = 0, rms = 0;  ///< rms: of those that were moved
@@ -52,5 +54,7 @@ struct ShiftLengths {
 ShiftLengths shift_in_edges(const WarpFigures& figures);
 /// In world units; `size` is the long edge.
 ShiftLengths shift_in_world(const WarpFigures& figures, double size);
+/// Of shortened moves, whose edges are of this length: 1, or the size in world units.
+ShiftLengths missed_by(const WarpFigures& figures, double long_edge);
 
 }  // namespace certet

@@ -23,18 +23,20 @@ LatticeMeasurement::LatticeMeasurement(std::span<const Coord3> points) {
     if (far(p.x) || far(p.y) || far(p.z)) refuse("a point is outside the coordinate range");
 }
 
-void LatticeMeasurement::add(std::span<const std::array<Coord3, 4>> tets) {
-  for (const auto& corners : tets)
-    shapes_.add(LatticeShape(corners), refuse_wide,
-                [this](const LatticeShape& shape, std::uint64_t copies) {
-                  measure(shape, copies);
-                });
+void LatticeMeasurement::add(std::span<const std::array<Coord3, 4>> tets,
+                             std::span<std::int64_t> six_volumes) {
+  const auto measured = [this](const MeasuredShape& shape, std::uint64_t copies) {
+    measure(shape, copies);
+  };
+  std::ranges::transform(tets, six_volumes.begin(), [&](const std::array<Coord3, 4>& corners) {
+    return shapes_.add(LatticeShape(corners), refuse_wide, measured);
+  });
 }
 
-void LatticeMeasurement::measure(const LatticeShape& shape, std::uint64_t copies) {
-  block_.set(count_, shape.exact());
+void LatticeMeasurement::measure(const MeasuredShape& shape, std::uint64_t copies) {
+  block_.set(count_, shape.shape.exact());
   copies_[count_] = copies;
-  exact_[count_] = shape.determinant();
+  exact_[count_] = shape.six_volume;
   six_volumes_ += WideSum::product(exact_[count_], copies);
   if (++count_ == lanes) flush();
 }
@@ -50,7 +52,7 @@ void LatticeMeasurement::flush() {
 }
 
 Quality LatticeMeasurement::result() {
-  shapes_.release_all([this](const LatticeShape& shape, std::uint64_t copies) {
+  shapes_.release_all([this](const MeasuredShape& shape, std::uint64_t copies) {
     measure(shape, copies);
   });
   flush();

@@ -21,13 +21,13 @@ class LatticeMeasurement {
   /// \throws Error `bad_input` if one is beyond `coordinate_limit`.
   explicit LatticeMeasurement(std::span<const Coord3> points);
 
-  /// The tetrahedra with these corners.
-  /// \throws Error `bad_input`, as `measure_lattice`.
-  void add(std::span<const std::array<Coord3, 4>> tets);
+  /// The tetrahedra with these corners; six times their volumes, in steps cubed, go to
+  /// `six_volumes`, which is as long.  \throws Error `bad_input`, as `measure_lattice`.
+  void add(std::span<const std::array<Coord3, 4>> tets, std::span<std::int64_t> six_volumes);
   [[nodiscard]] Quality result();
 
  private:
-  void measure(const LatticeShape& shape, std::uint64_t copies);
+  void measure(const MeasuredShape& shape, std::uint64_t copies);
   void flush();
 
   ShapeCounter shapes_;

@@ -9,10 +9,11 @@ template <class Index>
 Quality lattice(std::span<const Coord3> points, std::uint64_t first_point,
                 std::span<const Tet<Index>> tets) {
   core::LatticeMeasurement measurement(points);
-  core::for_each_batch<Index>(points, first_point, tets,
-                              [&](std::size_t, std::span<const TetCorners> corners) {
-                                measurement.add(corners);
-                              });
+  std::array<std::int64_t, core::batch_size> six_volumes;
+  core::for_each_batch<Index>(
+      points, first_point, tets, [&](std::size_t, std::span<const TetCorners> corners) {
+        measurement.add(corners, std::span(six_volumes).first(corners.size()));
+      });
   return measurement.result();
 }
 

@@ -86,27 +86,35 @@ struct LatticeShape {
   }
 };
 
+/// A shape, and six times its volume, in steps cubed.
+struct MeasuredShape {
+  LatticeShape shape;
+  std::int64_t six_volume = 0;
+};
+
 /// Counts shapes: away from the surface there are twelve, near it few or many,
 /// depending on the cuts.  Remembers some, and lets go of those in the way.
 class ShapeCounter {
  public:
   /// Counts a shape; one that is new is first given to `first_seen(shape)`, and one
-  /// that has to go to `release(shape, count)`.
+  /// that has to go to `release(measured shape, count)`.  \returns six times its volume.
   template <class FirstSeen, class Release>
-  void add(const LatticeShape& shape, const FirstSeen& first_seen, const Release& release) {
+  std::int64_t add(const LatticeShape& shape, const FirstSeen& first_seen,
+                   const Release& release) {
     // What came next the last time mostly does so again.
     std::uint32_t at = entries_[last_].next;
     if (entries_[at].shape != shape || entries_[at].count == 0) {
       at = slot(shape);
       if (entries_[at].shape != shape || entries_[at].count == 0) {
         first_seen(shape);
-        if (entries_[at].count != 0) release(entries_[at].shape, entries_[at].count);
-        entries_[at] = {shape, 0, at};
+        if (entries_[at].count != 0) release(entries_[at], entries_[at].count);
+        entries_[at] = {{shape, shape.determinant()}, 0, at};
       }
       entries_[last_].next = at;
     }
     ++entries_[at].count;
     last_ = at;
+    return entries_[at].six_volume;
   }
 
   /// Lets go of all.
@@ -114,14 +122,13 @@ class ShapeCounter {
   void release_all(const Release& release) {
     for (Entry& entry : entries_)
       if (const std::uint64_t count = std::exchange(entry.count, 0); count != 0)
-        release(entry.shape, count);
+        release(entry, count);
   }
 
  private:
   static constexpr int slot_bits = 10;
 
-  struct Entry {
-    LatticeShape shape{};
+  struct Entry : MeasuredShape {
     std::uint64_t count = 0;
     std::uint32_t next = 0;  ///< the slot that came after this one
   };

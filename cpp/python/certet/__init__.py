@@ -7,14 +7,16 @@
 
 `mesh` makes one of voxels, of a function that is negative inside, of closed triangles, or of several
 of the latter two; so do `mesh_image`, `mesh_function`, `mesh_surface` and `mesh_solids`, each for one
-of these.  `write`, `read`, `check`
-and `quality` do what they say.  They run on all cores without Python's lock; Ctrl-C stops them.  What they refuse is a `ValueError` with one sentence, a lattice or
+of these.  `write`, `read`, `check`,
+`interfaces` and `quality` do what they say.  They run on all cores without Python's lock; Ctrl-C stops them.  What they refuse is a `ValueError` with one sentence, a lattice or
 mesh that is too large a `MemoryError`.
 """
 
 from __future__ import annotations
 
 import os
+import sys
+import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Literal, NamedTuple
 
@@ -23,8 +25,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _certet
 
-__all__ = ["CheckReport", "FileMesh", "Mesh", "Pieces", "Quality", "check", "mesh", "mesh_function",
-           "mesh_image", "mesh_solids", "mesh_surface", "quality", "read", "write"]
+__all__ = ["CheckReport", "FileMesh", "Interface", "LossWarning", "Mesh", "Pieces", "Quality", "Warp",
+           "check", "interfaces", "mesh", "mesh_function", "mesh_image", "mesh_solids", "mesh_surface",
+           "quality", "read", "write"]
 __version__: str = _certet.version
 
 Cuts = Literal["bisect", "midpoint"]
@@ -82,6 +85,51 @@ class Pieces(NamedTuple):
     """Shape (n, 3), n at most 8: the first such vertices, in world units."""
 
 
+class Warp(NamedTuple):
+    """What became of the vertices that the surface passes too close to; all 0 but by the method
+    "embedded"."""
+
+    violated: int
+    """So many there were."""
+    stayed: int
+    """So many did not move, so that no piece is lost or joined; cuts moved away from them."""
+    shortened: int
+    """So many moved less than to the surface."""
+    clamped_cuts: int
+    """The cuts that were moved; how far is told of these alone."""
+    greatest: float
+    """World units."""
+    rms: float
+    """World units."""
+    greatest_edges: float
+    """In lengths of the cut's edge."""
+    rms_edges: float
+    """In lengths of the cut's edge."""
+    missed_edges: float
+    """By how much shortened moves miss the surface at most, in long edges."""
+    missed_rms_edges: float
+    """The same, root mean square of these alone."""
+
+
+class LossWarning(UserWarning):
+    """A mesh has not the pieces of its shape, or a volume that differs by a fiftieth or more; the
+    sentence says a size that keeps them, which was tried, if one was found."""
+
+
+class Interface(NamedTuple):
+    """Where the tetrahedra of two labels touch."""
+
+    labels: tuple[int, int]
+    """The lesser first."""
+    names: tuple[str, str]
+    """Those of the labels; a label without a name is called by its number."""
+    triangles: NDArray[np.uint64]
+    """Shape (n, 3): numbers of points of the mesh, anticlockwise seen from the second label's
+    side.  `mesh.points[triangles]` has their corners, shape (n, 3, 3)."""
+    area: float
+    """In world units squared."""
+
+
 class FileMesh:
     """A mesh as a file holds it.  Its arrays share the memory of the mesh and keep it alive."""
 
@@ -111,6 +159,11 @@ class FileMesh:
     def quality(self) -> Quality:
         """Measures every tetrahedron, in the file's coordinates."""
         return _quality(self._inner.quality())
+
+    def interfaces(self) -> list[Interface]:
+        """Where labels touch, by growing labels: one for each pair of them.  The arrays share
+        memory that is theirs alone."""
+        return _interfaces(self._inner)
 
     def pieces(self) -> Pieces:
         """Counts the pieces, by faces and by vertices, of the whole and of each label."""
@@ -185,9 +238,24 @@ class Mesh:
         return self.method
 
     @property
+    def names(self) -> dict[int, str]:
+        """What labels are called, where the shape tells; none of an array."""
+        return self._inner.names
+
+    @property
     def notes(self) -> list[str]:
         """What was done to a surface so that it bounds a solid, a sentence each."""
         return list(self._inner.notes)
+
+    @property
+    def losses(self) -> list[str]:
+        """What the mesh has not kept of its shape, a sentence each; a `LossWarning` told them."""
+        return list(self._inner.losses)
+
+    @property
+    def warp(self) -> Warp:
+        """How many vertices stayed, and how far that moved the surface."""
+        return Warp(**self._inner.warp)
 
     @property
     def checksum(self) -> int:
@@ -197,6 +265,12 @@ class Mesh:
     def quality(self) -> Quality:
         """Measures every tetrahedron, in exact and in world coordinates."""
         return _quality(self._inner.quality())
+
+    def interfaces(self) -> list[Interface]:
+        """Where labels touch, by growing labels: one for each pair of them.  The arrays share
+        memory that is theirs alone.  Empty where the method does
+        not cut labels apart (the paper's)"""
+        return _interfaces(self._inner)
 
     def pieces(self) -> Pieces:
         """Counts the pieces, by faces and by vertices, of the whole and of each label."""
@@ -244,12 +318,14 @@ def write(mesh: Mesh | FileMesh, file: str | os.PathLike[str], format: str | Non
     ----------
     format : a name that `certet mesh --format` knows (default: by the extension)
 
+    Warns of labels that do not keep their numbers: in .msh those that are not positive.
+
     Raises
     ------
     ValueError : an unknown format, a file that cannot be written, a mesh that doubles cannot hold
         where it lies
     """
-    _certet.write(mesh._inner, file, format)
+    _warn(_certet.write(mesh._inner, file, format))
 
 
 def read(file: str | os.PathLike[str]) -> FileMesh:
@@ -268,6 +344,11 @@ def check(mesh: Mesh | FileMesh) -> CheckReport:
     return CheckReport(**_certet.check(mesh._inner))
 
 
+def interfaces(mesh: Mesh | FileMesh) -> list[Interface]:
+    """Where labels touch; `mesh.interfaces()` is the same."""
+    return mesh.interfaces()
+
+
 def quality(mesh: Mesh | FileMesh) -> Quality:
     """Measures every tetrahedron of a mesh; `mesh.quality()` is the same."""
     return mesh.quality()
@@ -281,6 +362,7 @@ def mesh_image(
     direction: ArrayLike | None = None,
     labels: Iterable[int | tuple[int, int]] | None = None,
     iso: float | None = None,
+    smooth: float | None = None,
     size: float | None = None,
     margin: int = 2,
     method: Method | None = None,
@@ -300,6 +382,9 @@ def mesh_image(
     direction : shape (3, 3), orthonormal; a left-handed one is welcome (default: identity)
     labels : labels and pairs (first, last) of them that make the solid (default: all but 0)
     iso : the level; then `labels` must be None
+    smooth : of labels: the standard deviation, in world units, by which the surfaces between
+        them and to the outside are smoothed, at most 4 voxels along any axis (default: one
+        voxel); 0: they follow the faces of voxels, as always with the paper's rule
     size : the long edge of the lattice, in world units (default: the smallest spacing)
     margin : cells of the lattice around the solid, at least 1
     method : "embedded" (default: dihedral angles from 10.77 to 164.76 degrees, no tetrahedra
@@ -321,10 +406,13 @@ def mesh_image(
     ranges = [(r, r) if np.isscalar(r) else tuple(r) for r in labels or ()]
     if labels is not None and not ranges:
         raise ValueError("labels is empty: no voxel is chosen")
+    if smooth is not None and iso is not None:
+        raise ValueError("smooth and iso exclude each other")
     axes = np.eye(3) if direction is None else np.asarray(direction, float)
-    return Mesh(_certet.mesh_image(np.asarray(array), _three(spacing), _three(origin),
-                                   axes.tolist(), ranges, iso, _size(size), margin,
-                                   _options(method, cuts, guarantee, threads)))
+    return _told(_certet.mesh_image(np.asarray(array), _three(spacing), _three(origin),
+                                    axes.tolist(), ranges, iso,
+                                    None if smooth is None else float(smooth), _size(size), margin,
+                                    _options(method, cuts, guarantee, threads)))
 
 
 def mesh_function(
@@ -354,7 +442,7 @@ def mesh_function(
     ValueError, MemoryError : as `mesh_image`
     """
     low, high = bounds
-    return Mesh(_certet.mesh_function(f, _three(low), _three(high), _size(size), margin,
+    return _told(_certet.mesh_function(f, _three(low), _three(high), _size(size), margin,
                                       _options(method, cuts, guarantee, threads)))
 
 
@@ -391,7 +479,7 @@ def mesh_surface(
         number does not tell inside from outside
     MemoryError : as `mesh_image`
     """
-    return Mesh(_certet.mesh_surface(np.asarray(points, float), np.asarray(triangles, np.int64),
+    return _told(_certet.mesh_surface(np.asarray(points, float), np.asarray(triangles, np.int64),
                                      _size(size), margin, repair,
                                      _options(method, cuts, guarantee, threads)))
 
@@ -433,9 +521,9 @@ def mesh_solids(
     ------
     ValueError, MemoryError : as `mesh_function` and `mesh_surface`
     """
-    return Mesh(_certet.mesh_solids([_solid(name, one, bounds) for name, one in solids.items()],
-                                    list(priority), _size(size), margin, repair,
-                                    _options(method, cuts, guarantee, threads)))
+    return _told(_certet.mesh_solids([_solid(name, one, bounds) for name, one in solids.items()],
+                                     list(priority), _size(size), margin, repair,
+                                     _options(method, cuts, guarantee, threads)))
 
 
 def _solid(name: str, solid: Any, bounds: Sequence[Sequence[float]] | None) -> _certet.Solid:
@@ -451,6 +539,16 @@ def _solid(name: str, solid: Any, bounds: Sequence[Sequence[float]] | None) -> _
     raise ValueError(f"{name!r} is neither a function nor a pair (points, triangles)")
 
 
+def _told(inner: _certet.Mesh) -> Mesh:
+    """The mesh, after warnings of what it has not kept, which point at the user's line."""
+    level, frame = 2, sys._getframe(1)
+    while frame.f_back and frame.f_globals.get("__name__") == __name__:
+        level, frame = level + 1, frame.f_back
+    for sentence in inner.losses:
+        warnings.warn(sentence, LossWarning, stacklevel=level)
+    return Mesh(inner)
+
+
 def _quality(found: dict[str, Any]) -> Quality:
     return Quality(**{**found, "histogram": np.asarray(found["histogram"], np.uint64)})
 
@@ -460,6 +558,19 @@ def _pieces(mesh: _certet.Mesh | _certet.FileMesh) -> Pieces:
     places = {key: np.asarray(found[key], float).reshape(-1, 3)
               for key in ("edge_places", "vertex_places")}
     return Pieces(**{**found, **places})
+
+
+def _interfaces(mesh: _certet.Mesh | _certet.FileMesh) -> list[Interface]:
+    names = mesh.names
+    return [Interface(labels, (names.get(labels[0], str(labels[0])),
+                               names.get(labels[1], str(labels[1]))), triangles, area)
+            for labels, triangles, area in _certet.interfaces(mesh)]
+
+
+def _warn(sentences: Iterable[str]) -> None:
+    """Warns as from the line that called the function that calls this one."""
+    for sentence in sentences:
+        warnings.warn(sentence, stacklevel=3)
 
 
 def _three(numbers: Sequence[float]) -> tuple[float, float, float]:

@@ -84,11 +84,12 @@ function decode(text) {
 
   const size = natural();
   const surface = {
-    size, region: new Uint16Array(size), angle: new Uint8Array(size),
-    sides: new Uint8Array(3 * size)
+    size, region: new Uint16Array(size), behind: new Uint16Array(size),
+    angle: new Uint8Array(size), sides: new Uint8Array(3 * size)
   };
   surface.corners = triangles(size, (i, region) => {
     surface.region[i] = region;
+    surface.behind[i] = integer();
     surface.angle[i] = byte();
     for (let axis = 0; axis < 3; ++axis) surface.sides[3 * i + axis] = byte();
   });
@@ -113,18 +114,19 @@ function decode(text) {
 const scene = decode($("scene").textContent);
 $("scene").remove();
 
-// Of the surface, smooth: means by area at each point.
-const normals = (() => {
+// Smooth, of triangles of the surface: means by area at each point.
+function smoothNormals(chosen) {
   const p = scene.points, n = new Float32Array(p.length), corners = scene.surface.corners;
-  for (let i = 0; i < corners.length; i += 3) {
+  for (const {triangle, turned} of chosen) {
+    const i = 3 * triangle, flip = turned ? -1 : 1;
     const a = 3 * corners[i], b = 3 * corners[i + 1], c = 3 * corners[i + 2];
     const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
     const vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
     const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
-    for (const at of [a, b, c]) n[at] += x, n[at + 1] += y, n[at + 2] += z;
+    for (const at of [a, b, c]) n[at] += flip * x, n[at + 1] += flip * y, n[at + 2] += flip * z;
   }
   return n;
-})();
+}
 
 const rgb = (list) => list.map((color) => [1, 3, 5].map((i) => parseInt(color.substr(i, 2), 16)));
 const palettes = {region: rgb(about.regions), angle: rgb(about.angles)};
@@ -141,7 +143,7 @@ const drawn = {
 // Edges of a surface that was made coarser are not those of the mesh.
 const noEdge = 3;
 
-function put(a, b, c, color, smooth) {
+function put(a, b, c, color, normals) {
   const p = scene.points, to = drawn.position, n = drawn.normal, at = 9 * drawn.size;
   let i = at;
   for (const corner of [a, b, c])
@@ -156,31 +158,59 @@ function put(a, b, c, color, smooth) {
   [a, b, c].forEach((corner, k) => {
     const m = 3 * corner;
     // A little of the face's own normal shows what the surface is made of.
-    const length = smooth ? Math.hypot(normals[m], normals[m + 1], normals[m + 2]) || 1 : 1;
+    const length = normals ? Math.hypot(normals[m], normals[m + 1], normals[m + 2]) || 1 : 1;
     for (let axis = 0; axis < 3; ++axis)
       n[at + 3 * k + axis] =
-        smooth ? normals[m + axis] / length + 0.35 * flat[axis] / area : flat[axis] / area;
-    drawn.corner[3 * drawn.size + k] = smooth && about.coarse ? noEdge : k;
+        normals ? normals[m + axis] / length + 0.35 * flat[axis] / area : flat[axis] / area;
+    drawn.corner[3 * drawn.size + k] = normals && about.coarse ? noEdge : k;
   });
   ++drawn.size;
 }
 
-// wish: {axis: -1 to 2, plane, below, color}
+// Whether a triangle of the surface is of a part, and whether it is seen from behind; its
+// colour is that of a region: of what touches the part, where one alone is seen.
+const parts = {
+  all: () => (region, behind) => behind === 0 && {region},
+  interfaces: () => (region, behind) => behind > 0 && {region},
+  r: (one) => (region, behind) =>
+    region === one ? {region: behind > 0 ? behind - 1 : one} :
+    behind === one + 1 && {region, turned: true},
+  i: (one, other) => (region, behind) =>
+    (region === one && behind === other + 1 && {region}) ||
+    (region === other && behind === one + 1 && {region: one, turned: true})
+};
+
+function partOf(value) {
+  if (value in parts && value.length > 1) return {of: parts[value](), cut: () => value === "all"};
+  const places = value.slice(1).split(",").map(Number);
+  return {of: parts[value[0]](...places),
+          cut: (region) => value[0] === "r" && region === places[0]};
+}
+
+// wish: {axis: -1 to 2, plane, below, color, part}
 function build(wish) {
-  const {surface, cuts} = scene, palette = palettes[wish.color];
+  const {surface, cuts} = scene, palette = palettes[wish.color], part = partOf(wish.part);
   drawn.size = 0;
+  const chosen = [];
   for (let i = 0; i < surface.size; ++i) {
     if (wish.axis >= 0 &&
         (surface.sides[3 * i + wish.axis] <= wish.plane) !== wish.below) continue;
-    const c = surface.corners;
-    put(c[3 * i], c[3 * i + 1], c[3 * i + 2], palette[surface[wish.color][i]], true);
+    const seen = part.of(surface.region[i], surface.behind[i]);
+    if (seen) chosen.push({triangle: i, turned: seen.turned, region: seen.region,
+                           angle: surface.angle[i]});
+  }
+  const normals = smoothNormals(chosen);
+  for (const one of chosen) {
+    const i = 3 * one.triangle, c = surface.corners, b = one.turned ? 2 : 1;
+    put(c[i], c[i + b], c[i + 3 - b], palette[one[wish.color]], normals);
   }
   if (wish.axis < 0) return;
   const cut = cuts[wish.axis][wish.plane], c = cut.corners;
-  const values = cut[wish.color][wish.below ? 0 : 1];
+  const side = wish.below ? 0 : 1;
   for (let i = 0; i < cut.size; ++i) {
+    if (!part.cut(cut.region[side][i])) continue;
     const b = wish.below ? 1 : 2;
-    put(c[3 * i], c[3 * i + b], c[3 * i + 3 - b], palette[values[i]], false);
+    put(c[3 * i], c[3 * i + b], c[3 * i + 3 - b], palette[cut[wish.color][side][i]], null);
   }
 }
 
@@ -278,6 +308,7 @@ const staysBelow = [true, false, true];
 function wish() {
   const axis = chosen("axis") === "none" ? -1 : Number(chosen("axis"));
   return {axis, plane: Number($("plane").value), color: chosen("color"),
+          part: $("part") ? $("part").value : "all",
           below: axis >= 0 && staysBelow[axis] !== $("flip").checked};
 }
 
@@ -310,7 +341,7 @@ function chooseAxis() {
 
 for (const input of document.querySelectorAll("input[name=axis]"))
   input.addEventListener("change", chooseAxis);
-for (const input of document.querySelectorAll("input[name=color], #flip, #edges"))
+for (const input of document.querySelectorAll("input[name=color], #flip, #edges, #part"))
   input.addEventListener("change", apply);
 $("plane").addEventListener("input", apply);
 $("reset").addEventListener("click", reset);

@@ -58,14 +58,10 @@ void judge_copy(const FileMesh& mesh, const FileMesh& copy) {
 }  // namespace
 
 void convert(Bytes bytes) {
-  if (bytes.size() < 2) return;
+  if (bytes.empty()) return;
   const std::size_t to = bytes[0] % names.size();
-  const InputFile file = mesh_file_of(bytes.subspan(1));
   const InputFolder folder;
-  certet::Context context;
-  context.threads = 1;
-  read_or_refuse([&] {
-    const FileMesh mesh = certet::read(file.path(), context);
+  read_mesh_or_refuse(bytes.subspan(1), [&](const FileMesh& mesh, certet::Context& context) {
     const auto path = folder.path() / names[to];
     const bool again = to < readable.size();
     certet::write(mesh, path, again ? readable[to] : written[to - readable.size()], context);

@@ -8,12 +8,7 @@
 namespace fuzz {
 
 void picture(Bytes bytes) {
-  if (bytes.empty()) return;
-  const InputFile file = mesh_file_of(bytes);
-  certet::Context context;
-  context.threads = 1;
-  read_or_refuse([&] {
-    const certet::FileMesh mesh = certet::read(file.path(), context);
+  read_mesh_or_refuse(bytes, [](const certet::FileMesh& mesh, certet::Context&) {
     const certet::Page page = certet::make_page(mesh, {.name = "a <mesh>", .rows = {}, .bounds = {}, .defects = {}});
     if (page.html.find("a <mesh>") != page.html.npos) throw Finding("a name is not quoted");
     certet::draw(mesh, {.width = 48, .height = 24});

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "certet/error.hpp"
+#include "certet/formats.hpp"
 #include "target.hpp"
 
 namespace fuzz {
@@ -47,11 +48,6 @@ InputFile chosen_file(Bytes bytes, const std::array<std::string_view, count>& ex
   return InputFile(bytes.subspan(1), extensions[bytes[0] % count]);
 }
 
-/// A mesh, in one of the formats that are read.
-inline InputFile mesh_file_of(Bytes bytes) {
-  return chosen_file(bytes, std::array<std::string_view, 4>{".vtu", ".mesh", ".meshb", ".msh"});
-}
-
 /// \throws Finding where an error does not say one sentence.
 void judge_sentence(const certet::Error& error);
 
@@ -63,6 +59,18 @@ void read_or_refuse(const Read& read) {
   } catch (const certet::Error& error) {
     judge_sentence(error);
   }
+}
+
+/// Reads a mesh in one of the formats that are read, in one thread, and does something with
+/// it; or is refused.  No bytes are no mesh.
+template <class Use>
+void read_mesh_or_refuse(Bytes bytes, const Use& use) {
+  if (bytes.empty()) return;
+  const InputFile file =
+      chosen_file(bytes, std::array<std::string_view, 4>{".vtu", ".mesh", ".meshb", ".msh"});
+  certet::Context context;
+  context.threads = 1;
+  read_or_refuse([&] { use(certet::read(file.path(), context), context); });
 }
 
 }  // namespace fuzz

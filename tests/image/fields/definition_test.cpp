@@ -47,7 +47,7 @@ class Model {
       for (std::size_t a = 0; a < 3; ++a) weight *= taps[static_cast<std::size_t>(o[a] + 2)];
       if (weight != 0) kept[label(plus(v, o))] += 4 * weight;
     });
-    hold(label(v), kept);
+    hold(label(v), is_near_thin(v), kept);
     return kept;
   }
 
@@ -112,12 +112,14 @@ class Model {
     return thin;
   }
 
-  static void hold(int own, std::map<int, int>& fields) {
+  static void hold(int own, bool thin, std::map<int, int>& fields) {
     int best = 0;
     for (const auto& [of, value] : fields)
       if (of != own) best = std::max(best, value);
-    if (fields[own] > best) return;
-    const int mixing = std::min(16384, 4 * (best - fields[own]) + 16);
+    const int ahead = best - fields[own];
+    const int lead = thin ? 4096 : 256;
+    if (ahead <= -lead) return;
+    const int mixing = (lead + ahead) * 16384 / (16384 + ahead);
     for (auto& [of, value] : fields)
       value += (of == own ? mixing : 0) - ((value * mixing) >> 14);
   }

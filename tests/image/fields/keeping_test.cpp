@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "certet/image.hpp"
+#include "disjoint_sets.hpp"
 #include "label_images.hpp"
 #include "lattice_materials.hpp"
 #include "seed.hpp"
@@ -28,28 +28,12 @@ using lattice_materials::Cuts;
 using lattice_materials::domain_of;
 using lattice_materials::LatticeMaterials;
 
-/// What hangs together.
-class Pieces {
- public:
-  explicit Pieces(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t find(std::size_t one) {
-    while (parent_[one] != one) one = parent_[one] = parent_[parent_[one]];
-    return one;
-  }
-  void unite(std::size_t one, std::size_t other) { parent_[find(one)] = find(other); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 using Voxels = Buffer<std::uint16_t>;
 
 /// Pieces of voxels by faces.
-Pieces pieces_by_faces(const Image& image) {
+DisjointSets pieces_by_faces(const Image& image) {
   const auto& voxels = std::get<Voxels>(image.voxels);
-  Pieces pieces(voxels.size());
+  DisjointSets pieces(voxels.size());
   const auto [nx, ny, nz] = image.size;
   std::size_t at = 0;
   for (std::int64_t k = 0; k < nz; ++k)
@@ -57,7 +41,7 @@ Pieces pieces_by_faces(const Image& image) {
       for (std::int64_t i = 0; i < nx; ++i, ++at) {
         const auto join = [&](std::int64_t back) {
           const std::size_t other = at - static_cast<std::size_t>(back);
-          if (voxels[other] == voxels[at]) pieces.unite(at, other);
+          if (voxels[other] == voxels[at]) pieces.join(at, other);
         };
         if (i > 0) join(1);
         if (j > 0) join(nx);
@@ -94,22 +78,22 @@ struct Losses {
 
   Losses(const Image& image, const PlacedDomain& domain, Which which) {
     const LatticeMaterials materials(domain);
-    Pieces on_lattice(materials.size());
+    DisjointSets on_lattice(materials.size());
     materials.for_each_edge([&](Coord3, std::size_t one, Coord3, std::size_t other) {
-      if (materials[one] == materials[other]) on_lattice.unite(one, other);
+      if (materials[one] == materials[other]) on_lattice.join(one, other);
     });
     const auto& voxels = std::get<Voxels>(image.voxels);
-    Pieces in_image = pieces_by_faces(image);
+    DisjointSets in_image = pieces_by_faces(image);
     std::map<std::size_t, std::set<std::size_t>> found;
     for (std::size_t v = 0; v < voxels.size(); ++v)
-      if (voxels[v] != 0) found[in_image.find(v)];
+      if (voxels[v] != 0) found[in_image.root(v)];
     materials.for_each([&](Coord3 point, std::size_t number) {
       if (materials[number] == 0) return;
       const Point3 at = domain.frame().world(steps * point);
       if (which == Which::points_at_centres && !is_centre(image, at)) return;
       const std::size_t voxel = voxel_at(image, at);
       if (domain.labels()[static_cast<std::size_t>(materials[number]) - 1] == voxels[voxel])
-        found[in_image.find(voxel)].insert(on_lattice.find(number));
+        found[in_image.root(voxel)].insert(on_lattice.root(number));
     });
     pieces = static_cast<int>(found.size());
     for (const auto& [piece, parts] : found) {

@@ -9,14 +9,13 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <fstream>
 #include <iostream>
 #include <random>
 #include <sstream>
 #include <stdexcept>
-#include <thread>
 
+#include "../campaign.hpp"
 #include "thin_trial.hpp"
 
 namespace {
@@ -80,15 +79,9 @@ Verdict judged(Source source, std::uint64_t number, const Arguments& arguments) 
 
 std::vector<Verdict> run(Source source, const Arguments& arguments) {
   const auto s = static_cast<std::size_t>(source);
-  std::vector<Verdict> verdicts(arguments.count[s]);
-  std::atomic<std::uint64_t> next{0};
-  std::vector<std::jthread> workers;
-  for (unsigned t = 0; t < std::max(1U, arguments.threads); ++t)
-    workers.emplace_back([&] {
-      for (std::uint64_t i; (i = next++) < verdicts.size();)
-        verdicts[i] = judged(source, arguments.first[s] + i, arguments);
-    });
-  return workers.clear(), verdicts;
+  return soak::verdicts_of(arguments.count[s], arguments.threads, [&](std::uint64_t i) {
+    return judged(source, arguments.first[s] + i, arguments);
+  });
 }
 
 /// A row of the table, and a sentence for each of the first faults.
@@ -118,17 +111,7 @@ std::uint64_t tell(std::ostream& out, Source source, const std::vector<Verdict>&
   return faulty;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  Arguments arguments;
-  try {
-    arguments = parse(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "certet_thin_soak: " << error.what() << '\n';
-    return 2;
-  }
-  std::cout << "seed " << arguments.seed << std::endl;
+std::uint64_t tell_all(const Arguments& arguments) {
   std::ostringstream table;
   table << "seed " << arguments.seed << "\n\n| of | meshes | tetrahedra | pieces | tunnels | cavities | "
            "least angle | greatest | pairs compared | with a fault |\n|---|---|---|---|---|---|---|---|---|---|\n";
@@ -138,5 +121,11 @@ int main(int argc, char** argv) {
                    arguments.first[static_cast<std::size_t>(source)]);
   std::cout << table.str();
   if (!arguments.report.empty()) std::ofstream(arguments.report) << table.str();
-  return faulty == 0 ? 0 : 1;
+  return faulty;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return soak::campaign("certet_thin_soak", [&] { return parse(argc, argv); }, tell_all);
 }

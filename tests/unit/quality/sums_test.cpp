@@ -65,22 +65,17 @@ TEST(Quality, NothingAddsNothing) {
 }
 
 TEST(Methods, PromiseWhatTheirTheoremsDo) {
-  const AngleBounds& embedded = facts(Method::embedded).bounds;
-  EXPECT_EQ(embedded.theorem, "SettledBoundsInDegrees");
-  EXPECT_EQ(embedded.min_dihedral, 10.77);
-  EXPECT_EQ(embedded.max_dihedral, 164.76);
-  const AngleBounds& angles = facts(Method::angles).bounds;
-  EXPECT_EQ(angles.theorem, "DihedralBounds");
-  EXPECT_EQ(angles.min_dihedral, 10.77);
-  EXPECT_EQ(angles.max_dihedral, 164.76);
-  const AngleBounds& embedding = facts(Method::embedding).bounds;
-  EXPECT_EQ(embedding.theorem, "DihedralBoundsEmbedding");
-  EXPECT_EQ(embedding.min_dihedral, 9.27);
-  EXPECT_EQ(embedding.max_dihedral, 161.46);
-  const AngleBounds& midpoint = facts(Method::midpoint).bounds;
-  EXPECT_EQ(midpoint.theorem, "MidpointBounds");
-  EXPECT_EQ(midpoint.min_dihedral, 30.0);
-  EXPECT_EQ(midpoint.max_dihedral, 135.0);
+  const auto promises = [](Method method, std::string_view theorem, double least,
+                           double greatest) {
+    const AngleBounds& bounds = facts(method).bounds;
+    EXPECT_EQ(bounds.theorem, theorem);
+    EXPECT_EQ(bounds.min_dihedral, least);
+    EXPECT_EQ(bounds.max_dihedral, greatest);
+  };
+  promises(Method::embedded, "SettledBoundsInDegrees", 10.77, 164.76);
+  promises(Method::angles, "DihedralBounds", 10.77, 164.76);
+  promises(Method::embedding, "DihedralBoundsEmbedding", 9.27, 161.46);
+  promises(Method::midpoint, "MidpointBounds", 30.0, 135.0);
 }
 
 TEST(Methods, AreFoundByTheirNames) {

@@ -24,6 +24,10 @@ inline constexpr int tile_cells = tile_blocks * block_cells;
 inline constexpr int tile_nodes = tile_cells + 1;
 inline constexpr std::size_t blocks_of_tile = tile_blocks * tile_blocks * tile_blocks;
 
+/// The numbers of a cell along the axes: cell c lies between nodes c and c + 1, which are
+/// voxels c - 1 and c.
+using Cell = std::array<std::int64_t, 3>;
+
 /// A field is kept in 16384ths.
 inline constexpr int field_bits = 14;
 inline constexpr std::int32_t field_one = 1 << field_bits;
@@ -31,11 +35,11 @@ inline constexpr std::int32_t field_one = 1 << field_bits;
 /// What is known of a node beside the fields: the number of its voxel's label among
 /// those of the block, and two flags.
 struct Node {
-  static constexpr std::uint16_t forced_bit = 1 << 14, thin_bit = 1 << 15;
+  static constexpr std::uint16_t at_risk_bit = 1 << 14, thin_bit = 1 << 15;
   std::uint16_t bits = 0;
-  [[nodiscard]] std::size_t own() const { return bits & (forced_bit - 1); }
-  /// Whether in all of the voxel its label holds.
-  [[nodiscard]] bool forced() const { return (bits & forced_bit) != 0; }
+  [[nodiscard]] std::size_t own() const { return bits & (at_risk_bit - 1); }
+  /// Whether its voxel may be lost where no point of the lattice is at its centre.
+  [[nodiscard]] bool at_risk() const { return (bits & at_risk_bit) != 0; }
   /// Whether the narrow taps were taken.
   [[nodiscard]] bool thin() const { return (bits & thin_bit) != 0; }
 };
@@ -53,6 +57,19 @@ struct Block {
 /// The number of a node in a block.
 constexpr std::size_t node_number(int x, int y, int z) {
   return static_cast<std::size_t>((z * block_nodes + y) * block_nodes + x);
+}
+
+/// The number of a node in a tile.
+constexpr std::size_t tile_node_number(int x, int y, int z) {
+  return static_cast<std::size_t>((z * tile_nodes + y) * tile_nodes + x);
+}
+
+/// Calls visit(x, y, z) for each of `count` numbers along three axes.
+template <class Visit>
+void for_each_of_cube(int count, const Visit& visit) {
+  for (int z = 0; z < count; ++z)
+    for (int y = 0; y < count; ++y)
+      for (int x = 0; x < count; ++x) visit(x, y, z);
 }
 
 /// The number of a block in a tile.

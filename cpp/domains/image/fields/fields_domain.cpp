@@ -9,6 +9,7 @@
 #include "axis_table.hpp"
 #include "certet/error.hpp"
 #include "fields/field_frame.hpp"
+#include "fields/label_fields.hpp"
 #include "fields/labelling.hpp"
 #include "fields/material_image.hpp"
 #include "fields/node_fields.hpp"
@@ -22,15 +23,27 @@ namespace {
 
 Sign sign_of_material(Material material) { return material == 0 ? Sign::minus : Sign::plus; }
 
+/// How the points of a lattice lie to the centres of voxels.
+enum class OnCentres {
+  some,          ///< or none
+  all,           ///< one at each, and others between
+  one_per_voxel  ///< that of the even points there is no other
+};
+
 class FieldsDomain final : public InterfaceDomain {
  public:
-  FieldsDomain(MaterialImage image, const Placement& placement, Centres centres,
-               const Rules& rules, const Context& context)
-      : image_(std::move(image)),
+  FieldsDomain(std::shared_ptr<const LabelFields> kept, const Placement& placement,
+               OnCentres on_centres)
+      : kept_(std::move(kept)),
+        image_(kept_->image),
+        fields_(kept_->nodes),
         placement_(placement),
         frame_(placement.axis),
-        fields_(image_, rules, context),
-        labelling_(fields_, centres),
+        on_centres_(on_centres),
+        labelling_(fields_,
+                   on_centres == OnCentres::one_per_voxel ? Centres::unjoined
+                                                          : Centres::as_fields_say,
+                   !keeps_voxels()),
         along_x_(placement.lattice.origin.x, placement.lattice.cells[0],
                  [this](double x) { return frame_.along(0, x); }) {}
 
@@ -104,13 +117,22 @@ class FieldsDomain final : public InterfaceDomain {
   void part(std::span<const PartedEdge> edges, std::span<std::uint16_t> out) const override {
     std::ranges::transform(edges, out.begin(), [this](const PartedEdge& edge) {
       const FieldPoint first = frame_.at_lattice(edge.first);
-      return fields::part(fields_, frame_.extent(),
+      return fields::part(fields_, frame_.extent(), !keeps_voxels(),
                           {first, frame_.at_lattice(edge.last), labelling_(first), edge.of_last});
     });
   }
 
+  [[nodiscard]] bool keeps_voxels() const override {
+    return on_centres_ != OnCentres::some;
+  }
+
+  /// Then even points are the voxels: `VoxelPiecesKept` of the certificate.
+  [[nodiscard]] bool even_points_tell_pieces() const override {
+    return on_centres_ == OnCentres::one_per_voxel;
+  }
+
   [[nodiscard]] std::vector<RegionVolume> volumes(const Context& context) const override {
-    const auto counts = region_volumes(fields_, image_.size(), context);
+    const auto counts = region_volumes(fields_, image_.size(), !keeps_voxels(), context);
     std::vector<RegionVolume> volumes;
     for (std::size_t l = 0; l < image_.labels().size(); ++l)
       volumes.push_back({image_.labels()[l], image_.voxels()[l],
@@ -125,10 +147,12 @@ class FieldsDomain final : public InterfaceDomain {
     return frame_.extent().contains(point) ? labelling_(point) : 0;
   }
 
-  MaterialImage image_;
+  std::shared_ptr<const LabelFields> kept_;
+  const MaterialImage& image_;
+  const NodeFields& fields_;
   Placement placement_;
   FieldFrame frame_;
-  NodeFields fields_;
+  OnCentres on_centres_;
   Labelling labelling_;
   AxisTable<std::int64_t> along_x_;  ///< in nodes
 };
@@ -141,7 +165,7 @@ double points_per_voxel(double spacing, double size) {
 }
 
 void refuse_sigma(const Image& image, double sigma) {
-  if (!(sigma > 0) || !std::isfinite(sigma))
+  if (!(sigma > 0 && std::isfinite(sigma)))
     throw Error(ErrorCode::bad_option, "the smoothing must be a positive number");
   const double finest = *std::ranges::min_element(image.spacing);
   if (sigma > greatest_sigma * finest)
@@ -149,44 +173,64 @@ void refuse_sigma(const Image& image, double sigma) {
                                            "' must be at most 4 voxels along every axis");
 }
 
+OnCentres on_centres(const Image& image, double size) {
+  bool all = true, one_per_voxel = true;
+  for (const double spacing : image.spacing) {
+    const double points = points_per_voxel(spacing, size);
+    all = all && points >= 1;
+    one_per_voxel = one_per_voxel && points == 1;
+  }
+  return one_per_voxel ? OnCentres::one_per_voxel : all ? OnCentres::all : OnCentres::some;
+}
+
+Rules rules_of(const Image& image, const InterfaceSmoothing& smoothing) {
+  Rules rules;
+  if (!smoothing.sigma) return rules;
+  check_geometry(image);
+  refuse_sigma(image, *smoothing.sigma);
+  for (std::size_t a = 0; a < 3; ++a)
+    rules.taps[a] = gaussian_taps(*smoothing.sigma / image.spacing[a]);
+  return rules;
+}
+
 }  // namespace
 
 std::unique_ptr<InterfaceDomain> fields_domain(std::shared_ptr<const Image> image,
                                               std::vector<LabelRange> labels,
-                                              const ImageLattice& lattice, Rules rules,
+                                              const ImageLattice& lattice, const Rules& rules,
                                               const Context& context) {
-  MaterialImage materials(std::move(image), std::move(labels));
-  const Placement placement =
-      place(materials.image(), materials.bounds(), lattice, 0);
-  bool on_centres = true, one_per_voxel = true;
-  for (const double spacing : materials.image().spacing) {
-    const double points = points_per_voxel(spacing, placement.frame.size);
-    on_centres = on_centres && points >= 1;
-    one_per_voxel = one_per_voxel && points == 1;
-  }
-  rules.force = !on_centres;
-  return std::make_unique<FieldsDomain>(
-      std::move(materials), placement,
-      one_per_voxel ? Centres::unjoined : Centres::as_fields_say, rules, context);
+  return interface_domain(
+      std::make_shared<const LabelFields>(std::move(image), std::move(labels), rules, context),
+      lattice);
 }
 
 }  // namespace certet::fields
 
 namespace certet {
 
+std::shared_ptr<const LabelFields> label_fields(std::shared_ptr<const Image> image,
+                                                std::vector<LabelRange> labels,
+                                                const InterfaceSmoothing& smoothing,
+                                                const Context& context) {
+  const fields::Rules rules = fields::rules_of(*image, smoothing);
+  return std::make_shared<const LabelFields>(std::move(image), std::move(labels), rules, context);
+}
+
+std::unique_ptr<InterfaceDomain> interface_domain(std::shared_ptr<const LabelFields> fields,
+                                                 const ImageLattice& lattice) {
+  const fields::MaterialImage& materials = fields->image;
+  const Placement placement = place(materials.image(), materials.bounds(), lattice, 0);
+  const auto on_centres = fields::on_centres(materials.image(), placement.frame.size);
+  return std::make_unique<fields::FieldsDomain>(std::move(fields), placement, on_centres);
+}
+
 std::unique_ptr<InterfaceDomain> interface_domain(std::shared_ptr<const Image> image,
                                                  std::vector<LabelRange> labels,
                                                  const ImageLattice& lattice,
                                                  const InterfaceSmoothing& smoothing,
                                                  const Context& context) {
-  fields::Rules rules;
-  if (smoothing.sigma) {
-    check_geometry(*image);
-    fields::refuse_sigma(*image, *smoothing.sigma);
-    for (std::size_t a = 0; a < 3; ++a)
-      rules.taps[a] = fields::gaussian_taps(*smoothing.sigma / image->spacing[a]);
-  }
-  return fields::fields_domain(std::move(image), std::move(labels), lattice, rules, context);
+  return interface_domain(label_fields(std::move(image), std::move(labels), smoothing, context),
+                          lattice);
 }
 
 }  // namespace certet

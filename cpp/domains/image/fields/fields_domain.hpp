@@ -11,10 +11,10 @@
 
 namespace certet::fields {
 
-/// What `interface_domain` makes, by other rules.  `force` is left to the lattice.
+/// What `interface_domain` makes, by other rules.
 std::unique_ptr<InterfaceDomain> fields_domain(std::shared_ptr<const Image> image,
                                               std::vector<LabelRange> labels,
-                                              const ImageLattice& lattice, Rules rules,
+                                              const ImageLattice& lattice, const Rules& rules,
                                               const Context& context);
 
 }  // namespace certet::fields

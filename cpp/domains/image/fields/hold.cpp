@@ -6,6 +6,15 @@
 namespace certet::fields {
 namespace {
 
+/// By how much the own label is ahead at least, and near thin voxels.
+constexpr std::int32_t least_lead = field_one / 64, thin_lead = field_one / 4;
+
+/// How far the own label is to be mixed in where the best other one is `ahead` of it.
+std::int32_t mixing_of(std::int32_t ahead, bool thin) {
+  const std::int32_t lead = thin ? thin_lead : least_lead;
+  return ahead <= -lead ? 0 : ((lead + ahead) << field_bits) / (field_one + ahead);
+}
+
 using OfNodes = std::array<std::int32_t, nodes_of_block>;
 
 /// How far the own label is to be mixed in.
@@ -17,7 +26,7 @@ void find_mixing(const BlockView& block, std::span<const std::int32_t> values, O
       best_other[n] = std::max(best_other[n], block.nodes[n].own() == l ? 0 : value[n]);
   for (std::size_t n = 0; n < nodes_of_block; ++n) {
     const std::int32_t ahead = best_other[n] - values[block.nodes[n].own() * nodes_of_block + n];
-    mixing[n] = ahead < 0 ? 0 : std::min(field_one, 4 * ahead + 16);
+    mixing[n] = mixing_of(ahead, block.nodes[n].thin());
   }
 }
 

@@ -14,10 +14,11 @@ namespace certet::fields {
 /// What is added to the field of a material, by material, in 16384ths.
 using Constants = std::vector<std::int32_t>;
 
-/// `out` has a value for each of the block's.  Where the own label's value o is not
-/// above the best other value q (0 at least), values u become (1-m) u, and that of the
-/// own label m more, with m = min(1, 4 (q-o) + 16/16384): it is then above all others.
-/// A value of 0 says that the label is not near, and stays so.
+/// `out` has a value for each of the block's.  Where the own label's value o is not above
+/// the best other value q (0 at least) by a 64th, values u become (1-m) u, and that of the own
+/// label m more, with the m by which it then is.  By no more, or single voxels would stand out
+/// of smooth surfaces; but near thin voxels by a quarter, or a constant that raises a thin
+/// label would add little to it.  A value of 0 says that the label is not near, and stays so.
 void raise_and_hold(const BlockView& block, const Constants& constants, bool hold,
                     std::span<std::int32_t> out);
 

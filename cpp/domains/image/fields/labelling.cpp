@@ -61,7 +61,7 @@ bool is_centre(const std::array<std::int64_t, 3>& within) {
 Material Labelling::in_cell(const FieldCell& cell,
                             const std::array<std::int64_t, 3>& within) const {
   const Node& nearest = cell.node(nearest_corner(within));
-  if (nearest.forced()) return cell.material(nearest.own());
+  if (force_ && nearest.at_risk()) return cell.material(nearest.own());
   const Candidates candidates(cell, within);
   if (candidates.size() == 1) return cell.material(candidates.begin()->label);
   const bool unjoined = centres_ == Centres::unjoined && is_centre(within);

@@ -19,10 +19,11 @@ enum class Centres {
 
 /// A point has the label with the greatest field of those of the voxels whose centres
 /// are the corners of its cell (of its face or edge where it lies on one); of equal ones
-/// the lowest.  In a voxel that is forced it has the voxel's.
+/// the lowest.  In a voxel at risk it has the voxel's, if those are forced to keep theirs.
 class Labelling {
  public:
-  Labelling(const NodeFields& fields, Centres centres) : fields_(fields), centres_(centres) {}
+  Labelling(const NodeFields& fields, Centres centres, bool force)
+      : fields_(fields), centres_(centres), force_(force) {}
 
   [[nodiscard]] Material operator()(const FieldPoint& point) const {
     const auto cell = point.cell();
@@ -49,6 +50,7 @@ class Labelling {
 
   const NodeFields& fields_;
   Centres centres_;
+  bool force_;
 };
 
 }  // namespace certet::fields

@@ -15,9 +15,8 @@ class TileFields {
  public:
   TileFields(const LabelWindow& window, const Rules& rules) : window_(window) {
     wide_.compute(window, rules.taps);
-    if (!rules.narrow_thin && !rules.force) return;
     const auto whole = whole_blocks(window);
-    if (rules.force) find_at_risk(window, whole, at_risk_);
+    find_at_risk(window, whole, at_risk_);
     if (!rules.narrow_thin || !find_thin(window, whole, thin_)) return;
     some_thin_ = true;
     std::array<Taps, 3> taps;
@@ -57,7 +56,7 @@ class TileFields {
           std::fill_n(out, block_nodes, std::int16_t{0});
           continue;
         }
-        const bool* thin = some_thin_ ? &thin_[flag(0, y, z)] : nullptr;
+        const bool* thin = some_thin_ ? &thin_[tile_node_number(0, y, z)] : nullptr;
         for (int x = 0; x < block_nodes; ++x) {
           const int at = corner[0] + x;
           std::uint16_t value = wide[at];
@@ -76,14 +75,10 @@ class TileFields {
           const int halo = window_.halo;
           unsigned bits =
               block_rank_[window_.ranks[window_.at(x + halo, y + halo, z + halo)]];
-          if (some_thin_ && thin_[flag(x, y, z)]) bits |= Node::thin_bit;
-          if (at_risk_[flag(x, y, z)]) bits |= Node::forced_bit;
+          if (some_thin_ && thin_[tile_node_number(x, y, z)]) bits |= Node::thin_bit;
+          if (at_risk_[tile_node_number(x, y, z)]) bits |= Node::at_risk_bit;
           tile.nodes.push_back({static_cast<std::uint16_t>(bits)});
         }
-  }
-
-  static std::size_t flag(int x, int y, int z) {
-    return static_cast<std::size_t>((z * tile_nodes + y) * tile_nodes + x);
   }
 
   const LabelWindow& window_;
@@ -106,11 +101,10 @@ std::unique_ptr<Tile> make_tile(const LabelWindow& window, const Rules& rules) {
   if (window.materials.size() == 1) return nullptr;
   auto tile = std::make_unique<Tile>();
   TileFields fields(window, rules);
-  for (int z = 0; z < tile_blocks; ++z)
-    for (int y = 0; y < tile_blocks; ++y)
-      for (int x = 0; x < tile_blocks; ++x)
-        fields.add_block({block_cells * x, block_cells * y, block_cells * z},
-                         tile->blocks[block_number(x, y, z)], *tile);
+  for_each_of_cube(tile_blocks, [&](int x, int y, int z) {
+    fields.add_block({block_cells * x, block_cells * y, block_cells * z},
+                     tile->blocks[block_number(x, y, z)], *tile);
+  });
   tile->materials.shrink_to_fit();
   tile->values.shrink_to_fit();
   tile->nodes.shrink_to_fit();

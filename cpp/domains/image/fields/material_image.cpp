@@ -35,12 +35,8 @@ class MaterialOfVoxel {
 void refuse_unless_labels(const Image& image, const LabelSet& set) {
   std::visit(
       [&]<class T>(const Buffer<T>& voxels) {
-        if constexpr (std::is_floating_point_v<T>)
-          throw Error(ErrorCode::bad_input,
-                      "the voxels of '" + image.name +
-                          "' are not whole numbers, so they are no labels; choose a level");
-        else
-          refuse_wide_labels(image, voxels, set);
+        if constexpr (std::is_floating_point_v<T>) refuse_levels(image);
+        else refuse_wide_labels(image, voxels, set);
       },
       image.voxels);
 }
@@ -59,10 +55,7 @@ MaterialImage::MaterialImage(std::shared_ptr<const Image> image, std::vector<Lab
   refuse_unless_labels(*image_, set_);
   const bool all = labels.empty();
   const std::vector<ImageRegion> regions = regions_of_labels(*image_, std::move(labels));
-  if (regions.empty())
-    throw Error(ErrorCode::empty_domain,
-                "no voxel of '" + image_->name + "' has " +
-                    (all ? "a label other than 0" : "one of the chosen labels"));
+  if (regions.empty()) refuse_unlabelled(*image_, all);
   table_ = MaterialTable(labels_of(regions));
   for (const ImageRegion& region : regions) voxels_.push_back(region.voxels);
   find_bounds();

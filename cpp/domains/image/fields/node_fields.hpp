@@ -17,10 +17,9 @@
 
 namespace certet::fields {
 
-/// Cells low to high along each axis, both ends included; cell c lies between nodes c
-/// and c + 1, which are voxels c - 1 and c.
+/// Cells low to high along each axis, both ends included.
 struct CellBox {
-  std::array<std::int64_t, 3> low, high;
+  Cell low, high;
 };
 
 /// A field u for each label, in 16384ths at nodes and trilinear between them:
@@ -36,7 +35,7 @@ class NodeFields {
   NodeFields(const MaterialImage& image, const Rules& rules, const Context& context);
 
   /// The block of a cell.  Cells are numbered from 0 to the number of voxels.
-  [[nodiscard]] BlockView block(const std::array<std::int64_t, 3>& cell) const {
+  [[nodiscard]] BlockView block(const Cell& cell) const {
     const std::size_t t = tile_number(cell[0] / tile_cells, cell[1] / tile_cells,
                                       cell[2] / tile_cells);
     if (!tiles_[t]) return {only_[t], 0, nullptr, nullptr, nullptr};
@@ -51,9 +50,9 @@ class NodeFields {
 
   [[nodiscard]] std::uint64_t bytes() const;
 
-  [[nodiscard]] const std::array<std::int64_t, 3>& tile_counts() const { return counts_; }
+  [[nodiscard]] std::size_t tile_count() const { return tiles_.size(); }
   /// Of a tile by its number.
-  [[nodiscard]] std::array<std::int64_t, 3> first_cell(std::size_t number) const {
+  [[nodiscard]] Cell first_cell(std::size_t number) const {
     const auto n = static_cast<std::int64_t>(number);
     return {tile_cells * (n % counts_[0]), tile_cells * (n / counts_[0] % counts_[1]),
             tile_cells * (n / counts_[0] / counts_[1])};
@@ -62,6 +61,17 @@ class NodeFields {
   [[nodiscard]] const Tile* tile(std::size_t number) const { return tiles_[number].get(); }
   [[nodiscard]] Material only(std::size_t number) const { return only_[number]; }
   [[nodiscard]] const Constants& constants() const { return constants_; }
+
+  /// Calls visit(block, its first cell) for all blocks of a tile.
+  template <class Visit>
+  void for_each_block(std::size_t tile, const Visit& visit) const {
+    const Cell first = first_cell(tile);
+    for_each_of_cube(tile_blocks, [&](int x, int y, int z) {
+      const Cell cell{first[0] + block_cells * x, first[1] + block_cells * y,
+                      first[2] + block_cells * z};
+      visit(block(cell), cell);
+    });
+  }
 
  private:
   [[nodiscard]] std::size_t tile_number(std::int64_t x, std::int64_t y, std::int64_t z) const {

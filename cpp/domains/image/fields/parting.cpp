@@ -12,7 +12,8 @@ namespace {
 /// On which side points of an edge are.  The cell of the last point is kept.
 class Sides {
  public:
-  Sides(const NodeFields& fields, const FieldEdge& edge) : fields_(fields), edge_(edge) {}
+  Sides(const NodeFields& fields, bool force, const FieldEdge& edge)
+      : fields_(fields), force_(force), edge_(edge) {}
 
   bool is_first(const FieldPoint& point) {
     if (point.cell() != at_) enter(point.cell());
@@ -47,12 +48,14 @@ class Sides {
     for (std::size_t c = 0; c < 8; ++c) {
       difference_[c] -= others[c];
       const Node& node = corners.node(c);
-      forced_[c] = node.forced() ? corners.material(node.own()) : not_forced;
-      some_forced_ = some_forced_ || node.forced();
+      const bool forced = force_ && node.at_risk();
+      forced_[c] = forced ? corners.material(node.own()) : not_forced;
+      some_forced_ = some_forced_ || forced;
     }
   }
 
   const NodeFields& fields_;
+  bool force_;
   const FieldEdge& edge_;
   std::array<std::int64_t, 3> at_{-1, -1, -1};
   Corners difference_{};  ///< of the first material's field and the last one's
@@ -131,8 +134,9 @@ bool holds(const std::array<std::int64_t, 3>& cell, const FieldEdge& edge) {
 
 }  // namespace
 
-std::uint16_t part(const NodeFields& fields, const FieldExtent& extent, const FieldEdge& edge) {
-  Sides sides(fields, edge);
+std::uint16_t part(const NodeFields& fields, const FieldExtent& extent, bool force,
+                   const FieldEdge& edge) {
+  Sides sides(fields, force, edge);
   const bool leaves = !extent.contains(edge.last);
   const auto cell = point_of(edge, steps / 2).cell();
   if (!leaves && holds(cell, edge))

@@ -27,9 +27,10 @@ struct FieldEdge {
 
 /// The number of steps, of 2^step_bits in all, after which the edge is on the side of
 /// its last end: the field of that one's label is as great as the other's, or the point
-/// lies beyond the image, or in a voxel that is forced to be of the last material (in
-/// one of any other it is on the side of the first).  If that is so more than once, one of
+/// lies beyond the image, or, if those at risk are forced to keep their labels, in a voxel
+/// at risk of the last material (in one of any other it is on the side of the first).  If that is so more than once, one of
 /// those steps; 0 if it is so from the start, the last step if never.
-std::uint16_t part(const NodeFields& fields, const FieldExtent& extent, const FieldEdge& edge);
+std::uint16_t part(const NodeFields& fields, const FieldExtent& extent, bool force,
+                   const FieldEdge& edge);
 
 }  // namespace certet::fields

@@ -1,38 +1,17 @@
 #include "region_estimate.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "fields/cell_corners.hpp"
+#include "fields/cell_points.hpp"
 
 namespace certet::fields {
 namespace {
 
-/// Quarters along an axis of a cell, the lower and the upper, that lie in an image of so
-/// many voxels: a bit for each.  Cells 0 and `voxels` are half beyond it.
-unsigned quarters_along(std::int64_t cell, std::int64_t voxels) {
-  return cell > voxels ? 0 : (cell != 0 ? 1U : 0U) | (cell != voxels ? 2U : 0U);
-}
-
-/// A bit for each of a cell's eight points.
-unsigned quarters_within(const std::array<std::int64_t, 3>& cell,
-                        const std::array<std::int64_t, 3>& size) {
-  unsigned points = 0;
-  for (unsigned p = 0; p < 8; ++p) {
-    bool within = true;
-    for (unsigned a = 0; a < 3; ++a)
-      within = within && (quarters_along(cell[a], size[a]) >> (p >> a & 1) & 1) != 0;
-    points |= static_cast<unsigned>(within) << p;
-  }
-  return points;
-}
-
-std::int64_t count_of(unsigned points) {
-  std::int64_t count = 0;
-  for (; points != 0; points &= points - 1) ++count;
-  return count;
-}
+std::int64_t count_of(PointSet points) { return std::popcount(points); }
 
 /// A field at the eight points of a cell, 64 times as great.
 using Quarters = std::array<std::int32_t, 8>;
@@ -80,38 +59,36 @@ std::int32_t slope_of(double deviation) {
   return static_cast<std::int32_t>(std::lround(65536 * 1.25 * deviation));
 }
 
-void TileEstimate::add_uniform(Material material, const std::array<std::int64_t, 3>& first_cell,
+void TileEstimate::add_uniform(Material material, const Cell& first_cell,
                                int cells) {
   std::int64_t points = 1;
   for (std::size_t a = 0; a < 3; ++a) {
     std::int64_t along = 0;
     for (std::int64_t cell = first_cell[a]; cell < first_cell[a] + cells; ++cell)
-      along += count_of(quarters_along(cell, size_[a]));
+      along += count_of(points_along<2>(cell, size_[a]));
     points *= along;
   }
   sums_.add_volume(material, field_one * points);
 }
 
 void TileEstimate::add_block(const BlockView& block,
-                             const std::array<std::int64_t, 3>& first_cell,
+                             const Cell& first_cell,
                              const Constants& constants, bool hold) {
   if (block.labels == 0) return add_uniform(block.only, first_cell, block_cells);
   values_.resize(block.labels * nodes_of_block);
   raise_and_hold(block, constants, hold, values_);
   find_margins(block);
-  for (int z = 0; z < block_cells; ++z)
-    for (int y = 0; y < block_cells; ++y)
-      for (int x = 0; x < block_cells; ++x) {
-        const std::size_t node = node_number(x, y, z);
-        const unsigned points =
-            quarters_within({first_cell[0] + x, first_cell[1] + y, first_cell[2] + z}, size_);
-        if (is_settled(block, node)) {
-          const Material own = block.materials[block.nodes[node].own()];
-          sums_.add_volume(own, field_one * count_of(points));
-        } else {
-          add_cell(block, node, points);
-        }
-      }
+  for_each_of_cube(block_cells, [&](int x, int y, int z) {
+    const std::size_t node = node_number(x, y, z);
+    const PointSet points =
+        points_within<2>({first_cell[0] + x, first_cell[1] + y, first_cell[2] + z}, size_);
+    if (is_settled(block, node)) {
+      const Material own = block.materials[block.nodes[node].own()];
+      sums_.add_volume(own, field_one * count_of(points));
+    } else {
+      add_cell(block, node, points);
+    }
+  });
 }
 
 void TileEstimate::find_margins(const BlockView& block) {
@@ -140,7 +117,7 @@ bool TileEstimate::is_settled(const BlockView& block, std::size_t node) const {
 
 /// A point that is x voxels inside gives a part of min(1, 1/2 + 2x) to the label with the
 /// greatest field, and the rest to the second.
-void TileEstimate::add_cell(const BlockView& block, std::size_t node, unsigned points) {
+void TileEstimate::add_cell(const BlockView& block, std::size_t node, PointSet points) {
   Winners winners;
   for (std::size_t l = 0; l < block.labels; ++l)
     winners.add(at_quarters(&values_[l * nodes_of_block + node]), static_cast<std::int32_t>(l));

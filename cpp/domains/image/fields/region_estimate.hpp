@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "fields/cell_points.hpp"
 #include "fields/field_tile.hpp"
 #include "fields/hold.hpp"
 #include "fields/region_sums.hpp"
@@ -31,16 +32,16 @@ class TileEstimate {
       : size_(size), slopes_(slopes), sums_(sums) {}
 
   /// So many cells along each axis of one material.
-  void add_uniform(Material material, const std::array<std::int64_t, 3>& first_cell, int cells);
+  void add_uniform(Material material, const Cell& first_cell, int cells);
 
   /// `block` is not raised yet.
-  void add_block(const BlockView& block, const std::array<std::int64_t, 3>& first_cell,
+  void add_block(const BlockView& block, const Cell& first_cell,
                  const Constants& constants, bool hold);
 
  private:
   void find_margins(const BlockView& block);
   [[nodiscard]] bool is_settled(const BlockView& block, std::size_t node) const;
-  void add_cell(const BlockView& block, std::size_t node, unsigned points);
+  void add_cell(const BlockView& block, std::size_t node, PointSet points);
 
   std::array<std::int64_t, 3> size_;
   Slopes slopes_;

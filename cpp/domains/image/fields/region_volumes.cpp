@@ -6,6 +6,7 @@
 #include <limits>
 #include <mutex>
 
+#include "fields/cell_points.hpp"
 #include "fields/field_cell.hpp"
 #include "fields/for_each_tile.hpp"
 
@@ -14,26 +15,8 @@ namespace {
 
 constexpr std::size_t points_per_cell = 64;
 
-/// A value or a bit for each point of a cell, the first axis running fastest.
+/// A value for each point of a cell, the first axis running fastest.
 using Points = std::array<std::int32_t, points_per_cell>;
-using PointSet = std::uint64_t;
-
-/// Those along an axis that lie in an image of so many voxels: a bit for each.  Cells 0 and
-/// `voxels` are half beyond it.
-unsigned points_along(std::int64_t cell, std::int64_t voxels) {
-  return cell > voxels ? 0 : (cell != 0 ? 3U : 0U) | (cell != voxels ? 12U : 0U);
-}
-
-PointSet points_within(const std::array<std::int64_t, 3>& cell,
-                       const std::array<std::int64_t, 3>& size) {
-  const unsigned x = points_along(cell[0], size[0]), y = points_along(cell[1], size[1]),
-                 z = points_along(cell[2], size[2]);
-  if ((x & y & z) == 15) return ~PointSet{0};
-  PointSet set = 0;
-  for (unsigned p = 0; p < points_per_cell; ++p)
-    set |= PointSet{x >> (p & 3) & y >> (p >> 2 & 3) & z >> (p >> 4) & 1} << p;
-  return set;
-}
 
 /// 512 times a field.
 Points at_points(const Corners& corner) {
@@ -63,18 +46,17 @@ constexpr std::size_t corner_of(std::size_t point) {
 /// Counts points, as `Labelling` labels them.
 class CellCounts {
  public:
-  CellCounts(const std::array<std::int64_t, 3>& size, std::vector<std::uint64_t>& counts)
-      : size_(size), counts_(counts) {}
+  CellCounts(const std::array<std::int64_t, 3>& size, bool force,
+             std::vector<std::uint64_t>& counts)
+      : size_(size), force_(force), counts_(counts) {}
 
-  void add_block(const BlockView& block, const std::array<std::int64_t, 3>& first) {
-    for (std::int64_t z = first[2]; z < first[2] + block_cells; ++z)
-      for (std::int64_t y = first[1]; y < first[1] + block_cells; ++y)
-        for (std::int64_t x = first[0]; x < first[0] + block_cells; ++x) {
-          const std::array<std::int64_t, 3> cell{x, y, z};
-          const PointSet points = points_within(cell, size_);
-          if (block.labels == 0) add(block.only, static_cast<std::uint64_t>(std::popcount(points)));
-          else add_cell(FieldCell(block, cell), points);
-        }
+  void add_block(const BlockView& block, const Cell& first) {
+    for_each_of_cube(block_cells, [&](int x, int y, int z) {
+      const Cell cell{first[0] + x, first[1] + y, first[2] + z};
+      const PointSet points = points_within<4>(cell, size_);
+      if (block.labels == 0) add(block.only, static_cast<std::uint64_t>(std::popcount(points)));
+      else add_cell(FieldCell(block, cell), points);
+    });
   }
 
  private:
@@ -87,7 +69,7 @@ class CellCounts {
     bool forced = false;
     for (std::size_t c = 0; c < 8; ++c) {
       labels[c] = cell.node(c).own();
-      forced = forced || cell.node(c).forced();
+      forced = forced || (force_ && cell.node(c).at_risk());
     }
     std::ranges::sort(labels);
     if (labels[0] == labels[7])
@@ -106,31 +88,28 @@ class CellCounts {
     for (std::size_t p = 0; p < points_per_cell; ++p) {
       if ((points >> p & 1) == 0) continue;
       const Node& nearest = cell.node(corner_of(p));
-      add(cell.material(forced && nearest.forced() ? nearest.own() : of_best[p]), 1);
+      add(cell.material(forced && nearest.at_risk() ? nearest.own() : of_best[p]), 1);
     }
   }
 
   const std::array<std::int64_t, 3>& size_;
+  bool force_;
   std::vector<std::uint64_t>& counts_;
 };
 
 }  // namespace
 
 std::vector<std::uint64_t> region_volumes(const NodeFields& fields,
-                                          const std::array<std::int64_t, 3>& size,
+                                          const std::array<std::int64_t, 3>& size, bool force,
                                           const Context& context) {
   std::vector<std::uint64_t> sums(fields.constants().size(), 0);
   std::mutex mutex;
-  const auto& counts = fields.tile_counts();
-  for_each_tile(context, static_cast<std::size_t>(counts[0] * counts[1] * counts[2]),
-                [&](std::size_t t) {
+  for_each_tile(context, fields.tile_count(), [&](std::size_t t) {
     std::vector<std::uint64_t> of_tile(sums.size(), 0);
-    CellCounts cells(size, of_tile);
-    const std::array<std::int64_t, 3> first = fields.first_cell(t);
-    for (std::int64_t z = first[2]; z < first[2] + tile_cells; z += block_cells)
-      for (std::int64_t y = first[1]; y < first[1] + tile_cells; y += block_cells)
-        for (std::int64_t x = first[0]; x < first[0] + tile_cells; x += block_cells)
-          cells.add_block(fields.block({x, y, z}), {x, y, z});
+    CellCounts cells(size, force, of_tile);
+    fields.for_each_block(t, [&](const BlockView& block, const Cell& first) {
+      cells.add_block(block, first);
+    });
     const std::lock_guard lock(mutex);
     std::ranges::transform(sums, of_tile, sums.begin(), std::plus<>());
   });

@@ -8,14 +8,12 @@
 
 namespace certet::fields {
 
-/// The first four are meant to be used; each can be left out to see what it is for.
+/// All are meant to be used; each can be left out to see what it is for.
 struct Rules {
   std::array<Taps, 3> taps{binomial_taps(), binomial_taps(), binomial_taps()};
   bool narrow_thin = true;   ///< narrower taps around thin voxels
   bool keep_volumes = true;  ///< a constant for each label
   bool hold = true;          ///< the label of a voxel wins at its centre
-  bool force = false;        ///< voxels at risk have their label throughout: chosen by the domain,
-                             ///< for a lattice without points on their centres
 };
 
 }  // namespace certet::fields

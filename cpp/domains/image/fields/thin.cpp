@@ -7,18 +7,6 @@
 namespace certet::fields {
 namespace {
 
-/// Calls visit(x, y, z) for every node of a tile.
-template <class Visit>
-void for_each_node(const Visit& visit) {
-  for (int z = 0; z < tile_nodes; ++z)
-    for (int y = 0; y < tile_nodes; ++y)
-      for (int x = 0; x < tile_nodes; ++x) visit(x, y, z);
-}
-
-std::size_t flag_number(int x, int y, int z) {
-  return static_cast<std::size_t>((z * tile_nodes + y) * tile_nodes + x);
-}
-
 bool at_risk(const LabelWindow& window, const std::vector<std::uint8_t>& whole,
              std::size_t voxel) {
   const Octants own = whole[voxel];
@@ -69,15 +57,15 @@ bool find_thin(const LabelWindow& window, const std::vector<std::uint8_t>& whole
         for (int k = std::max(z - 1, 0); k <= std::min(z + 1, tile_nodes - 1); ++k)
           for (int j = std::max(y - 1, 0); j <= std::min(y + 1, tile_nodes - 1); ++j)
             for (int i = std::max(x - 1, 0); i <= std::min(x + 1, tile_nodes - 1); ++i)
-              some = flags[flag_number(i, j, k)] = true;
+              some = flags[tile_node_number(i, j, k)] = true;
       }
   return some;
 }
 
 void find_at_risk(const LabelWindow& window, const std::vector<std::uint8_t>& whole,
                   NodeFlags& flags) {
-  for_each_node([&](int x, int y, int z) {
-    flags[flag_number(x, y, z)] =
+  for_each_of_cube(tile_nodes, [&](int x, int y, int z) {
+    flags[tile_node_number(x, y, z)] =
         at_risk(window, whole, window.at(x + window.halo, y + window.halo, z + window.halo));
   });
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr int passes = 4;
 /// More than 1, for held and thin parts move less than the others.
 constexpr double moved_at_once = 1.2;
-constexpr std::int32_t greatest_constant = 6554;  ///< 0.4, so that 16 bits hold all fields
+constexpr std::int32_t greatest_constant = 14746;  ///< 0.9, so that 16 bits hold all fields
 constexpr int rounds = 100;  ///< of the solver
 constexpr double least_area = 5;  ///< in faces of a voxel
 
@@ -28,20 +28,16 @@ RegionSums estimate(const NodeFields& fields, const MaterialImage& image, const 
                     const Constants& constants, bool hold, const Context& context) {
   RegionSums sums(constants.size());
   std::mutex mutex;
-  const auto& counts = fields.tile_counts();
-  for_each_tile(context, static_cast<std::size_t>(counts[0] * counts[1] * counts[2]),
-                [&](std::size_t t) {
+  for_each_tile(context, fields.tile_count(), [&](std::size_t t) {
     RegionSums of_tile(constants.size());
     TileEstimate estimate(image.size(), slopes, of_tile);
-    const auto first = fields.first_cell(t);
-    if (fields.tile(t) == nullptr) {
+    const Cell first = fields.first_cell(t);
+    if (fields.tile(t) == nullptr)
       estimate.add_uniform(fields.only(t), first, tile_cells);
-    } else {
-      for (std::int64_t z = first[2]; z < first[2] + tile_cells; z += block_cells)
-        for (std::int64_t y = first[1]; y < first[1] + tile_cells; y += block_cells)
-          for (std::int64_t x = first[0]; x < first[0] + tile_cells; x += block_cells)
-            estimate.add_block(fields.block({x, y, z}), {x, y, z}, constants, hold);
-    }
+    else
+      fields.for_each_block(t, [&](const BlockView& block, const Cell& cell) {
+        estimate.add_block(block, cell, constants, hold);
+      });
     of_tile.merge_areas();
     const std::lock_guard lock(mutex);
     sums.add(of_tile);

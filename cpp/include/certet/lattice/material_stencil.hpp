@@ -14,7 +14,8 @@ namespace certet {
 /// The owner of a tetrahedron whose corners have all moved: its material is none of theirs.
 inline constexpr std::uint8_t shared_owner = 4;
 
-/// A tetrahedron of a material: that of corner `owner`.
+/// A tetrahedron of a material: that of corner `owner`.  A cut is named by its ends, the
+/// lower number first, for either may be of the higher material.
 struct MaterialTet {
   UnstructuredTet vertices{};
   std::uint8_t owner = 0;
@@ -34,8 +35,8 @@ struct MaterialStencil {
 inline constexpr std::int32_t moved_corner = -1;
 using CornerMaterials = std::array<std::int32_t, 4>;
 
-/// Numbers the ways in which four corners are alike: four bits for those that have
-/// moved, six for the pairs of one material.
+/// Tells in which ways four corners are alike: four bits for those that have moved, six
+/// for the pairs of one material.
 inline constexpr std::size_t likeness_count = 1024;
 
 constexpr std::size_t likeness(const CornerMaterials& corners) {
@@ -47,6 +48,31 @@ constexpr std::size_t likeness(const CornerMaterials& corners) {
       code |= std::size_t{corners[a] == corners[b]} << bit++;
   return code;
 }
+
+/// All patterns of materials, each once: a corner has moved or is of one of four materials,
+/// and which of them is which makes no difference.
+inline constexpr std::size_t material_pattern_count = 52;
+inline constexpr std::array<CornerMaterials, material_pattern_count> material_patterns = [] {
+  std::array<CornerMaterials, material_pattern_count> patterns{};
+  std::array<bool, likeness_count> seen{};
+  std::size_t count = 0;
+  for (int n = 0; n < 5 * 5 * 5 * 5; ++n) {
+    const CornerMaterials corners{n % 5 - 1, n / 5 % 5 - 1, n / 25 % 5 - 1, n / 125 - 1};
+    bool& is_known = seen[likeness(corners)];
+    if (!is_known) patterns[count++] = corners;
+    is_known = true;
+  }
+  return patterns;
+}();
+
+/// The pattern of a likeness; those that no corners have are of none.
+inline constexpr std::array<std::uint8_t, likeness_count> pattern_of_likeness = [] {
+  std::array<std::uint8_t, likeness_count> pattern_of{};
+  pattern_of.fill(material_pattern_count);
+  for (std::uint8_t n = 0; n < material_pattern_count; ++n)
+    pattern_of[likeness(material_patterns[n])] = n;
+  return pattern_of;
+}();
 
 namespace stencil_detail {
 
@@ -92,8 +118,11 @@ constexpr CornerSigns signs_of(const CornerMaterials& corners, std::int32_t mate
 
 constexpr void add_tets_of_one(MaterialStencil& stencil, const CornerMaterials& corners,
                                std::uint8_t owner) {
-  for (const UnstructuredTet& tet : unstructured_tets(signs_of(corners, corners[owner])))
+  for (UnstructuredTet tet : unstructured_tets(signs_of(corners, corners[owner]))) {
+    for (StencilVertex& vertex : tet)
+      if (vertex.a > vertex.b) vertex = {vertex.b, vertex.a};
     stencil.tets[stencil.count++] = {tet, owner};
+  }
 }
 
 constexpr void add_fill(MaterialStencil& stencil, const char* tets) {
@@ -129,20 +158,17 @@ constexpr MaterialStencil make_material_stencil(const CornerMaterials& corners) 
 
 }  // namespace stencil_detail
 
-/// By likeness; those that no corners have are empty.
-inline constexpr std::array<MaterialStencil, likeness_count> material_stencil_table = [] {
-  std::array<MaterialStencil, likeness_count> table{};
-  for (int n = 0; n < 5 * 5 * 5 * 5; ++n) {
-    CornerMaterials corners{n % 5 - 1, n / 5 % 5 - 1, n / 25 % 5 - 1, n / 125 - 1};
-    MaterialStencil& stencil = table[likeness(corners)];
-    if (stencil.count == 0) stencil = stencil_detail::make_material_stencil(corners);
-  }
+/// By pattern.
+inline constexpr std::array<MaterialStencil, material_pattern_count> material_stencil_table = [] {
+  std::array<MaterialStencil, material_pattern_count> table{};
+  for (std::size_t n = 0; n < table.size(); ++n)
+    table[n] = stencil_detail::make_material_stencil(material_patterns[n]);
   return table;
 }();
 
 /// `GetMaterialTets` of the certificate.
 constexpr const MaterialStencil& material_tets(const CornerMaterials& corners) {
-  return material_stencil_table[likeness(corners)];
+  return material_stencil_table[pattern_of_likeness[likeness(corners)]];
 }
 
 }  // namespace certet

@@ -21,8 +21,8 @@ inline constexpr SquaredCotangent least_angle{221, 8};
 inline constexpr SquaredCotangent greatest_angle{1751, 130};
 
 /// Whether a tetrahedron, positions in steps, has a positive volume and all dihedral
-/// angles within the bounds; for some that have them by less than a millionth the answer
-/// is no.  No coordinates differ by 2^19 steps or more.
+/// angles within the bounds: `IsWellShaped` of the certificate, exactly.  No coordinates
+/// differ by 2^18 steps or more.
 constexpr bool is_well_shaped(const std::array<Coord3, 4>& p) {
   __extension__ using Wide = __int128;
   struct Vector {
@@ -45,14 +45,17 @@ constexpr bool is_well_shaped(const std::array<Coord3, 4>& p) {
     const Vector edge = from(p[a], p[b]);
     // The cotangent is this over the volume and the length of the edge.
     const Wide product = dot(cross(edge, from(p[a], p[c])), cross(edge, from(p[a], p[d])));
-    const SquaredCotangent& bound = product > 0 ? least_angle : greatest_angle;
-    constexpr int fraction_bits = 22;
-    const Wide ratio =
-        ((product > 0 ? product : -product) * (Wide{1} << fraction_bits) + volume - 1) / volume;
-    if (ratio >> 54 != 0) return false;
-    if (ratio * ratio * bound.denominator >
-        dot(edge, edge) * bound.numerator * (Wide{1} << 2 * fraction_bits))
-      return false;
+    const auto [numerator, denominator] = product > 0 ? least_angle : greatest_angle;
+    // den product^2 <= num volume^2 edge^2, and no number has more than 127 bits: with
+    // product = quotient volume + rest it is
+    // 2 den quotient rest + den rest^2 / volume <= (num edge^2 - den quotient^2) volume.
+    const Wide size = product > 0 ? product : -product;
+    const Wide quotient = size / volume;
+    const Wide rest = size % volume;
+    if (quotient >> 24 != 0) return false;
+    const Wide room = numerator * dot(edge, edge) - denominator * quotient * quotient;
+    const Wide of_rest = (denominator * rest * rest + volume - 1) / volume;
+    if (2 * denominator * quotient * rest + of_rest > room * volume) return false;
   }
   return true;
 }

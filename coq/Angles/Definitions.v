@@ -1,0 +1,4 @@
+(** * What [Angles/] defines: angles as inequalities between integers, what
+      warping may leave behind *)
+
+From Certet Require Export Angles.Geometry Angles.AnglesSpec.

@@ -1,0 +1,5 @@
+(** * What [Lattice/] defines: points, directions, the structured tetrahedra and
+      their face neighbours *)
+
+From Certet Require Export Lattice.Coord3 Lattice.Direction
+  Lattice.StructuredTet Lattice.StructuredTetSpec Lattice.NeighborSpec.

@@ -1,0 +1,4 @@
+(** * What [Material/] defines: the stencils of several materials *)
+
+From Certet Require Export Material.MaterialTet Material.MaterialMesh
+  Material.MaterialSpec.

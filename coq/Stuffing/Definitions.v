@@ -1,0 +1,3 @@
+(** * What [Stuffing/] defines: the mesher, the domain, the mesh *)
+
+From Certet Require Export Stuffing.Stuffing Stuffing.Domain Stuffing.MeshSpec.

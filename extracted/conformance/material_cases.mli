@@ -1,0 +1,3 @@
+(** Whole meshes of several materials. *)
+
+val all : unit -> Json.t list

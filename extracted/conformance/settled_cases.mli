@@ -1,0 +1,3 @@
+(** Whole meshes by the warp that keeps the shape. *)
+
+val all : unit -> Json.t list
