@@ -52,10 +52,15 @@ bool BorderBox::contains(Coord3 position) const {
 bool BorderBox::is_at_face(Coord3 position) const {
   const double tolerance = 4.0 / steps * (place_.size / 2);
   const Point3 p = place_.world(position);
-  for (std::size_t a = 0; a < 3; ++a)
-    if (std::abs(p[a] - low_[a]) <= tolerance || std::abs(p[a] - high_[a]) <= tolerance)
-      return true;
-  return false;
+  bool at_face = false;
+  for (std::size_t a = 0; a < 3; ++a) {
+    // Of several solids others may be where the plane of a face goes on; a point of this one
+    // is moved by less than an edge.
+    if (p[a] < low_[a] - place_.size || p[a] > high_[a] + place_.size) return false;
+    at_face = at_face || std::abs(p[a] - low_[a]) <= tolerance ||
+              std::abs(p[a] - high_[a]) <= tolerance;
+  }
+  return at_face;
 }
 
 namespace core {

@@ -14,9 +14,9 @@ class Parting {
  public:
   explicit Parting(const Domain& domain) : domain_(domain) {}
 
-  /// `of_last` is the material at `last`, which is less than that at `first`.
-  void add(Coord3 first, Coord3 last, Material of_last) {
-    edges_[size_] = {first, last, of_last};
+  /// From the greater material to the lesser.
+  void add(const PartedEdge& edge) {
+    edges_[size_] = edge;
     if (++size_ == edges_.size()) flush();
   }
 
@@ -40,14 +40,15 @@ class Parting {
   std::vector<std::uint16_t> result_;
 };
 
-/// The material of the lesser end of a cut edge, seen from bit b of word w.
+/// The material of an end of a cut edge, seen from bit b of word w; 0 where materials are not
+/// told apart.
 Material material_of(const SignPlanes& planes, const VertexRef& end, int w, int b, int j, int k) {
   if (planes.materials() == nullptr) return 0;
   return planes.materials()->at(end.grid, 64 * w + b + end.shift.x, j + end.shift.y,
                                 k + end.shift.z);
 }
 
-/// Calls visit(first, last, of_last) for the cut edges of row (j,k), in the order
+/// Calls visit(edge) for the cut edges of row (j,k), in the order
 /// of `row`: from the greater material to the lesser, or from plus to minus.
 template <class Visit>
 void for_each_cut_edge(const SignPlanes& planes, const RowRanks& row, const Lattice& lattice,
@@ -62,8 +63,10 @@ void for_each_cut_edge(const SignPlanes& planes, const RowRanks& row, const Latt
         const bool forward = (from_first >> b & 1) != 0;
         const VertexRef& from = forward ? family.first : family.second;
         const VertexRef& to = forward ? family.second : family.first;
-        visit(lattice_point(lattice, from, 64 * w + b, j, k),
-              lattice_point(lattice, to, 64 * w + b, j, k), material_of(planes, to, w, b, j, k));
+        visit(PartedEdge{lattice_point(lattice, from, 64 * w + b, j, k),
+                         lattice_point(lattice, to, 64 * w + b, j, k),
+                         material_of(planes, to, w, b, j, k),
+                         material_of(planes, from, w, b, j, k)});
       });
     }
   }
@@ -83,9 +86,7 @@ CutLayer find_layer(const SignPlanes& planes, const Domain& domain, const Lattic
     count += row.count() - row.corners();
     if (cuts == Cuts::bisect)
       for_each_cut_edge(planes, row, lattice, j, k,
-                        [&](Coord3 first, Coord3 last, Material of_last) {
-                          parting.add(first, last, of_last);
-                        });
+                        [&](const PartedEdge& edge) { parting.add(edge); });
   }
   if (cuts == Cuts::bisect) layer.steps = parting.finish();
   else layer.steps.assign(count, midpoint_cut);

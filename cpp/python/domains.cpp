@@ -7,6 +7,14 @@
 #include "certet/error.hpp"
 
 namespace certet::python {
+
+KeptFunction kept(py::object function) {
+  return {new py::object(std::move(function)), [](const py::object* object) {
+            const py::gil_scoped_acquire locked;
+            delete object;
+          }};
+}
+
 template <class Position>
 void PythonDomain::call(const Position& position, std::span<Sign> out) const {
   const py::gil_scoped_acquire locked;
@@ -14,7 +22,7 @@ void PythonDomain::call(const Position& position, std::span<Sign> out) const {
   py::array_t<double> points({count, py::ssize_t{3}});
   double* to = points.mutable_data();
   for (std::size_t i = 0; i < out.size(); ++i) to = std::ranges::copy(frame().world(position(i)), to).out;
-  const py::array_t<double, py::array::c_style | py::array::forcecast> values = function_(points);
+  const py::array_t<double, py::array::c_style | py::array::forcecast> values = (*function_)(points);
   if (values.size() != count)
     throw Error(ErrorCode::bad_input, "the function gave " + std::to_string(values.size()) +
                                           " numbers for " + std::to_string(count) + " points");

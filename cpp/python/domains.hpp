@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "certet/bounded_function.hpp"
@@ -14,17 +15,22 @@ namespace certet::python {
 
 namespace py = pybind11;
 
+/// A Python object that threads without Python's lock may copy and let go of.
+using KeptFunction = std::shared_ptr<const py::object>;
+/// To be called with the lock.
+KeptFunction kept(py::object function);
+
 /// Where a Python function of points is negative, within bounds that cut it off.  It is called with arrays of
 /// shape (n, 3) in world coordinates, by one thread at a time, and gives n
 /// numbers.  What it raises ends the run.  The function must live as long as the domain, which
 /// may be made and destroyed without Python's lock.
 class PythonDomain final : public PlacedDomain {
  public:
-  /// `size` and `margin` are those of `lattice_around`.  \throws Error as that one.
-  PythonDomain(const py::object& function, const Bounds& bounds, double size, std::int32_t margin)
-      : function_(function),
+  /// On a lattice that holds the bounds.
+  PythonDomain(KeptFunction function, const Bounds& bounds, const PlacedLattice& around)
+      : function_(std::move(function)),
         bounds_(bounds),
-        around_(lattice_around(bounds, size, margin)),
+        around_(around),
         border_{BorderBox::along_frame(around_.frame, bounds.low, bounds.high)} {}
 
   [[nodiscard]] const Frame& frame() const override { return around_.frame; }
@@ -39,7 +45,7 @@ class PythonDomain final : public PlacedDomain {
   template <class Position>
   void call(const Position& position, std::span<Sign> out) const;
 
-  const py::object& function_;
+  KeptFunction function_;
   Bounds bounds_;
   PlacedLattice around_;
   std::array<BorderBox, 1> border_;

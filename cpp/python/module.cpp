@@ -16,12 +16,10 @@
 #include "certet/error.hpp"
 #include "certet/gray_levels.hpp"
 #include "certet/image.hpp"
-#include "certet/kept.hpp"
 #include "certet/label_warnings.hpp"
 #include "certet/merge_labels.hpp"
 #include "certet/method.hpp"
 #include "certet/placed_quality.hpp"
-#include "certet/stuffing.hpp"
 #include "certet/surface.hpp"
 #include "domains.hpp"
 #include "files.hpp"
@@ -29,52 +27,11 @@
 #include "pickling.hpp"
 #include "pieces.hpp"
 #include "python_mesh.hpp"
-#include "run.hpp"
+#include "shapes.hpp"
+#include "solids.hpp"
 
 namespace certet::python {
 namespace {
-
-struct Options {
-  Method method{};
-  int threads = 0;
-};
-
-/// A shape that can be put on lattices of several sizes, and what is doubtful about it.
-struct Shape {
-  SizedShape sized;
-  std::vector<std::string> notes = {};
-  /// What is wrong with a mesh of it.
-  std::function<std::vector<std::string>(const Mesh&)> warnings = {};
-};
-
-/// Counts a mesh and makes it, and looks for what it has not kept.
-void fill(const Shape& shape, double size, const Options& options, Context& context,
-          PythonMesh& result) {
-  const std::unique_ptr<PlacedDomain> domain = shape.sized.place(size);
-  const Stuffing stuffing(*domain, domain->lattice(), options.method, context);
-  result.mesh = mesh(*domain, stuffing, context);
-  result.warp = stuffing.warp_figures();
-  result.notes = shape.notes;
-  const MeshedShape meshed{*domain, options.method, stuffing.tet_count(),
-                           volume_of(stuffing, domain->frame(), context),
-                           stuffing.pieces(domain->frame(), context).whole};
-  result.losses = sentences_on(find_losses(shape.sized, meshed, context), shape.sized, "size=");
-}
-
-/// `make` makes the shape; it runs, like all the rest, without Python's lock.
-std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape(const Context&)>& make, double size,
-                                    const Options& options) {
-  auto result = std::make_shared<PythonMesh>();
-  Context context;
-  context.threads = options.threads;
-  run(context, [&] {
-    const Shape shape = make(context);
-    fill(shape, size, options, context, *result);
-    if (shape.warnings) result->warnings = shape.warnings(result->mesh);
-    result->world = world_points(result->mesh);
-  });
-  return result;
-}
 
 /// First and last label, the label that they become, and its name.
 using Merges = std::vector<std::tuple<std::int64_t, std::int64_t, std::int32_t, std::string>>;
@@ -146,59 +103,38 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
 std::shared_ptr<PythonMesh> mesh_function(const py::object& function, const Point3& low,
                                           const Point3& high, double size, int margin,
                                           const Options& options) {
-  const auto place = [&](double at) {
-    return std::make_unique<PythonDomain>(function, Bounds{low, high}, at, margin);
-  };
+  const Bounds bounds{low, high};
   return mesh_of(
-      [&](const Context&) {
+      [&, kept = kept(function)](const Context&) {
+        const auto place = [=](double at) {
+          return std::make_unique<PythonDomain>(kept, bounds, lattice_around(bounds, at, margin));
+        };
         Shape shape{{"function", place}};
-        shape.sized.cost = 16;  // Python takes its time
-        shape.sized.pieces = [](Context&) { return std::nullopt; };
+        shape.sized.cost = cost_of_python;
+        shape.sized.pieces = unknown_pieces;
         return shape;
       },
       size, options);
 }
 
-std::shared_ptr<PythonMesh> mesh_surface(
-    const py::array_t<double, py::array::c_style | py::array::forcecast>& points,
-    const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>& triangles,
-    double size, int margin, bool repair, const Options& options) {
-  TriangleSurface surface;
-  surface.name = "surface";
-  const auto shape = [](const py::array& array, const char* what) {
-    if (array.ndim() != 2 || array.shape(1) != 3)
-      throw Error(ErrorCode::bad_input, std::string(what) + " are not of shape (n, 3)");
-    return static_cast<std::size_t>(array.shape(0));
-  };
-  surface.points.resize(shape(points, "points"));
-  for (std::size_t i = 0; i < surface.points.size(); ++i)
-    for (std::size_t a = 0; a < 3; ++a) surface.points[i][a] = points.data()[3 * i + a];
-  surface.triangles.resize(shape(triangles, "triangles"));
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
-    for (std::size_t a = 0; a < 3; ++a) {
-      const std::int64_t index = triangles.data()[3 * i + a];
-      if (index < 0 || !std::in_range<std::uint32_t>(index))
-        throw Error(ErrorCode::bad_input, "a triangle has the point number " +
-                                              std::to_string(index) + ", which does not exist");
-      surface.triangles[i][a] = static_cast<std::uint32_t>(index);
-    }
+std::shared_ptr<PythonMesh> mesh_surface(const PointArray& points,
+                                         const TriangleArray& triangles, double size, int margin,
+                                         bool repair, const Options& options) {
+  TriangleSurface surface = surface_of(points, triangles, "surface");
   return mesh_of(
       [&](const Context&) {
-        const SurfaceRepairs repairs = repair_surface(surface, {repair});
-        const bool open = repairs.closed_holes.count != 0;
-        if (open) refuse_unclear(surface);
-        else if (!is_closed(surface))
-          refuse_open(surface, inspect(surface), repair ? "" : "repair=True closes what is open");
-        const auto place = [&surface, margin, open](double at) {
+        const auto mended = std::make_shared<const MendedSurface>(mend(std::move(surface), repair));
+        const auto place = [mended, margin](double at) {
           const SurfaceLattice lattice{at, margin};
-          return open ? open_surface_domain(surface, lattice) : surface_domain(surface, lattice);
+          return mended->open ? open_surface_domain(mended->surface, lattice)
+                              : surface_domain(mended->surface, lattice);
         };
-        const SurfaceMeasures measures = measure(surface);
-        Shape shape{{surface.name, place}, sentences_on(repairs)};
-        if (!open) shape.sized.volume = measures.volume;
+        const SurfaceMeasures measures = measure(mended->surface);
+        Shape shape{{mended->surface.name, place}, mended->notes};
+        if (!mended->open) shape.sized.volume = measures.volume;
         shape.sized.thin = measures.thin;
-        shape.sized.pieces = [&surface](Context& context) {
-          return pieces_of(surface, inspect(surface, context), context);
+        shape.sized.pieces = [mended](Context& context) {
+          return pieces_of(mended->surface, inspect(mended->surface, context), context);
         };
         return shape;
       },
@@ -332,6 +268,7 @@ PYBIND11_MODULE(_certet, module) {
   declare_files(module);
   declare_interfaces(module);
   declare_pieces(module);
+  declare_solids(module);
   module.def("mesh_image", mesh_image);
   module.def("mesh_function", mesh_function);
   module.def("mesh_surface", mesh_surface);

@@ -51,6 +51,14 @@ std::unique_ptr<PlacedDomain> labelled() {
   return label_domain(std::move(image));
 }
 
+/// Two that overlap, of which one is cut off.
+std::unique_ptr<PlacedDomain> several() {
+  return materials_domain({{"ball", shape_solid("sphere:1")},
+                           {"slab", function_solid([](Point3 p) { return p[2]; },
+                                                   Bounds{{-1.5, -0.5, -0.5}, {1.5, 0.5, 0.5}})}},
+                          {.size = 0.25});
+}
+
 /// The way of a mesh that is never in memory whole.
 void write_by_slabs(const PlacedDomain& domain, Method method, const fs::path& file,
                     Format format) {
@@ -87,6 +95,7 @@ TEST(Doorstep, FilesAreThoseOfTheWaySlabBySlab) {
   for (const MethodFacts& method : methods) {
     expect_the_same_files(cut_ball(), method.method);
     expect_the_same_files(*labelled(), method.method);
+    expect_the_same_files(*several(), method.method);
   }
 }
 

@@ -37,6 +37,80 @@ def volumes(mesh):
     return np.linalg.det(p[:, 1:] - p[:, :1]) / 6
 
 
+def cube(low, high):
+    """Points and triangles of a box, anticlockwise seen from outside."""
+    corners = np.array([[(low, high)[n >> a & 1][a] for a in range(3)] for n in range(8)], float)
+    quads = np.array([(0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1),
+                      (4, 5, 7, 6)])
+    return corners, np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+
+
+class Solids(unittest.TestCase):
+    """Several in one mesh."""
+
+    boxes = {"left": cube((0, 0, 0), (1, 1, 1)), "right": cube((1, 0, 0), (3, 1, 1))}
+
+    def volumes(self, mesh):
+        return {mesh.names[n]: volumes(mesh)[mesh.labels == n].sum() for n in np.unique(mesh.labels)}
+
+    def test_boxes_with_a_common_wall(self):
+        mesh = certet.mesh(self.boxes, size=0.1)
+        self.assertEqual(mesh.names, {1: "left", 2: "right"})
+        found = self.volumes(mesh)
+        self.assertAlmostEqual(found["left"], 1, delta=0.02)
+        self.assertAlmostEqual(found["right"], 2, delta=0.02)
+        self.assertTrue(mesh.quality().holds)
+        self.assertEqual(mesh.quality().theorem, "MaterialDihedralBoundsInDegrees")
+        self.assertEqual(certet.check(mesh).failures, [])
+        self.assertEqual(mesh.pieces().regions, {1: (1, 1), 2: (1, 1)})
+
+    def test_functions_and_triangles_and_who_is_stronger(self):
+        solids = {"ball": lambda p: (p**2).sum(1) - 1, "box": cube((0, 0, 0), (2, 1, 1))}
+        box = ((-1.1, -1.1, -1.1), (1.1, 1.1, 1.1))
+        eighth = np.pi / 6
+        found = self.volumes(certet.mesh(solids, bounds=box, size=0.08))
+        self.assertAlmostEqual(found["ball"], 7 * eighth, delta=0.05)
+        self.assertAlmostEqual(found["box"], 2, delta=0.05)
+        found = self.volumes(certet.mesh(solids, bounds=box, size=0.08, priority=["ball"]))
+        self.assertAlmostEqual(found["ball"], 8 * eighth, delta=0.05)
+        self.assertAlmostEqual(found["box"], 2 - eighth, delta=0.05)
+
+    def test_names_go_out(self):
+        mesh = certet.mesh(self.boxes, size=0.25)
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "a.msh")
+            certet.write(mesh, file)
+            self.assertEqual(certet.read(file).names, {1: "left", 2: "right"})
+
+    def test_threads_do_not_matter(self):
+        meshes = [certet.mesh(self.boxes, size=0.1, threads=n) for n in (1, 2, 8)]
+        self.assertEqual(len({m.checksum for m in meshes}), 1)
+
+    def test_open_surfaces_are_refused_or_repaired(self):
+        points, triangles = self.boxes["left"]
+        solids = {"open": (points, triangles[:-1]), "right": self.boxes["right"]}
+        with self.assertRaisesRegex(ValueError, "'open'.*repair=True"):
+            certet.mesh(solids, size=0.25)
+        self.assertIn("'open'", certet.mesh(solids, size=0.25, repair=True).notes[0])
+
+    def test_refusals(self):
+        for solids, words, options in (
+                ({}, "no solid", {}),
+                (self.boxes, "'top'", {"priority": ["top"]}),
+                ({"f": lambda p: p[:, 0]}, "'f' needs bounds", {}),
+                ({"a": 3}, "'a' is neither", {}),
+                ({"": self.boxes["left"]}, "no name", {})):
+            with self.assertRaisesRegex(ValueError, words):
+                certet.mesh_solids(solids, **options)
+
+    def test_what_a_function_raises_is_raised(self):
+        def broken(points):
+            raise LookupError("no such place")
+
+        with self.assertRaisesRegex(LookupError, "no such place"):
+            certet.mesh({"a": broken}, bounds=BOX)
+
+
 class Losses(unittest.TestCase):
     def test_of_every_kind(self):
         """A volume that the lattice does not hold, or pieces; both are as the command has them."""

@@ -5,8 +5,11 @@
 #include <utility>
 
 #include "cases.hpp"
+#include "certet/bounded_function.hpp"
 #include "certet/function_domain.hpp"
 #include "certet/image.hpp"
+#include "certet/materials_domain.hpp"
+#include "certet/shape.hpp"
 #include "domains.hpp"
 
 namespace repeatability {
@@ -69,7 +72,7 @@ Image image(std::array<std::int64_t, 3> size, certet::Point3 spacing, const Valu
   return made;
 }
 
-Shape of_image(std::string name, std::unique_ptr<certet::PlacedDomain> domain) {
+Shape of_placed(std::string name, std::unique_ptr<certet::PlacedDomain> domain) {
   const Lattice lattice = domain->lattice();
   const Frame frame = domain->frame();
   return {std::move(name), std::move(domain), lattice, frame};
@@ -84,7 +87,7 @@ certet::Image crowded(const certet::Point3& spacing) {
 }
 
 Shape labels(std::string name, bool walls_halfway) {
-  return of_image(std::move(name), certet::label_domain(crowded({1, 1.5, 2}), {},
+  return of_placed(std::move(name), certet::label_domain(crowded({1, 1.5, 2}), {},
                                                         {.walls_halfway = walls_halfway}));
 }
 
@@ -92,7 +95,7 @@ Shape labels(std::string name, bool walls_halfway) {
 /// with one, and of one label alone.
 Shape smooth_labels(std::string name, const certet::Point3& spacing,
                     std::vector<certet::LabelRange> chosen) {
-  return of_image(std::move(name),
+  return of_placed(std::move(name),
                   certet::interface_domain(crowded(spacing), std::move(chosen)));
 }
 
@@ -102,7 +105,7 @@ Shape smooth_balls() {
     if (square(i - 9) + square(j - 8) + square(k - 8) < 20) return 2;
     return square(i - 12) + square(j - 11) + square(k - 9) < 80 ? 1 : 0;
   };
-  return of_image("smooth-balls",
+  return of_placed("smooth-balls",
                   certet::interface_domain(image<std::int16_t>({24, 22, 20}, {1, 1, 1}, value),
                                            {}, {}, {1.3}));
 }
@@ -112,9 +115,30 @@ Shape grayscale() {
   const auto value = [](std::int64_t i, std::int64_t j, std::int64_t k) {
     return (i - 6) * (i - 6) + 2 * (j - 5) * (j - 5) + (k - 1) * (k - 1) * 3;
   };
-  return of_image("grayscale", certet::level_domain(
+  return of_placed("grayscale", certet::level_domain(
                                    image<float>({13, 11, 9}, {0.7, 0.9, 1.1}, value), 40.5,
                                    {.size = 0.65}));
+}
+
+/// Solids in one another's way, the strongest neither the first nor the last.
+Shape overlapping_solids() {
+  return of_placed("overlapping-solids",
+                   certet::materials_domain({{"ball", certet::shape_solid("sphere:1")},
+                                             {"rod", certet::shape_solid("cylinder:0.3,2.5")},
+                                             {"ring", certet::shape_solid("torus:0.8,0.3")}},
+                                            {.size = 0.15}, {"rod"}));
+}
+
+/// Boxes whose common walls are planes of lattice points, and meet in a line of them.
+Shape walls_on_the_lattice() {
+  const auto box = [](certet::Point3 low, certet::Point3 high) {
+    return certet::function_solid([](certet::Point3) { return -1.0; }, certet::Bounds{low, high});
+  };
+  return of_placed("walls-on-the-lattice",
+                   certet::materials_domain({{"half", box({-1, -1, -1}, {0, 1, 1})},
+                                             {"front", box({0, -1, -1}, {1, 0, 1})},
+                                             {"back", box({0, 0, -1}, {1, 1, 1})}},
+                                            {.size = 0.25}, {"half"}));
 }
 
 }  // namespace
@@ -140,6 +164,8 @@ std::vector<Shape> shapes() {
   all.push_back(smooth_labels("smooth-labels-off-centres", {1, 1.5, 2}, {}));
   all.push_back(smooth_labels("smooth-label", {1, 1, 1}, {{2, 2}}));
   all.push_back(smooth_balls());
+  all.push_back(overlapping_solids());
+  all.push_back(walls_on_the_lattice());
   return all;
 }
 

@@ -1,7 +1,5 @@
-#include <bit>
 #include <cstdio>
 #include <iterator>
-#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -13,6 +11,8 @@
 #include "commands.hpp"
 #include "kept.hpp"
 #include "memory.hpp"
+#include "mesh_files.hpp"
+#include "mesh_memory.hpp"
 #include "mesh_options.hpp"
 #include "mesh_report.hpp"
 #include "output_place.hpp"
@@ -26,78 +26,6 @@
 
 namespace certet::command {
 namespace {
-
-/// For two slabs, one of them on its way to the file.  Larger ones are no
-/// faster: they leave the processor's cache.
-constexpr std::uint64_t slab_bytes = 24 << 20;
-/// What the process needs besides voxels, lattice and slabs.
-constexpr std::uint64_t base_bytes = 256 << 20;
-
-std::uint64_t memory_limit(const MeshOptions& options) {
-  if (options.max_memory != 0) return options.max_memory;
-  const std::uint64_t available = available_memory();
-  return available == 0 ? std::numeric_limits<std::uint64_t>::max() / 2 : available / 4 * 3;
-}
-
-void check_outputs(const MeshOptions& options) {
-  const bool json_file = !options.json.empty() && options.json != "-";
-  if (!options.input.empty()) {
-    if (!options.output.empty() && same_file(options.input, options.output))
-      throw Error(ErrorCode::bad_option,
-                  "input and output are the same file '" + options.input.string() + "'");
-    if (json_file && same_file(options.input, options.json))
-      throw Error(ErrorCode::bad_option, "input and --json are the same file '" +
-                                             options.input.string() + "'");
-  }
-  if (!options.output.empty())
-    for (const std::filesystem::path& file : files_of(options.output, options.format)) {
-      if (json_file && same_file(file, options.json))
-        throw Error(ErrorCode::bad_option,
-                    "output and --json are the same file '" + file.string() + "'");
-      if (!options.dry_run) check_output(file);
-    }
-  if (json_file) check_output(options.json);
-}
-
-[[noreturn]] void refuse_memory(const std::string& what, std::uint64_t needed,
-                                std::uint64_t limit) {
-  throw Error(ErrorCode::too_large, what + " needs " + std::to_string(needed) +
-                                        " bytes of memory, more than the " +
-                                        std::to_string(limit) +
-                                        " allowed; choose a larger --size or fewer --target-tets");
-}
-
-/// The engine holds a sign in two bits for two points in each cell and, where it cuts
-/// materials apart, the digits of their numbers, both twice while it warps, and the
-/// numbers of every row.
-void check_lattice(const PlacedSource& source, Method method, std::uint64_t limit) {
-  const auto& cells = source.lattice.cells;
-  const double rows = static_cast<double>(cells[1]) * cells[2];
-  const std::size_t labels = source.domain->labels().size();
-  const double digits = facts(method).interfaces && labels > 1
-                            ? static_cast<double>(std::bit_width(labels))
-                            : 0;
-  const double needed = rows * (static_cast<double>(cells[0]) * (1 + digits / 2) + 32) +
-                        static_cast<double>(source.bytes);
-  if (needed > static_cast<double>(limit))
-    refuse_memory("a lattice of " + std::to_string(cells[0]) + " x " +
-                      std::to_string(cells[1]) + " x " + std::to_string(cells[2]) + " cells",
-                  static_cast<std::uint64_t>(needed), limit);
-}
-
-/// Chooses the slabs by the memory that is left.
-Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report) {
-  const auto& [source, stuffing] = counted;
-  std::uint64_t held = source.bytes + stuffing.bytes();
-  if (size.survey != nullptr)
-    held += face_count(*size.survey) * sizeof(BoundaryFace) + size.survey->materials.bytes();
-  report.memory_least = held + cut_slabs(stuffing, 0).bytes;
-  if (report.memory_least > report.memory_limit)
-    refuse_memory("the mesh", report.memory_least, report.memory_limit);
-  Slabs slabs = cut_slabs(stuffing, std::min(slab_bytes, report.memory_limit - held));
-  report.memory_needed = held + slabs.bytes;
-  return slabs;
-}
 
 [[noreturn]] void refuse_angles(const MeshReport& report) {
   const Quality& lattice = report.written.lattice;
@@ -175,13 +103,6 @@ void write(const MeshOptions& options, const SizedShape& shape, const Counted& c
   const Stopwatch finishing;
   writer.finish();
   report.written.write_seconds += finishing.seconds();
-}
-
-/// A cell of the lattice has twelve tetrahedra and takes more than a byte.
-void check_target(const MeshOptions& options, std::uint64_t limit) {
-  if (options.target_tets / 12 > limit)
-    refuse_memory("a mesh of " + std::to_string(options.target_tets) + " tetrahedra",
-                  options.target_tets / 12, limit);
 }
 
 /// By the size that was asked for, or searching for it.
@@ -270,6 +191,15 @@ void describe(RegionWatch& watch, const RegionWatch::SizeFor& size_for, MeshRepo
                          std::make_move_iterator(warnings.end()));
 }
 
+void describe_materials(const PlacedSource& source, const Context& context,
+                        MeshReport& report) {
+  report.materials = meshed_materials(source, report.written, report.pieces, context);
+  std::vector<std::string> sentences =
+      warnings_on(report.materials, report.size, !report.dry_run, report.dropped.pieces > 0);
+  report.warnings.insert(report.warnings.begin(), std::make_move_iterator(sentences.begin()),
+                         std::make_move_iterator(sentences.end()));
+}
+
 MeshReport run(const MeshOptions& options, Context& context) {
   const Stopwatch clock;
   MeshReport report;
@@ -311,6 +241,7 @@ MeshReport run(const MeshOptions& options, Context& context) {
     return size_for_pieces(shape, *source.voxels, regions, report, context);
   };
   describe(watch, size_for, report);
+  if (!options.materials.empty()) describe_materials(counted.source, context, report);
   report.total_seconds = clock.seconds();
   report.memory_peak = peak_memory();
   return report;

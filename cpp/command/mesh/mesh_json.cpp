@@ -86,6 +86,25 @@ Json regions(const MeshReport& report) {
   return all;
 }
 
+/// Of several solids.
+Json regions(const std::vector<MeshedMaterial>& materials, bool dry_run) {
+  Json all = Json::array();
+  for (const auto& [label, name, tets, volume, solid, pieces] : materials) {
+    Json one{{"label", label}, {"name", name}};
+    if (!dry_run) {
+      one["tets"] = tets;
+      one["volume"] = volume;
+    }
+    one["solid_volume"] = solid.volume;
+    if (pieces) {
+      one["pieces"] = pieces->by_faces;
+      one["pieces_by_vertices"] = pieces->by_vertices;
+    }
+    all.push_back(one);
+  }
+  return all;
+}
+
 Json smoothing(const MeshReport& report) {
   const Smoothing& smoothing = *report.smoothing;
   Json json{{"voxel_volume", report.out(smoothing.voxel_volume)}};
@@ -143,6 +162,7 @@ std::string json(const MeshReport& report) {
   json["seconds"] = seconds(report);
   json["warnings"] = report.warnings;
   if (!report.regions.empty()) json["regions"] = regions(report);
+  if (!report.materials.empty()) json["regions"] = regions(report.materials, report.dry_run);
   if (report.smoothing) json["smoothing"] = smoothing(report);
   json["memory"] = {{"limit", report.memory_limit},
                     {"needed", report.memory_needed},

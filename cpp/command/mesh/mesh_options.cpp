@@ -1,6 +1,7 @@
 #include "mesh_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -35,6 +36,18 @@ the mesh fills.
 --expr @FILE reads a formula from a file, on lines as one likes, with # before comments.
 A formula may begin with definitions, like r = hypot(x,y); max(r - 1, abs(z) - 2): each
 ends with a semicolon, and it and the formula have at most 20,000 bytes.
+
+Several surfaces or volumes, and the solids of --material, are materials of one mesh: labels
+1, 2, ... in the order of INPUT and then of --material, called after the files or as
+--material says.  What starts like a shape (sphere:1) is one, what is a file or ends like
+one (.stl .obj .ply .off .vdb) is a file, all else is a formula, which needs --bounds; these
+cut off shapes too, but no files.  What is in several belongs to the strongest solid, the
+last one or the first in --priority, and is cut apart at the surface of the stronger: a wall
+that two have in common is one interface.  The lattice is around all of them, along the axes
+of the world; without --size its long edge is a 64th of the longest side of their box.  With
+--method paper they are meshed as one solid, and each tetrahedron has the label at its
+centre.  A material that is not in the mesh, or by more than 2 % not with the volume that it
+has (estimated, of what is in no stronger solid), is named in a warning.
 
 World coordinates are the image's own: millimetres, LPS (x to the left, y to the
 back, z to the head), as ITK has them, for NIfTI too, whose sform is taken where it
@@ -135,10 +148,11 @@ cut, warp, count, pieces, emit, measure, write, total}, memory {limit, needed, l
 peak}, warnings, and for images regions [{label, voxels, tets, name where the file or
 --label-names has one, volume, voxel_volume, change_percent, pieces (by faces) and pieces_by_vertices; of several
 labels with --method paper by --label-pieces alone, else pieces is of the samples, and told
-where the image's are: image_pieces {by_corners, by_faces}}], of labels that are smoothed:
-smoothing {sigma (left out where it is one voxel), voxel_volume, mesh_volume, change}.  Lengths
-are in world units, volumes and places in those of the output, angles in degrees, memory in
-bytes; the
+where the image's are: image_pieces {by_corners, by_faces}}], of several solids regions
+[{label, name, tets, volume, solid_volume (estimated), pieces, pieces_by_vertices}], of labels
+that are smoothed: smoothing {sigma (left out where it is one voxel), voxel_volume, mesh_volume,
+change}.  Lengths are in world units, volumes and places in those of the output, angles in
+degrees, memory in bytes; the
 histogram has 36 bins of 5 degrees, counted before coordinates are rounded; rounding
 is what the doubles of the world can turn an angle by; output.origin is where in the
 world the output has its 0; file_checksum is what `certet check` tells of a file with
@@ -150,16 +164,20 @@ a dry run leaves out what it does not know.)";
 struct RawMesh {
   std::string volume, nan, size, relative_size, target_tets, iso, labels, spacing, smooth, crop,
       bounds, format, origin, keep, frame, scale, merge;
+  std::vector<std::filesystem::path> inputs;
+  RawMaterials materials;
   MethodChoice method;
   bool compress = false;
 };
 
 void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
-  mesh.add_option("input", options.input,
+  mesh.add_option("input", raw.inputs,
                   "Image: NIfTI, NRRD, MetaImage, TIFF, a folder with a DICOM series, a DICOM "
                   "file of several frames or a DICOM segmentation; "
-                  "surface: STL, OBJ, PLY or OFF; volume: OpenVDB")
-      ->option_text("INPUT");
+                  "surface: STL, OBJ, PLY or OFF; volume: OpenVDB.  Several surfaces or volumes "
+                  "are one material each, called after the files")
+      ->option_text("INPUT...");
+  declare_materials(mesh, raw.materials);
   mesh.add_option("--labels", raw.labels,
                   "Labels that make the solid, like 1,5-9 (default: all but 0)")
       ->option_text("LIST");
@@ -273,12 +291,38 @@ void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
       ->option_text("FILE|-");
 }
 
+/// What goes with several solids.
+void check_materials(const MeshOptions& options, const RawMesh& raw) {
+  const auto any = [&](const auto& is_so) { return std::ranges::any_of(options.materials, is_so); };
+  const bool formula = any([](const MaterialChoice& m) { return !m.formula.empty(); });
+  const bool shape = any([](const MaterialChoice& m) { return !m.shape.empty(); });
+  const bool surface = any([](const MaterialChoice& m) { return is_surface_file(m.file); });
+  const bool volume = any([](const MaterialChoice& m) { return is_volume_file(m.file); });
+  if (formula && raw.bounds.empty()) refuse("a formula in --material needs --bounds");
+  if (!formula && !shape && !raw.bounds.empty()) refuse("--bounds goes with formulas and shapes");
+  if (!volume && !(raw.iso.empty() && options.grid.empty()))
+    refuse("--iso and --grid go with a volume, of which there is none among the materials");
+  if (!surface && options.repair)
+    refuse("--repair goes with a surface, of which there is none among the materials");
+  if (!raw.labels.empty() || !raw.spacing.empty() || !options.image.series.empty() ||
+      !raw.volume.empty() || !raw.nan.empty() || !raw.smooth.empty() || !raw.crop.empty() ||
+      !options.label_names.empty())
+    refuse("--labels, --label-names, --spacing, --series, --volume, --nan, --smooth and --crop go "
+           "with an image, not with several materials");
+}
+
 void check_source(const MeshOptions& options, const RawMesh& raw) {
   const bool image = !options.input.empty();
   const bool formula = !options.formula.empty();
   const bool shape = !options.shape.empty();
-  if (image + formula + shape == 0) refuse("mesh needs an input, --expr or --shape");
+  const bool materials = !options.materials.empty();
+  if (image + formula + shape + materials == 0)
+    refuse("mesh needs an input, --expr, --shape or --material");
+  if (materials && formula + shape > 0)
+    refuse("several materials exclude --expr and --shape; --material NAME=... has formulas and "
+           "shapes");
   if (image + formula + shape > 1) refuse("an input, --expr and --shape exclude each other");
+  if (materials) return check_materials(options, raw);
   if (!image && (!raw.labels.empty() || !raw.iso.empty()))
     refuse("--labels and --iso go with an image, not with --expr or --shape");
   if (formula && raw.bounds.empty()) refuse("--expr needs --bounds");
@@ -354,6 +398,9 @@ void read_iso(MeshOptions& options, const std::string& text) {
 }
 
 MeshOptions finish(MeshOptions options, const RawMesh& raw) {
+  options.materials = chosen_materials(raw.inputs, raw.materials);
+  options.priority = chosen_priority(options.materials, raw.materials);
+  if (options.materials.empty() && !raw.inputs.empty()) options.input = raw.inputs.front();
   check_source(options, raw);
   read_size(options, raw);
   options.method = chosen(raw.method);

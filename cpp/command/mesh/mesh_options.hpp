@@ -16,6 +16,7 @@
 #include "certet/merge_labels.hpp"
 #include "certet/method.hpp"
 #include "certet/pieces.hpp"
+#include "material_options.hpp"
 
 namespace certet::command {
 
@@ -35,9 +36,11 @@ enum class OutputFrame {
 
 /// What the user asks of `certet mesh`.
 struct MeshOptions {
-  std::filesystem::path input;  ///< of these three one is not empty
+  std::filesystem::path input;  ///< of these four one is not empty
   std::string formula;
   std::string shape;
+  std::vector<MaterialChoice> materials;
+  std::vector<std::string> priority;  ///< of materials, the strongest first
   std::optional<Bounds> bounds;
   std::vector<LabelRange> labels;  ///< empty: all but 0
   std::optional<double> iso;   ///< -infinity where there is only what is `below`

@@ -14,6 +14,7 @@
 #include "certet/quality.hpp"
 #include "certet/warp_figures.hpp"
 #include "certet/write_mesh.hpp"
+#include "meshed_materials.hpp"
 #include "regions.hpp"
 #include "report.hpp"
 
@@ -27,12 +28,13 @@ struct DroppedPieces {
 
 struct MeshReport {
   bool dry_run = false;
-  std::string input_kind;  ///< labels, level, formula, shape, surface or volume
+  std::string input_kind;  ///< as `Source::kind`
   std::string input_name;
   std::string formula;  ///< whole, where the name is a part of it
   std::vector<std::string> input_notes;
   std::vector<std::string> warnings;
   std::vector<MeshedRegion> regions;  ///< of an image
+  std::vector<MeshedMaterial> materials;  ///< of several solids
   LabelNames names;                   ///< of regions, where they are known
   bool counted_pieces = false;
   std::optional<Smoothing> smoothing;

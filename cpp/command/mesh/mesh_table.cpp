@@ -71,6 +71,15 @@ void add_regions(Lines& lines, const MeshReport& report) {
   if (!report.regions.empty() && report.input_kind == "labels" && !report.dry_run)
     lines.add("labels", "{} of {} in the mesh{}", present, report.regions.size(),
               volumes_told(report.regions));
+  for (const MeshedMaterial& one : report.materials)
+    lines.add("material", "{} {}{}{}", one.label, one.name,
+              report.dry_run ? ""
+                             : fmt::format(": {} tetrahedra, volume {:.6g}", grouped(one.tets),
+                                           one.volume),
+              !one.pieces ? ""
+              : one.pieces->by_faces == 1
+                  ? ", 1 piece"
+                  : fmt::format(", {} pieces", grouped(one.pieces->by_faces)));
   for (const std::string& warning : report.warnings) lines.add("warning", "{}", warning);
 }
 

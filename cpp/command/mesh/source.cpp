@@ -9,24 +9,12 @@
 #include "certet/gray_levels.hpp"
 #include "certet/shape.hpp"
 #include "certet/volume.hpp"
+#include "material_source.hpp"
 #include "silence.hpp"
 #include "surface_source.hpp"
 
 namespace certet::command {
 namespace {
-
-PlacedSource placed(std::unique_ptr<PlacedDomain> domain) {
-  PlacedSource source;
-  source.lattice = domain->lattice();
-  source.frame = domain->frame();
-  source.longest_side = domain->longest_side();
-  source.bytes = domain->bytes();
-  source.domain = std::move(domain);
-  return source;
-}
-
-/// Of what has no pieces that can be counted but on a lattice.
-std::optional<PieceBounds> unknown_pieces(Context&) { return std::nullopt; }
 
 Source from_formula(const MeshOptions& options) {
   const bool in_file = options.formula.starts_with('@');
@@ -198,7 +186,20 @@ Source from_image(const MeshOptions& asked, std::uint64_t max_bytes, const Conte
 
 }  // namespace
 
+PlacedSource placed(std::unique_ptr<PlacedDomain> domain) {
+  PlacedSource source;
+  source.lattice = domain->lattice();
+  source.frame = domain->frame();
+  source.longest_side = domain->longest_side();
+  source.bytes = domain->bytes();
+  source.domain = std::move(domain);
+  return source;
+}
+
+std::optional<PieceBounds> unknown_pieces(Context&) { return std::nullopt; }
+
 Source open_source(const MeshOptions& options, std::uint64_t max_bytes, const Context& context) {
+  if (!options.materials.empty()) return open_materials(options, context);
   if (!options.formula.empty()) return from_formula(options);
   if (!options.shape.empty()) return from_shape(options);
   if (is_surface_file(options.input)) return from_surface(options, context);

@@ -52,7 +52,7 @@ struct PlacedSource {
 /// What has been read, once; it can be placed on lattices of several sizes, one
 /// after the other.
 struct Source {
-  std::string kind;  ///< labels, level, formula, shape, surface or volume
+  std::string kind;  ///< labels, level, formula, shape, surface, volume or materials
   std::string name;
   /// `size` is the long edge in world units; 0: the source's own choice.
   /// \throws Error.
@@ -66,7 +66,13 @@ struct Source {
   KnownPieces pieces = {};  ///< as `SizedShape` has them; of images `RegionWatch` tells
 };
 
-/// Reads the image, surface, volume, formula or shape.  \throws Error, `cancelled` too.
+/// A domain, on the lattice that it was made for.
+PlacedSource placed(std::unique_ptr<PlacedDomain> domain);
+
+/// Of what has no pieces that can be counted but on a lattice.
+std::optional<PieceBounds> unknown_pieces(Context& context);
+
+/// Reads the image, surface, volume, formula, shape or several solids.  \throws Error, `cancelled` too.
 Source open_source(const MeshOptions& options, std::uint64_t max_bytes, const Context& context);
 
 }  // namespace certet::command

@@ -69,7 +69,11 @@ void signs_of(const Coordinates& levels, std::span<Sign> out) {
 
 FormulaDomain::FormulaDomain(const std::string& formula, const Bounds& bounds, double size,
                                    std::int32_t margin)
-    : state_(new State(formula, bounds, lattice_around(bounds, size, margin))) {}
+    : FormulaDomain(formula, bounds, lattice_around(bounds, size, margin)) {}
+
+FormulaDomain::FormulaDomain(const std::string& formula, const Bounds& bounds,
+                             const PlacedLattice& around)
+    : state_(new State(formula, bounds, around)) {}
 
 FormulaDomain::~FormulaDomain() = default;
 
@@ -127,6 +131,14 @@ Extent FormulaDomain::extent(const LatticeBox& box) const {
   if (level.may_be_nan) return Extent::mixed;
   if (level.low > 0) return Extent::outside;
   return level.high < 0 ? Extent::inside : Extent::mixed;
+}
+
+Solid formula_solid(const std::string& formula, const Bounds& bounds) {
+  Tape unused;
+  parse(formula, unused);  // refuses what it cannot read now, not when there is a lattice
+  return {bounds, [formula, bounds](const PlacedLattice& around) {
+            return std::make_shared<FormulaDomain>(formula, bounds, around);
+          }};
 }
 
 }  // namespace certet

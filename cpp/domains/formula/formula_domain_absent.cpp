@@ -4,6 +4,13 @@
 #include "certet/formula.hpp"
 
 namespace certet {
+namespace {
+
+[[noreturn]] void refuse() {
+  throw Error(ErrorCode::bad_input, "the formula cannot be read: formulas were not built in");
+}
+
+}  // namespace
 
 struct FormulaDomain::State {
   Frame frame;
@@ -11,7 +18,10 @@ struct FormulaDomain::State {
 };
 
 FormulaDomain::FormulaDomain(const std::string&, const Bounds&, double, std::int32_t) {
-  throw Error(ErrorCode::bad_input, "the formula cannot be read: formulas were not built in");
+  refuse();
+}
+FormulaDomain::FormulaDomain(const std::string&, const Bounds&, const PlacedLattice&) {
+  refuse();
 }
 
 FormulaDomain::~FormulaDomain() = default;
@@ -22,6 +32,8 @@ double FormulaDomain::longest_side() const { return 0; }
 void FormulaDomain::row(Coord3, std::span<Sign>) const {}
 void FormulaDomain::at(std::span<const Coord3>, std::span<Sign>) const {}
 Extent FormulaDomain::extent(const LatticeBox&) const { return Extent::outside; }
+
+Solid formula_solid(const std::string&, const Bounds&) { refuse(); }
 
 bool can_read_formulas() { return false; }
 

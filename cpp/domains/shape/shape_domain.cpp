@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -74,12 +75,13 @@ constexpr std::array kinds{
     Kind{"struts", "CELL,RADIUS[,SIDE]", 2, 3, endless<Struts>},
 };
 
+std::string_view name_in(std::string_view text) { return text.substr(0, text.find(':')); }
+
 const Kind& kind_of(const std::string& text) {
-  const std::string_view name = std::string_view(text).substr(0, text.find(':'));
-  for (const Kind& kind : kinds)
-    if (kind.name == name) return kind;
+  const auto kind = std::ranges::find(kinds, name_in(text), &Kind::name);
+  if (kind != kinds.end()) return *kind;
   std::string names;
-  for (const Kind& kind : kinds) names.append(names.empty() ? "" : ", ").append(kind.name);
+  for (const Kind& one : kinds) names.append(names.empty() ? "" : ", ").append(one.name);
   refuse(text, "does not exist: there are " + names);
 }
 
@@ -158,16 +160,32 @@ std::unique_ptr<Domain> domain(const AnyShape& shape, const std::optional<Bounds
 }  // namespace
 
 ShapeDomain::ShapeDomain(const std::string& shape, const std::optional<Bounds>& bounds,
-                         double size, std::int32_t margin) {
+                         double size, std::int32_t margin)
+    : ShapeDomain(shape, bounds,
+                  lattice_around(meet(shape, read(shape), bounds), size, margin)) {}
+
+ShapeDomain::ShapeDomain(const std::string& shape, const std::optional<Bounds>& bounds,
+                         const PlacedLattice& around)
+    : around_(around) {
   const AnyShape solid = read(shape);
   bounds_ = meet(shape, solid, bounds);
   if (!bounds)
     volume_ = std::visit([](const auto& one) { return volume_of(one); }, solid);
   if (fills_a_box(solid)) room_ = Box{bounds_}.volume();
-  around_ = lattice_around(bounds_, size, margin);
   if (bounds)
     border_.push_back(BorderBox::along_frame(around_.frame, bounds->low, bounds->high));
   solid_ = domain(solid, bounds, around_.frame);
+}
+
+bool is_shape(const std::string& text) {
+  return text.find(':') != std::string::npos &&
+         std::ranges::find(kinds, name_in(text), &Kind::name) != kinds.end();
+}
+
+Solid shape_solid(const std::string& shape, const std::optional<Bounds>& bounds) {
+  return {meet(shape, read(shape), bounds), [shape, bounds](const PlacedLattice& around) {
+            return std::make_shared<ShapeDomain>(shape, bounds, around);
+          }};
 }
 
 }  // namespace certet

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "certet/error.hpp"
 #include "certet/surface.hpp"
 #include "edges.hpp"
 #include "exact.hpp"
@@ -37,6 +38,16 @@ struct Place {
   Frame frame;
   Lattice lattice;
   double longest_side = 0;
+
+  /// Of others, where the surface has room.
+  Place(const Box& box, const PlacedLattice& around)
+      : frame(around.frame), lattice(around.lattice), longest_side(box.longest()) {
+    constexpr double reach = std::int32_t{anchor_limit};
+    for (std::size_t a = 0; a < 3; ++a)
+      for (const double end : {box.low[a], box.high[a]})
+        if (!(std::fabs(end - frame.origin[a]) < reach * (frame.size / 2)))
+          throw Error(ErrorCode::too_large, "a surface reaches beyond the lattice it is put on");
+  }
 
   Place(const Box& box, const SurfaceLattice& choice) : longest_side(box.longest()) {
     frame.size = choice.size == 0 ? box.longest() / 64 : choice.size;
@@ -212,6 +223,14 @@ std::unique_ptr<PlacedDomain> domain_of(const TriangleSurface& surface,
   return std::make_unique<SurfaceDomain>(surface, Place(Box(surface), chosen), rule);
 }
 
+Solid solid_of(std::shared_ptr<const TriangleSurface> surface, Rule rule) {
+  const Box box(*surface);
+  return {{box.low, box.high},
+          [surface = std::move(surface), rule](const PlacedLattice& around) {
+            return std::make_shared<SurfaceDomain>(*surface, Place(Box(*surface), around), rule);
+          }};
+}
+
 }  // namespace
 
 std::unique_ptr<PlacedDomain> surface_domain(const TriangleSurface& surface,
@@ -224,6 +243,18 @@ std::unique_ptr<PlacedDomain> open_surface_domain(const TriangleSurface& surface
                                                   const SurfaceLattice& lattice) {
   refuse_malformed(surface);
   return domain_of(surface, lattice, open_rule(surface));
+}
+
+Solid surface_solid(std::shared_ptr<const TriangleSurface> surface) {
+  refuse_malformed(*surface);
+  const Rule rule = closed_rule(*surface);
+  return solid_of(std::move(surface), rule);
+}
+
+Solid open_surface_solid(std::shared_ptr<const TriangleSurface> surface) {
+  refuse_malformed(*surface);
+  const Rule rule = open_rule(*surface);
+  return solid_of(std::move(surface), rule);
 }
 
 }  // namespace certet

@@ -20,4 +20,8 @@ std::unique_ptr<PlacedDomain> volume_domain(const Volume&, std::optional<double>
   throw Error(ErrorCode::bad_input, "volumes were not built in");
 }
 
+Solid volume_solid(const Volume&, std::optional<double>) {
+  throw Error(ErrorCode::bad_input, "volumes were not built in");
+}
+
 }  // namespace certet

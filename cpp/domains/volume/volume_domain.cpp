@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "certet/bounded_function.hpp"
+#include "certet/combined_solids.hpp"
 #include "certet/error.hpp"
 #include "certet/lattice/structured_tet.hpp"
 #include "volume_blocks.hpp"
@@ -72,23 +74,38 @@ void check_reach(const Volume::State& volume, const Frame& frame, const Lattice&
   }
 }
 
+/// The box of the active voxels in the world.
+openvdb::BBoxd active_box(const Volume::State& volume) {
+  openvdb::CoordBBox voxels = volume.grid->evalActiveVoxelBoundingBox();
+  if (voxels.empty())
+    throw Error(ErrorCode::empty_domain, "'" + volume.name + "' has no active voxels");
+  voxels.expand(1);  // interpolation reaches so far
+  check_inverse(volume, voxels);
+  return in_world(*volume.grid, voxels);
+}
+
+Point3 as_point(const Vec3d& v) { return {v[0], v[1], v[2]}; }
+
 /// Frame and lattice.
 struct Place {
   Frame frame;
   Lattice lattice;
   double longest_side = 0;
 
+  /// Of others.
+  Place(const Volume::State& volume, const PlacedLattice& around)
+      : frame(around.frame), lattice(around.lattice) {
+    const openvdb::BBoxd box = active_box(volume);
+    longest_side = box.extents()[box.maxExtent()];
+    check_reach(volume, frame, lattice);
+  }
+
   Place(const Volume::State& volume, const VolumeLattice& choice) {
-    openvdb::CoordBBox voxels = volume.grid->evalActiveVoxelBoundingBox();
-    if (voxels.empty())
-      throw Error(ErrorCode::empty_domain, "'" + volume.name + "' has no active voxels");
-    voxels.expand(1);  // interpolation reaches so far
-    check_inverse(volume, voxels);
+    const openvdb::BBoxd box = active_box(volume);
     const Vec3d voxel = volume.grid->voxelSize();
     frame.size = checked_size(choice.size == 0 ? std::min({voxel[0], voxel[1], voxel[2]})
                                                : choice.size);
     checked_margin(choice.margin);
-    const openvdb::BBoxd box = in_world(*volume.grid, voxels);
     longest_side = box.extents()[box.maxExtent()];
     for (int a = 0; a < 3; ++a) {
       const auto axis = static_cast<std::size_t>(a);
@@ -183,6 +200,17 @@ std::unique_ptr<PlacedDomain> volume_domain(const Volume& volume, std::optional<
                                             const VolumeLattice& lattice) {
   const Side side(volume.state(), level);
   return std::make_unique<VolumeDomain>(volume.shared(), side, Place(volume.state(), lattice));
+}
+
+Solid volume_solid(const Volume& volume, std::optional<double> level) {
+  const Side side(volume.state(), level);
+  const openvdb::BBoxd box = active_box(volume.state());
+  const Bounds bounds{as_point(box.min()), as_point(box.max())};
+  const Solid everywhere{bounds, [state = volume.shared(), side](const PlacedLattice& around) {
+                           return std::make_shared<VolumeDomain>(state, side,
+                                                                 Place(*state, around));
+                         }};
+  return everywhere & function_solid([](const Point3&) { return -1.0; }, bounds);
 }
 
 }  // namespace certet

@@ -23,7 +23,7 @@ class BorderBox {
 
   /// Whether a position, in steps, is at a face, as what bisection finds is: it is at
   /// most one step of a long edge, which is two of the lattice, away.  Twice as much
-  /// is allowed for.
+  /// is allowed for.  A long edge beyond a face its plane counts no more.
   [[nodiscard]] bool is_at_face(Coord3 position) const;
 
  private:

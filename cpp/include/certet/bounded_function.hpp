@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "certet/function_domain.hpp"
 #include "certet/lattice.hpp"
 #include "certet/placed_domain.hpp"
+#include "certet/solid.hpp"
 
 namespace certet {
 
@@ -38,8 +40,11 @@ class BoundedFunction final : public PlacedDomain {
   /// \throws Error as `lattice_around`.
   BoundedFunction(Function function, const Bounds& bounds, double size = 0,
                   std::int32_t margin = 2)
+      : BoundedFunction(std::move(function), bounds, lattice_around(bounds, size, margin)) {}
+  /// On a lattice that holds the bounds.
+  BoundedFunction(Function function, const Bounds& bounds, const PlacedLattice& around)
       : bounds_(bounds),
-        around_(lattice_around(bounds, size, margin)),
+        around_(around),
         solid_(CutOff{std::move(function), bounds}, around_.frame),
         border_{BorderBox::along_frame(around_.frame, bounds.low, bounds.high)} {}
 
@@ -80,5 +85,13 @@ class BoundedFunction final : public PlacedDomain {
   FunctionDomain<CutOff> solid_;
   std::array<BorderBox, 1> border_;
 };
+
+/// The same solid, to be put on a lattice with others.
+template <class Function>
+Solid function_solid(Function function, const Bounds& bounds) {
+  return {bounds, [function = std::move(function), bounds](const PlacedLattice& around) {
+            return std::make_shared<BoundedFunction<Function>>(function, bounds, around);
+          }};
+}
 
 }  // namespace certet

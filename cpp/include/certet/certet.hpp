@@ -10,7 +10,9 @@
 ///
 /// A shape is a `PlacedDomain`: a function (bounded_function.hpp), labels or a level of
 /// an image (image.hpp), the inside of a closed surface (surface.hpp), a formula
-/// (formula.hpp), a sparse volume (volume.hpp) or a named solid (shape.hpp).
+/// (formula.hpp), a sparse volume (volume.hpp), a named solid (shape.hpp), or several of
+/// these but images, each a material of its own (materials_domain.hpp).  A `Solid` is one of
+/// several, before it is on a lattice; a & b, a | b and a - b are solids too.
 ///
 ///     mesh(domain, method)      a Mesh: exact points, tetrahedra, labels
 ///     write(mesh, path)         a file of the format that its name tells
@@ -28,6 +30,7 @@
 
 #include "certet/bounded_function.hpp"
 #include "certet/check.hpp"
+#include "certet/combined_solids.hpp"
 #include "certet/context.hpp"
 #include "certet/count_pieces.hpp"
 #include "certet/error.hpp"
@@ -37,6 +40,7 @@
 #include "certet/image.hpp"
 #include "certet/kept.hpp"
 #include "certet/label_names.hpp"
+#include "certet/materials_domain.hpp"
 #include "certet/mesh.hpp"
 #include "certet/method.hpp"
 #include "certet/placed_quality.hpp"

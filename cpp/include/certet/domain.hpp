@@ -28,7 +28,8 @@ enum class Extent { inside, outside, mixed };
 /// An edge of the lattice whose ends are of different materials, in lattice units.
 struct PartedEdge {
   Coord3 first, last;
-  Material of_last = 0;  ///< what is at `last`, and not at `first`
+  Material of_last = 0;   ///< what is at `last`, and not at `first`
+  Material of_first = 1;  ///< what is at `first`; 0: not the outside, whatever it is
 };
 
 /// The corners of a tetrahedron, in steps.

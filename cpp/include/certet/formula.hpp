@@ -11,6 +11,7 @@
 #include "certet/bounds.hpp"
 #include "certet/lattice.hpp"
 #include "certet/placed_domain.hpp"
+#include "certet/solid.hpp"
 
 namespace certet {
 
@@ -49,6 +50,8 @@ class FormulaDomain final : public PlacedDomain {
   /// and as `lattice_around`.
   FormulaDomain(const std::string& formula, const Bounds& bounds, double size,
                    std::int32_t margin);
+  /// On a lattice that holds the bounds.
+  FormulaDomain(const std::string& formula, const Bounds& bounds, const PlacedLattice& around);
   ~FormulaDomain() override;
 
   [[nodiscard]] const Frame& frame() const override;
@@ -64,5 +67,9 @@ class FormulaDomain final : public PlacedDomain {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// The same solid, to be put on a lattice with others.  \throws Error `bad_input` as
+/// `FormulaDomain`.
+Solid formula_solid(const std::string& formula, const Bounds& bounds);
 
 }  // namespace certet

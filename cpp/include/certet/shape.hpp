@@ -12,6 +12,7 @@
 #include "certet/lattice.hpp"
 #include "certet/pieces.hpp"
 #include "certet/placed_domain.hpp"
+#include "certet/solid.hpp"
 
 namespace certet {
 
@@ -40,6 +41,9 @@ class ShapeDomain final : public PlacedDomain {
   /// not make one), and as `lattice_around`.
   ShapeDomain(const std::string& shape, const std::optional<Bounds>& bounds, double size,
               std::int32_t margin);
+  /// On a lattice that holds the solid.
+  ShapeDomain(const std::string& shape, const std::optional<Bounds>& bounds,
+              const PlacedLattice& around);
 
   [[nodiscard]] const Frame& frame() const override { return around_.frame; }
   [[nodiscard]] const Lattice& lattice() const override { return around_.lattice; }
@@ -72,5 +76,12 @@ class ShapeDomain final : public PlacedDomain {
   std::vector<BorderBox> border_;  ///< the bounds, if they cut the solid off
   std::unique_ptr<Domain> solid_;
 };
+
+/// Whether a text begins as that of a shape does: `sphere:…`.
+bool is_shape(const std::string& text);
+
+/// The same solid, to be put on a lattice with others.
+/// \throws Error `bad_option` as `ShapeDomain`.
+Solid shape_solid(const std::string& shape, const std::optional<Bounds>& bounds = {});
 
 }  // namespace certet

@@ -13,6 +13,7 @@
 #include "certet/context.hpp"
 #include "certet/pieces.hpp"
 #include "certet/placed_domain.hpp"
+#include "certet/solid.hpp"
 
 namespace certet {
 
@@ -234,5 +235,11 @@ std::unique_ptr<PlacedDomain> surface_domain(const TriangleSurface& surface,
 /// has a single side, like a Moebius strip.
 std::unique_ptr<PlacedDomain> open_surface_domain(const TriangleSurface& surface,
                                                   const SurfaceLattice& lattice);
+
+/// The solids of `surface_domain` and `open_surface_domain`, to be put on a lattice with
+/// others.  Surfaces that have points in common have them where they are rounded to steps,
+/// too.  \throws Error as those.
+Solid surface_solid(std::shared_ptr<const TriangleSurface> surface);
+Solid open_surface_solid(std::shared_ptr<const TriangleSurface> surface);
 
 }  // namespace certet

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "certet/placed_domain.hpp"
+#include "certet/solid.hpp"
 
 namespace certet {
 
@@ -51,5 +52,8 @@ struct VolumeLattice {
 /// voxels), `too_large` (coordinate range).
 std::unique_ptr<PlacedDomain> volume_domain(const Volume& volume, std::optional<double> level,
                                             const VolumeLattice& lattice);
+
+/// The same solid, to be put on a lattice with others.  \throws Error as `volume_domain`.
+Solid volume_solid(const Volume& volume, std::optional<double> level);
 
 }  // namespace certet

@@ -3,6 +3,7 @@
 /// How much is inside of a domain.
 
 #include <cstdint>
+#include <vector>
 
 #include "certet/context.hpp"
 #include "certet/domain.hpp"
@@ -21,5 +22,10 @@ struct VolumeEstimate {
 /// \throws Error `cancelled`; whatever the domain throws.
 VolumeEstimate estimate_volume(const Domain& domain, const Lattice& lattice, const Frame& frame,
                                std::uint64_t samples, const Context& context);
+
+/// The same of each material of a domain, the first one's first, from the same points.
+std::vector<VolumeEstimate> estimate_volumes(const Domain& domain, const Lattice& lattice,
+                                             const Frame& frame, std::uint64_t samples,
+                                             const Context& context);
 
 }  // namespace certet

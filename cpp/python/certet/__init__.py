@@ -5,8 +5,9 @@
     mesh.points, mesh.tets, mesh.labels          # NumPy arrays that share the mesh's memory
     certet.write(mesh, "brain.vtu")
 
-`mesh` makes one of voxels, of a function that is negative inside, or of closed triangles; so do
-`mesh_image`, `mesh_function` and `mesh_surface`, each for one of these.  `write`, `read`, `check`,
+`mesh` makes one of voxels, of a function that is negative inside, of closed triangles, or of several
+of the latter two; so do `mesh_image`, `mesh_function`, `mesh_surface` and `mesh_solids`, each for one
+of these.  `write`, `read`, `check`,
 `interfaces` and `quality` do what they say.  They run on all cores without Python's lock; Ctrl-C stops them.  What they refuse is a `ValueError` with one sentence, a lattice or
 mesh that is too large a `MemoryError`.
 """
@@ -25,8 +26,8 @@ from numpy.typing import ArrayLike, NDArray
 from . import _arguments, _certet
 
 __all__ = ["CheckReport", "FileMesh", "Interface", "LossWarning", "Mesh", "Pieces", "Quality", "Warp",
-           "check", "interfaces", "mesh", "mesh_function", "mesh_image", "mesh_surface", "quality",
-           "read", "write"]
+           "check", "interfaces", "mesh", "mesh_function", "mesh_image", "mesh_solids", "mesh_surface",
+           "quality", "read", "write"]
 __version__: str = _certet.version
 
 Cuts = Literal["bisect", "midpoint"]
@@ -201,7 +202,8 @@ class Mesh:
 
     @property
     def labels(self) -> NDArray[np.int32] | None:
-        """Shape (m,): the label of each tetrahedron; None but for images of labels."""
+        """Shape (m,): the label of each tetrahedron; None but for images of labels and several
+        solids."""
         return self._inner.labels
 
     @property
@@ -296,7 +298,8 @@ def mesh(shape: Any, **options: Any) -> Mesh:
     Parameters
     ----------
     shape : a function that is negative inside, as `mesh_function` takes; a pair (points,
-        triangles), as `mesh_surface` does; or an array of voxels, as `mesh_image` does
+        triangles), as `mesh_surface` does; a dictionary of these, as `mesh_solids` does; or an
+        array of voxels, as `mesh_image` does
     options : those of that function, by name; `bounds` is required for a function
 
     Raises
@@ -305,6 +308,8 @@ def mesh(shape: Any, **options: Any) -> Mesh:
     """
     if callable(shape):
         return mesh_function(shape, **options)
+    if isinstance(shape, Mapping):
+        return mesh_solids(shape, **options)
     if isinstance(shape, tuple) and len(shape) == 2:
         return mesh_surface(*shape, **options)
     return mesh_image(shape, **options)
@@ -501,6 +506,62 @@ def mesh_surface(
         _arguments.points(points), _arguments.triangles(triangles), _arguments.size(size),
         _arguments.whole("margin", margin), bool(repair),
         _options(method, cuts, guarantee, threads)))
+
+
+def mesh_solids(
+    solids: Mapping[str, Callable[[NDArray[np.float64]], ArrayLike] | tuple[ArrayLike, ArrayLike]],
+    *,
+    bounds: Sequence[Sequence[float]] | None = None,
+    priority: Sequence[str] = (),
+    size: float | None = None,
+    repair: bool = False,
+    margin: int = 2,
+    method: Method | None = None,
+    cuts: Cuts = "bisect",
+    guarantee: Guarantee | None = None,
+    threads: int = 0,
+) -> Mesh:
+    """Meshes several solids as the materials of one mesh, cut apart where they meet.
+
+        certet.mesh_solids({"skull": (points, triangles), "brain": (more_points, more_triangles)})
+
+    They may overlap: what is in several of them belongs to the strongest.  A wall that two have in
+    common is one interface.  `Mesh.labels` are 1, 2, … in the order of the dictionary, and
+    `Mesh.names` their names.
+
+    Parameters
+    ----------
+    solids : by their names, pairs (points, triangles), as `mesh_surface` takes, and functions that
+        are negative inside, as `mesh_function` does
+    bounds : ((x0, y0, z0), (x1, y1, z1)): a box that cuts off the functions, if there are any
+    priority : names, the strongest first; the others are weaker (default: the last solid is the
+        strongest)
+    size : the long edge of the lattice (default: a 64th of the longest side of the box around all)
+    repair : of surfaces, as `mesh_surface` has it
+    margin, method, cuts, guarantee, threads : as `mesh_image` has them; with the paper's methods the
+        solids are meshed as one, and a tetrahedron has the label at its centre
+
+    Raises
+    ------
+    ValueError, MemoryError : as `mesh_function` and `mesh_surface`
+    """
+    return _told(_certet.mesh_solids([_solid(name, one, bounds) for name, one in solids.items()],
+                                     list(priority), _arguments.size(size),
+                                     _arguments.whole("margin", margin), bool(repair),
+                                     _options(method, cuts, guarantee, threads)))
+
+
+def _solid(name: str, solid: Any, bounds: Sequence[Sequence[float]] | None) -> _certet.Solid:
+    if callable(solid):
+        if bounds is None:
+            raise ValueError(f"the function {name!r} needs bounds")
+        low, high = _arguments.bounds(bounds)
+        return _certet.solid_of_function(name, _arguments.signs(solid), low, high)
+    if isinstance(solid, tuple) and len(solid) == 2:
+        points, triangles = solid
+        return _certet.solid_of_surface(name, _arguments.points(points),
+                                        _arguments.triangles(triangles))
+    raise ValueError(f"{name!r} is neither a function nor a pair (points, triangles)")
 
 
 def _told(inner: _certet.Mesh) -> Mesh:

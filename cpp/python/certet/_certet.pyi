@@ -89,3 +89,20 @@ def mesh_surface(
     repair: bool,
     options: Options,
 ) -> Mesh: ...
+
+class Solid: ...
+
+def solid_of_function(
+    name: str, function: Callable[[NDArray[np.float64]], Any], low: _Point, high: _Point
+) -> Solid: ...
+def solid_of_surface(
+    name: str, points: NDArray[np.float64], triangles: NDArray[np.int64]
+) -> Solid: ...
+def mesh_solids(
+    solids: Sequence[Solid],
+    priority: Sequence[str],
+    size: float,
+    margin: int,
+    repair: bool,
+    options: Options,
+) -> Mesh: ...

@@ -1,0 +1,38 @@
+#pragma once
+/// \file
+/// The options that make several solids the materials of one mesh.
+
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace certet::command {
+
+/// One of several solids.
+struct MaterialChoice {
+  std::string name;
+  std::filesystem::path file;  ///< of these three one is not empty
+  std::string formula, shape;
+};
+
+/// As the user wrote them.
+struct RawMaterials {
+  std::vector<std::string> definitions;  ///< NAME=FORMULA, NAME=SHAPE or NAME=FILE
+  std::string priority;
+};
+
+/// Declares `--material` and `--priority`.
+void declare_materials(CLI::App& app, RawMaterials& raw);
+
+/// The files, which are called after their names, and then those of `--material`; none of
+/// a single file.  \throws Error `bad_option`.
+std::vector<MaterialChoice> chosen_materials(const std::vector<std::filesystem::path>& files,
+                                             const RawMaterials& raw);
+
+/// The names in `--priority`, the strongest first, which are those of materials.
+/// \throws Error `bad_option`.
+std::vector<std::string> chosen_priority(const std::vector<MaterialChoice>& materials,
+                                         const RawMaterials& raw);
+
+}  // namespace certet::command

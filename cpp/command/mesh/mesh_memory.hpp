@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// How much memory a run may use, and how a mesh is cut so that it fits.
+
+#include <cstdint>
+
+#include "certet/write_mesh.hpp"
+#include "mesh_options.hpp"
+#include "mesh_report.hpp"
+#include "target_size.hpp"
+
+namespace certet::command {
+
+/// What the process needs besides voxels, lattice and slabs.
+inline constexpr std::uint64_t base_bytes = 256 << 20;
+
+/// As the options say, or by what is free.
+std::uint64_t memory_limit(const MeshOptions& options);
+
+/// \throws Error `too_large` where a mesh of so many tetrahedra cannot fit.
+void check_target(const MeshOptions& options, std::uint64_t limit);
+
+/// \throws Error `too_large` where the engine's lattice does not fit.
+void check_lattice(const PlacedSource& source, Method method, std::uint64_t limit);
+
+/// Chooses the slabs by the memory that is left.  \throws Error `too_large`.
+Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report);
+
+}  // namespace certet::command
