@@ -1009,6 +1009,12 @@ let getUnstructuredTets getSign getIntersection v1 v2 v3 v4 =
                (getIntersection v4 v1))) :: []
            | _ -> [])))
 
+(** val mapTet :
+    ('a1 -> 'a2) -> 'a1 unstructuredTet -> 'a2 unstructuredTet **)
+
+let mapTet f = function
+| UT (a, b, c, d) -> UT ((f a), (f b), (f c), (f d))
+
 (** val stepBits : nat **)
 
 let stepBits =
@@ -1232,12 +1238,6 @@ let midpointCuts _ _ =
 
 let decided sign0 v =
   inOrOut (sign0 v)
-
-(** val mapTet :
-    ('a1 -> 'a2) -> 'a1 unstructuredTet -> 'a2 unstructuredTet **)
-
-let mapTet f = function
-| UT (a, b, c, d) -> UT ((f a), (f b), (f c), (f d))
 
 (** val dot : coord3 -> coord3 -> z **)
 

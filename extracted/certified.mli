@@ -223,6 +223,8 @@ val getUnstructuredTets :
   ('a1 -> sign) -> ('a1 -> 'a1 -> 'a1) -> 'a1 -> 'a1 -> 'a1 -> 'a1 -> 'a1
   unstructuredTet list
 
+val mapTet : ('a1 -> 'a2) -> 'a1 unstructuredTet -> 'a2 unstructuredTet
+
 val stepBits : nat
 
 val steps : z
@@ -305,8 +307,6 @@ val bisectedCuts : positionSigns -> cutField
 val midpointCuts : cutField
 
 val decided : signField -> signField
-
-val mapTet : ('a1 -> 'a2) -> 'a1 unstructuredTet -> 'a2 unstructuredTet
 
 val dot : coord3 -> coord3 -> z
 

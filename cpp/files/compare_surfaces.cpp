@@ -120,8 +120,8 @@ class Comparison {
     report.interface = interface.labels;
     report.wrong = surface.faces.size() - right.size();
     std::ranges::sort(right);
-    const auto twice = std::ranges::unique(right);
-    const auto repeated = static_cast<std::uint64_t>(twice.size());
+    const auto once = std::unique(right.begin(), right.end());
+    const auto repeated = static_cast<std::uint64_t>(right.end() - once);
     report.missing = interface.faces.size() - (right.size() - repeated);
     const std::string whose =
         surface.name.empty() ? "the file's surface " + std::to_string(surface.number)

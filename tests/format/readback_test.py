@@ -421,7 +421,7 @@ class Patches(Readback):
     """Where faces lie, whatever the cuts; and the same bytes for all threads."""
 
     def test_midpoint(self):
-        self.make("m.node", "--cuts", "midpoint")
+        self.make("m.node", "--cuts", "midpoint", "--smooth", "0")
         points = np.loadtxt(self.folder / "m.node", skiprows=1)[:, 1:4]
         rows = np.loadtxt(self.folder / "m.face", skiprows=1, dtype=np.int64)
         rows = rows[rows[:, 4] <= 2]  # without interfaces

@@ -142,7 +142,7 @@ class Losses(unittest.TestCase):
         dots[3:12:4, 3:12:4, 3:12] = 1
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", certet.LossWarning)
-            warp = certet.mesh(dots, spacing=(1, 1.1, 1.2)).warp
+            warp = certet.mesh(dots, spacing=(1, 1.1, 1.2), smooth=0).warp
         self.assertGreater(warp.stayed, 0)
         self.assertGreater(warp.violated, warp.stayed)
         self.assertGreater(warp.clamped_cuts, 0)
