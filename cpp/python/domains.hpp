@@ -22,8 +22,7 @@ KeptFunction kept(py::object function);
 
 /// Where a Python function of points is negative, within bounds that cut it off.  It is called with arrays of
 /// shape (n, 3) in world coordinates, by one thread at a time, and gives n
-/// numbers.  What it raises ends the run.  The function must live as long as the domain, which
-/// may be made and destroyed without Python's lock.
+/// numbers.  What it raises ends the run.  It may be made and destroyed without Python's lock.
 class PythonDomain final : public PlacedDomain {
  public:
   /// On a lattice that holds the bounds.

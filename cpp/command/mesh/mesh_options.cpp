@@ -112,9 +112,10 @@ thickness, as far as about 4 million tetrahedra or 32 million cells of the latti
 The volume of the mesh is compared with that of the solid: of a closed surface and of
 all shapes but the gyroid the true one, of others an estimate.  So are its pieces: a
 closed surface has as many as outer shells, a shape one.  Of formulas, volumes, gyroids,
-shapes cut by --bounds, and surfaces that are open or pass through themselves, those are
-counted that the lattice's points have at a quarter of the size, or at half of it, where
-not so many cells would be sampled for it as the mesh has pairs of tetrahedra.  Beyond 2 %,
+shapes cut by --bounds, several materials together, and surfaces that are open or pass
+through themselves, those are counted that the lattice's points have at a quarter of the
+size, or at half of it, where not so many cells would be sampled for it as the mesh has
+pairs of tetrahedra.  Beyond 2 %,
 or with other pieces, a warning names a size that has been tried and keeps both; the
 sentence where nothing is inside has one that keeps the volume.  At most 16 sizes are
 tried, each a fifth smaller than the one before, later a third, up to 10 million
