@@ -2,7 +2,7 @@
 
     What the 81 stencils do where all three vertices of a triangle are on the
     surface: 0 corners, and cuts.  That it holds of the mesh is proved in
-    [LocalSurfaceProof]. *)
+    [SurfaceViewProof]. *)
 
 From Coq Require Import List Bool Arith.
 From Certet Require Import Stencil.Definitions.

@@ -10,7 +10,8 @@ From Certet Require Import Lattice.Definitions Stencil.Definitions
   Topology.Definitions.
 From Certet Require Import Stuffing.MeshProof Embedding.EdgeRank
   Embedding.GreedyProof Embedding.MeshApartProof Embedding.LinkProof
-  Embedding.AroundProof Topology.CliqueProof Topology.LocalSurfaceProof.
+  Embedding.AroundProof Topology.CliqueProof Topology.LocalSurfaceProof
+  Topology.SurfaceViewProof.
 Import ListNotations.
 
 (** ** One structured tetrahedron *)
