@@ -8,7 +8,7 @@ import unittest
 
 import surfaces
 import vtu
-from program import ProgramTest
+from surface_program import SurfaceProgramTest
 
 USAGE, BAD_INPUT = 2, 3
 WRITE_VOLUMES = os.environ.get("CERTET_WRITE_VOLUMES", "")
@@ -28,15 +28,7 @@ def area(triangle):
                       u[0] * v[1] - u[1] * v[0]) / 2
 
 
-class MaterialsTest(ProgramTest):
-    def setUp(self):
-        super().setUp()
-        self.surface("probe.stl", surfaces.cube())
-        probe = self.run_certet("mesh", "probe.stl", "--dry-run")
-        if "not built in" in probe.stderr:
-            self.skipTest("without assimp")
-        (self.folder / "probe.stl").unlink()
-
+class MaterialsTest(SurfaceProgramTest):
     def surface(self, name, surface):
         (self.folder / name).write_bytes(surfaces.stl(surface))
         return name
@@ -143,6 +135,13 @@ class Overlap(MaterialsTest):
         self.assertAlmostEqual(report["regions"][1]["volume"], 4 / 3 * math.pi - rod * 2 / 3,
                                delta=0.1)
         self.check("a.msh")
+
+    def test_a_formula_in_a_file(self):
+        (self.folder / "ball.txt").write_text("x^2 + y^2 + z^2 - 1  # the unit ball\n")
+        box = ("--bounds=-1.2,-1.2,-1.2,1.2,1.2,1.2", "--size", "0.2", "--dry-run")
+        here, there = (self.mesh("--material", f"ball={ball}", "--material", "core=sphere:0.5", *box)
+                       for ball in ("x^2 + y^2 + z^2 - 1", "@ball.txt"))
+        self.assertEqual(here["mesh"]["tets"], there["mesh"]["tets"])
 
     def test_a_single_formula_with_a_name(self):
         report = self.mesh("--material", "ball=x^2+y^2+z^2-1",

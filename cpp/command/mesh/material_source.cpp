@@ -30,7 +30,8 @@ Solid from_volume(const MaterialChoice& material, const MeshOptions& options) {
 
 Solid open_solid(const MaterialChoice& material, const MeshOptions& options,
                  const Context& context, std::vector<std::string>& notes) {
-  if (!material.formula.empty()) return formula_solid(material.formula, options.bounds.value());
+  if (!material.formula.empty())
+    return formula_solid(whole_formula(material.formula), options.bounds.value());
   if (!material.shape.empty()) return shape_solid(material.shape, options.bounds);
   if (is_volume_file(material.file)) return from_volume(material, options);
   return from_surface(material, options, context, notes);

@@ -33,9 +33,10 @@ primitive, diamond, iwp and neovius; struts:CELL,RADIUS[,SIDE] (round bars along
 edges of cubic cells).  Of these last six table and JSON tell the part of the box that
 the mesh fills.
 
---expr @FILE reads a formula from a file, on lines as one likes, with # before comments.
-A formula may begin with definitions, like r = hypot(x,y); max(r - 1, abs(z) - 2): each
-ends with a semicolon, and it and the formula have at most 20,000 bytes.
+--expr @FILE and --material NAME=@FILE read a formula from a file, on lines as one likes,
+with # before comments.  A formula may begin with definitions, like r = hypot(x,y);
+max(r - 1, abs(z) - 2): each ends with a semicolon, and it and the formula have at most
+20,000 bytes.
 
 Several surfaces or volumes, and the solids of --material, are materials of one mesh: labels
 1, 2, ... in the order of INPUT and then of --material, called after the files or as

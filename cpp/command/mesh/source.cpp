@@ -17,9 +17,7 @@ namespace certet::command {
 namespace {
 
 Source from_formula(const MeshOptions& options) {
-  const bool in_file = options.formula.starts_with('@');
-  const auto place = [formula = in_file ? read_formula(options.formula.substr(1)) : options.formula,
-                      bounds = options.bounds.value(),
+  const auto place = [formula = whole_formula(options.formula), bounds = options.bounds.value(),
                       margin = options.margin](double size) {
     return placed(std::make_unique<FormulaDomain>(formula, bounds, size, margin));
   };
@@ -194,6 +192,10 @@ PlacedSource placed(std::unique_ptr<PlacedDomain> domain) {
   source.bytes = domain->bytes();
   source.domain = std::move(domain);
   return source;
+}
+
+std::string whole_formula(const std::string& text) {
+  return text.starts_with('@') ? read_formula(text.substr(1)) : text;
 }
 
 std::optional<PieceBounds> unknown_pieces(Context&) { return std::nullopt; }

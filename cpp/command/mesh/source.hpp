@@ -69,6 +69,9 @@ struct Source {
 /// A domain, on the lattice that it was made for.
 PlacedSource placed(std::unique_ptr<PlacedDomain> domain);
 
+/// A formula as the user gives it: itself or, as @FILE, what that file holds.  \throws Error.
+std::string whole_formula(const std::string& text);
+
 /// Of what has no pieces that can be counted but on a lattice.
 std::optional<PieceBounds> unknown_pieces(Context& context);
 
