@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "certet/image.hpp"
+#include "deviation.hpp"
 #include "label_images.hpp"
 #include "lattice_materials.hpp"
 
@@ -28,21 +29,6 @@ std::vector<Point3> cuts_of(const PlacedDomain& domain) {
     points.push_back(domain.frame().world(cuts.position(e)));
   return points;
 }
-
-/// Distances from the truth.
-struct Deviation {
-  double greatest = 0, rms = 0;
-
-  template <class Distance>
-  Deviation(const std::vector<Point3>& points, const Distance& distance) {
-    for (const Point3& p : points) {
-      const double d = std::abs(distance(p));
-      greatest = std::max(greatest, d);
-      rms += d * d;
-    }
-    rms = std::sqrt(rms / static_cast<double>(points.size()));
-  }
-};
 
 Deviation deviation(const Balls& balls, const PlacedDomain& domain) {
   return {cuts_of(domain), [&](const Point3& p) { return balls.distance(p); }};

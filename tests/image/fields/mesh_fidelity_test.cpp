@@ -14,6 +14,7 @@
 #include "certet/image.hpp"
 #include "certet/mesh.hpp"
 #include "certet/stuffing.hpp"
+#include "deviation.hpp"
 #include "label_images.hpp"
 
 namespace certet {
@@ -78,20 +79,6 @@ class Surfaces {
   Buffer<Point3> points_;
   std::map<Face, std::pair<int, int>> faces_;  ///< the labels of both sides
   std::map<int, double> volumes_;
-};
-
-struct Deviation {
-  double greatest = 0, rms = 0;
-
-  template <class Distance>
-  Deviation(const std::vector<Point3>& points, const Distance& distance) {
-    for (const Point3& p : points) {
-      const double d = std::abs(distance(p));
-      greatest = std::max(greatest, d);
-      rms += d * d / static_cast<double>(points.size());
-    }
-    rms = std::sqrt(rms);
-  }
 };
 
 class MeshedBalls : public testing::TestWithParam<int> {};
