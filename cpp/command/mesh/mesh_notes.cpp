@@ -1,0 +1,150 @@
+#include "mesh_notes.hpp"
+
+namespace certet::command {
+
+const char* const mesh_notes = R"(
+Formulas: + - * / ^ (-x^2 is -(x^2)), < <= > >= == != && || and c ? a : b, where
+true is 1; min max sum avg hypot length of any number of operands; abs sign sqrt
+exp log log2 log10 sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh
+floor ceil round trunc not; atan2(y,x) pow(a,b) fmod(a,b) clamp(v,low,high)
+mix(a,b,t) if(c,a,b); pi and e.  The union of two solids is min(a,b), the part
+they share max(a,b), the first without the second max(a,-b).  A union that is
+rounded over about 1/k world units is -log(exp(-k*a)+exp(-k*b))/k.
+
+Shapes, around the origin of the world: sphere:R, torus:R,r (around z), box:a,b,c
+(lengths of the edges), cylinder:R,H (along z), gyroid:PERIOD,THICKNESS[,SIDE] (a
+wall at least THICKNESS thick, in a cube of SIDE; default: two periods), as well as
+primitive, diamond, iwp and neovius; struts:CELL,RADIUS[,SIDE] (round bars along the
+edges of cubic cells).  Of these last six table and JSON tell the part of the box that
+the mesh fills.
+
+--expr @FILE and --material NAME=@FILE read a formula from a file, on lines as one likes,
+with # before comments.  A formula may begin with definitions, like r = hypot(x,y);
+max(r - 1, abs(z) - 2): each ends with a semicolon, and it and the formula have at most
+20,000 bytes.
+
+Several surfaces or volumes, and the solids of --material, are materials of one mesh: labels
+1, 2, ... in the order of INPUT and then of --material, called after the files or as
+--material says.  What starts like a shape (sphere:1) is one, what is a file or ends like
+one (.stl .obj .ply .off .vdb) is a file, all else is a formula, which needs --bounds; these
+cut off shapes too, but no files.  What is in several belongs to the strongest solid, the
+last one or the first in --priority, and is cut apart at the surface of the stronger: a wall
+that two have in common is one interface.  The lattice is around all of them, along the axes
+of the world; without --size its long edge is a 64th of the longest side of their box.  With
+--method paper they are meshed as one solid, and each tetrahedron has the label at its
+centre.  A material that is not in the mesh, or by more than 2 % not with the volume that it
+has (estimated, of what is in no stronger solid), is named in a warning.
+
+World coordinates are the image's own: millimetres, LPS (x to the left, y to the
+back, z to the head), as ITK has them, for NIfTI too, whose sform is taken where it
+is set, else its qform.  --frame ras gives what nibabel, FreeSurfer and models of 3D
+Slicer have; table and JSON tell the axes of the output, and .vtu, .stl and .ply have them
+in a comment, SPACE=LPS.  Options that take coordinates (--crop) mean LPS all the same, and
+lengths before --scale.  The slices of a DICOM series, and the frames of a DICOM
+file, are ordered by their positions.  The first voxel of a TIFF file is at the
+origin, x along its rows, y down its columns, z through its pages.
+
+With --iso A..B the solid is where the lesser of the distances to both values,
+interpolated between the centres of voxels, is positive: between a voxel below both and
+one above both there is none.
+
+Values are those that an image's file means: slope and intercept of NIfTI and DICOM
+are applied.  Labels may be floating point numbers that are whole.  A file of several
+volumes, or of several numbers per voxel, is read with --volume.  The segments of 3D
+Slicer (.seg.nrrd) and of DICOM SEG are labels with the names that the file has;
+where they overlap the later one wins, which a note counts.
+
+Surfaces of labels, between two of them and to the outside, are smooth.  Each label has a
+field, its share of the voxels around, weighted by (1 4 6 4 1)/16 along every axis or, with
+--smooth SIGMA, by a Gaussian (SIGMA is at most 4 voxels along any axis); the greatest field
+wins.  Thin parts are smoothed less, a constant for each label gives its region about the
+volume of its voxels, and at the centre of a voxel its own label wins, so that no label is
+lost, and no piece of one.  --smooth 0 keeps the faces of voxels, with their steps.
+
+Labels that touch each other are cut where they meet, but not by --method paper, where
+each tetrahedron has the label at its centre, the surface follows the faces of voxels, and
+--smooth SIGMA smooths the outside alone.  Formats with named surfaces have one for
+each pair that touches, called after both.
+
+A label that the lattice is too coarse for is named in a warning, and so is one that
+has more or fewer pieces among the lattice's points than in the image, where voxels may
+touch at edges and corners or not.  That is looked at unless every voxel has a point of the
+lattice at its centre or, with --smooth 0, --size is at most the smallest voxel spacing, for
+then no label and no piece is lost; not with --crop.  With --iso the pieces are those of the
+mesh, at any size.  With --iso, and with --smooth and --method paper, a size is looked for that
+keeps them all, and the volume.
+
+The pieces of every mesh are counted, by faces and by vertices, and of several labels
+those of each; with --method paper the latter by --label-pieces alone, for it takes long.
+So are the edges and vertices at which its surface is no manifold, of which --method
+paper may leave some, and others where three labels meet.  --keep largest drops all pieces by faces but the one of the most
+tetrahedra, --keep N all but the N largest, --keep percolating:x (y, z) all that do not go
+from one end of the solid to the other along that axis of the lattice, which is the
+image's or the world's, but for a --size at either end.  What was dropped is told.
+
+A surface need not be clean: equal corners that differ by rounding, triangles that are
+repeated, turned or without an area, T-junctions, and walls between two solids that are
+stored once are mended, with the least tolerance that closes the surface, and what was
+done is said.  An open surface is refused.  With --repair its solid is what it winds
+around by more than one half: the winding number is the generalised one, the share of the
+sphere around a point that the triangles cover, each with its sign.  So flat holes close
+flat, and triangles that are all apart are a solid as if there were no gaps; those that
+face another way than the ones around them are turned.  Where the
+winding number does not tell inside from outside, as of a flat sheet or of triangles that
+face any way, the surface is refused all the same.  Where the
+solid behind a fiftieth of the surface is thin, the default size is a quarter of its
+thickness, as far as about 4 million tetrahedra or 32 million cells of the lattice.
+
+The volume of the mesh is compared with that of the solid: of a closed surface and of
+all shapes but the gyroid the true one, of others an estimate.  So are its pieces: a
+closed surface has as many as outer shells, a shape one.  Of formulas, volumes, gyroids,
+shapes cut by --bounds, several materials together, and surfaces that are open or pass
+through themselves, those are counted that the lattice's points have at a quarter of the
+size, or at half of it, where not so many cells would be sampled for it as the mesh has
+pairs of tetrahedra.  Beyond 2 %,
+or with other pieces, a warning names a size that has been tried and keeps both; the
+sentence where nothing is inside has one that keeps the volume.  At most 16 sizes are
+tried, each a fifth smaller than the one before, later a third, up to 10 million
+tetrahedra, and until 64 million cells that the surface may pass through, or 400 million
+in all, are spent; where none of them does, that is said.
+
+A solid far from the origin of the world may be finer than the numbers of a file are
+apart there.  A mesh that they cannot hold is not written (status 6): in .stl, of
+single precision, where points would fall together or triangles lose their area or
+turn by more than 4.5 degrees; elsewhere, where points would fall together, or
+tetrahedra turn over, or angles leave their bounds by what tables show of them.
+
+With --method embedded a vertex that a cut is too close to (violated) moves onto the
+surface only where that keeps the shape, and not past a neighbour (shortened);
+otherwise it stays, and the cuts around it are moved away from it (clamped), by at
+most 0.4 of an edge.  Pieces, tunnels and cavities of the mesh are those of the
+samples, which are + where the lattice's points are inside.
+
+Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file,
+format, bytes, origin, frame (lps, ras, or input where the axes are not known), scale}, lattice
+{cells, size, cuts, and with --target-tets: target_tets, tries}, method {name, and of embedded:
+violated, stayed, shortened, missed (the surface, by shortened moves) {greatest, rms,
+greatest_edges, rms_edges}, clamped {cuts and the same}}, theorem, mesh {points, tets, volume,
+volume_fraction (of shapes without an end), checksum, file_checksum,
+pieces {by_faces, by_vertices, largest_tets}, nonmanifold {edges, vertices, edge_places,
+vertex_places: in the world, of the first 8}}, with --keep: dropped {keep, pieces, kept,
+tets, volume}, dihedral
+{min, max, lattice_min, lattice_max, rounding, histogram}, guarantee {asked, used,
+theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
+cut, warp, count, pieces, emit, measure, write, total}, memory {limit, needed, least,
+peak}, warnings, and for images regions [{label, voxels, tets, name where the file or
+--label-names has one, volume, voxel_volume, change_percent, pieces (by faces) and pieces_by_vertices; of several
+labels with --method paper by --label-pieces alone, else pieces is of the samples, and told
+where the image's are: image_pieces {by_corners, by_faces}}], of several solids regions
+[{label, name, tets, volume, solid_volume (estimated), pieces, pieces_by_vertices}], of labels
+that are smoothed: smoothing {sigma (left out where it is one voxel), voxel_volume, mesh_volume,
+change}.  Lengths are in world units, volumes and places in those of the output, angles in
+degrees, memory in bytes; the
+histogram has 36 bins of 5 degrees, counted before coordinates are rounded; rounding
+is what the doubles of the world can turn an angle by; output.origin is where in the
+world the output has its 0; file_checksum is what `certet check` tells of a file with
+this mesh, checksum is of the lattice and the same wherever the mesh is; the
+seconds of emit, measure and write overlap and are those of all threads together;
+a dry run leaves out what it does not know.)";
+
+}  // namespace certet::command
