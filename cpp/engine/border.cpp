@@ -42,6 +42,22 @@ BorderBox BorderBox::along_world(const Frame& frame, const Point3& corner,
   return {frame, corner, opposite, 0};
 }
 
+BorderBox BorderBox::seen_from(const Frame& other, const Frame& own) const {
+  BorderBox box = *this;
+  const Point3 origin = lattice_position(own, other.origin);
+  box.place_.size *= other.size / own.size;
+  box.rounding_ += corner_rounding * box.place_.size;
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t a = 0; a < 3; ++a) {
+      box.place_.origin[r] += 0.5 * place_.size * place_.axes[r][a] * origin[a];
+      box.place_.axes[r][a] = 0;
+      for (std::size_t n = 0; n < 3; ++n)
+        for (std::size_t w = 0; w < 3; ++w)
+          box.place_.axes[r][a] += place_.axes[r][n] * own.axes[w][n] * other.axes[w][a];
+    }
+  return box;
+}
+
 bool BorderBox::contains(Coord3 position) const {
   const Point3 p = place_.world(position);
   for (std::size_t a = 0; a < 3; ++a)

@@ -41,6 +41,7 @@ std::vector<RegionPieces> count_regions(MeshParts& parts, std::span<const std::i
   std::vector<RegionPieces> regions;
   for (std::size_t m = 0; m < labels.size(); ++m)
     if (counts[m].by_faces != 0) regions.push_back({labels[m], counts[m]});
+  std::ranges::sort(regions, {}, &RegionPieces::label);
   return regions;
 }
 

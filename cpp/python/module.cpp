@@ -4,7 +4,6 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,15 +13,14 @@
 #include "arrays.hpp"
 #include "certet/checksum.hpp"
 #include "certet/error.hpp"
-#include "certet/gray_levels.hpp"
 #include "certet/image.hpp"
 #include "certet/label_warnings.hpp"
-#include "certet/merge_labels.hpp"
 #include "certet/method.hpp"
 #include "certet/placed_quality.hpp"
 #include "certet/surface.hpp"
 #include "domains.hpp"
 #include "files.hpp"
+#include "images.hpp"
 #include "interfaces.hpp"
 #include "pickling.hpp"
 #include "pieces.hpp"
@@ -32,17 +30,6 @@
 
 namespace certet::python {
 namespace {
-
-/// First and last label, the label that they become, and its name.
-using Merges = std::vector<std::tuple<std::int64_t, std::int64_t, std::int32_t, std::string>>;
-
-std::vector<LabelMerge> merges_of(const Merges& merges) {
-  std::vector<LabelMerge> result;
-  for (const auto& [first, last, to, name] : merges) result.push_back({{first, last}, to, name});
-  return result;
-}
-
-using Direction = std::array<std::array<double, 3>, 3>;
 
 /// The voxels of an image as a shape; by default surfaces of labels are smooth where the
 /// method cuts labels apart.
@@ -62,25 +49,14 @@ std::unique_ptr<PlacedDomain> image_domain(const std::shared_ptr<const Image>& i
 std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spacing,
                                        const Point3& origin, const Direction& direction,
                                        const std::vector<std::pair<std::int64_t, std::int64_t>>& labels,
-                                       const std::optional<std::pair<double, double>>& iso,
+                                       const Levels& iso,
                                        std::optional<double> smooth, const Merges& merges,
                                        double size, int margin, const Options& options) {
-  Image image;
-  image.name = "array";
-  image.spacing = spacing;
-  image.origin = origin;
-  image.axes = direction;
-  image.voxels = voxels(array, image.size);
-  std::vector<LabelRange> ranges;
-  ranges.reserve(labels.size());
-  for (const auto& [first, last] : labels) ranges.push_back({first, last});
+  Image image = image_of(array, spacing, origin, direction);
+  const std::vector<LabelRange> ranges = ranges_of(labels);
   return mesh_of(
       [&](const Context& context) {
-        std::optional<double> level;
-        if (iso) level = std::isfinite(iso->second) ? 0 : iso->first;
-        if (level && std::isfinite(iso->second))
-          image = between_levels(image, {iso->first, iso->second});
-        if (!merges.empty()) merge_labels(image, merges_of(merges));
+        const std::optional<double> level = prepare(image, iso, merges);
         const auto kept = std::make_shared<const Image>(std::move(image));
         const auto place = [=, &context](double at) {
           const ImageLattice lattice{at, margin, !facts(options.method).settles};

@@ -13,7 +13,7 @@ namespace {
 /// Counts a mesh and makes it, and looks for what it has not kept.
 void fill(const Shape& shape, double size, const Options& options, Context& context,
           PythonMesh& result) {
-  const std::unique_ptr<PlacedDomain> domain = shape.sized.place(size);
+  const std::shared_ptr<const PlacedDomain> domain = shape.sized.place(size);
   const Stuffing stuffing(*domain, domain->lattice(), options.method, context);
   result.mesh = mesh(*domain, stuffing, context);
   result.warp = stuffing.warp_figures();

@@ -223,8 +223,8 @@ class Refusals(MaterialsTest):
     def test_what_cannot_be_one_of_several(self):
         left, right = self.boxes()
         (self.folder / "scan.nrrd").write_bytes(b"")
-        self.refused(["'scan.nrrd'", "surfaces"], left, "scan.nrrd")
-        self.refused(["'scan.nrrd'", "surfaces"], left, "--material", "scan=scan.nrrd")
+        self.refused(["'scan.nrrd'"], left, "scan.nrrd", status=BAD_INPUT)
+        self.refused(["'scan.nrrd'"], left, "--material", "scan=scan.nrrd", status=BAD_INPUT)
         self.refused(["--bounds"], left, "--material", "a=x^2-1")
         self.refused(["--bounds goes with"], left, right, "--bounds", "0,0,0,1,1,1")
         self.refused(["--labels", "image"], left, right, "--labels", "1")

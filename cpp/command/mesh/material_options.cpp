@@ -3,37 +3,23 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "certet/shape.hpp"
-#include "certet/surface.hpp"
-#include "certet/volume.hpp"
 #include "refusal.hpp"
 
 namespace certet::command {
 namespace {
 
-bool is_solid_file(const std::filesystem::path& file) {
-  return is_surface_file(file) || is_volume_file(file);
-}
-
-MaterialChoice of_file(std::string name, const std::filesystem::path& file) {
-  if (!is_solid_file(file))
-    refuse("'" + file.string() + "' cannot be one of several materials: those are surfaces "
-           "(STL, OBJ, PLY, OFF), volumes (OpenVDB), formulas and shapes");
-  return {std::move(name), file, {}, {}};
-}
-
-/// What has the extension of a solid is a file, and so is what is there.
 MaterialChoice of_definition(const std::string& text) {
   const std::size_t equal = text.find('=');
   if (equal == std::string::npos || equal == 0 || equal + 1 == text.size())
     refuse("--material takes NAME=FORMULA, NAME=SHAPE or NAME=FILE, not '" + text + "'");
-  std::string name = text.substr(0, equal);
-  const std::string value = text.substr(equal + 1);
-  if (is_shape(value)) return {std::move(name), {}, {}, value};
-  std::error_code ignored;
-  if (is_solid_file(value) || std::filesystem::exists(value, ignored))
-    return of_file(std::move(name), value);
-  return {std::move(name), {}, value, {}};
+  return {text.substr(0, equal), parse_solid(text.substr(equal + 1))};
+}
+
+/// What comes before the first dot of "labels.nii.gz", and the last of "a.b.stl".
+std::string name_of(const std::filesystem::path& file) {
+  std::filesystem::path stem = file.stem();
+  if (file.extension() == ".gz") stem = stem.stem();
+  return stem.empty() ? file.parent_path().filename().string() : stem.string();
 }
 
 void check_names(const std::vector<MaterialChoice>& materials) {
@@ -54,13 +40,29 @@ void check_names(const std::vector<MaterialChoice>& materials) {
 void declare_materials(CLI::App& app, RawMaterials& raw) {
   app.add_option("--material", raw.definitions,
                  "A solid among several, each a material of its own, after those of INPUT: where "
-                 "a formula is negative (within --bounds), a shape, or a file; repeatable")
+                 "a formula is negative (within --bounds), a shape, or a file; of an image all "
+                 "labels, some (FILE@labels=LIST) or what is gray (FILE@iso=V); repeatable")
       ->option_text("NAME=SOLID")
       ->allow_extra_args(false);
   app.add_option("--priority", raw.priority,
                  "Of several solids, whose material is where they overlap: names, the strongest "
                  "first (default: the last solid is the strongest)")
       ->option_text("NAME,NAME,...");
+  app.add_option("--inside", raw.inside,
+                 "Of all that is meshed, what is in this solid, too: a file, a shape or a formula "
+                 "as --material has them; repeatable")
+      ->option_text("SOLID")
+      ->allow_extra_args(false);
+  app.add_option("--subtract", raw.without,
+                 "Of all that is meshed, what is not in this solid; repeatable")
+      ->option_text("SOLID")
+      ->allow_extra_args(false);
+}
+
+std::vector<SolidChoice> chosen_solids(const std::vector<std::string>& texts) {
+  std::vector<SolidChoice> solids;
+  for (const std::string& text : texts) solids.push_back(parse_solid(text));
+  return solids;
 }
 
 std::vector<MaterialChoice> chosen_materials(const std::vector<std::filesystem::path>& files,
@@ -68,7 +70,7 @@ std::vector<MaterialChoice> chosen_materials(const std::vector<std::filesystem::
   std::vector<MaterialChoice> materials;
   if (files.size() > 1 || !raw.definitions.empty())
     for (const std::filesystem::path& file : files)
-      materials.push_back(of_file(file.stem().string(), file));
+      materials.push_back({name_of(file), {file}, !is_solid_file(file)});
   for (const std::string& text : raw.definitions) materials.push_back(of_definition(text));
   check_names(materials);
   return materials;

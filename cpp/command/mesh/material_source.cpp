@@ -1,52 +1,46 @@
 #include "material_source.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "certet/materials_domain.hpp"
-#include "certet/shape.hpp"
-#include "certet/volume.hpp"
-#include "silence.hpp"
-#include "surface_source.hpp"
+#include "output_place.hpp"
+#include "solid_source.hpp"
 
 namespace certet::command {
 namespace {
 
-/// What is doubtful about a surface goes to `notes`.
-Solid from_surface(const MaterialChoice& material, const MeshOptions& options,
-                   const Context& context, std::vector<std::string>& notes) {
-  CheckedSurface checked = open_surface(material.file, options.repair, context);
-  std::ranges::move(checked.notes, std::back_inserter(notes));
-  auto surface = std::make_shared<const TriangleSurface>(std::move(checked.surface));
-  return checked.open ? open_surface_solid(std::move(surface)) : surface_solid(std::move(surface));
-}
-
-Solid from_volume(const MaterialChoice& material, const MeshOptions& options) {
-  const Silence silence;
-  return volume_solid(read_volume(material.file, options.grid), options.iso);
-}
-
-Solid open_solid(const MaterialChoice& material, const MeshOptions& options,
-                 const Context& context, std::vector<std::string>& notes) {
-  if (!material.formula.empty())
-    return formula_solid(whole_formula(material.formula), options.bounds.value());
-  if (!material.shape.empty()) return shape_solid(material.shape, options.bounds);
-  if (is_volume_file(material.file)) return from_volume(material, options);
-  return from_surface(material, options, context, notes);
+/// Those of the first image, if all tell theirs: then the world is the same for all.
+std::optional<PatientAxes> axes_of(const std::vector<OpenedSolid>& opened) {
+  std::optional<PatientAxes> axes;
+  for (const OpenedSolid& one : opened) {
+    if (!one.is_image) continue;
+    if (!one.axes) return std::nullopt;
+    if (!axes) axes = one.axes;
+  }
+  return axes;
 }
 
 }  // namespace
 
-Source open_materials(const MeshOptions& options, const Context& context) {
+Source open_materials(const MeshOptions& options, std::uint64_t max_bytes,
+                      const Context& context) {
   Source source{"materials", {}, {}};
-  auto solids = std::make_shared<std::vector<NamedSolid>>();
-  for (const MaterialChoice& material : options.materials) {
-    source.name += (source.name.empty() ? "" : ", ") + material.name;
-    solids->push_back({material.name, open_solid(material, options, context, source.notes)});
-    source.names.emplace(static_cast<std::int32_t>(solids->size()), material.name);
+  std::vector<OpenedSolid> opened;
+  for (const MaterialChoice& one : options.materials) {
+    opened.push_back(open_solid(one.solid, one.keeps_labels, options, max_bytes, context));
+    source.name += (source.name.empty() ? "" : ", ") + one.name;
+    std::ranges::move(opened.back().notes, std::back_inserter(source.notes));
   }
+  source.axes = axes_of(opened);
+  const std::optional<PatientAxes> output = output_axes(options, source);
+  auto solids = std::make_shared<std::vector<NamedSolid>>();
+  for (std::size_t n = 0; n < opened.size(); ++n)
+    solids->push_back({options.materials[n].name, in_axes(opened[n], output),
+                       opened[n].has_labels});
   source.pieces = unknown_pieces;
   source.place = [solids = std::shared_ptr<const std::vector<NamedSolid>>(std::move(solids)),
                   margin = options.margin, priority = options.priority](double size) {

@@ -9,6 +9,7 @@
 namespace certet::command {
 
 /// Reads and checks `options.materials`.  \throws Error, `cancelled` too.
-Source open_materials(const MeshOptions& options, const Context& context);
+Source open_materials(const MeshOptions& options, std::uint64_t max_bytes,
+                      const Context& context);
 
 }  // namespace certet::command

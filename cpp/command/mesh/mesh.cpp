@@ -129,6 +129,8 @@ void describe(const MeshOptions& options, const Source& source, MeshReport& repo
   report.input_kind = source.kind;
   report.input_name = source.name;
   report.formula = options.formula;
+  for (const SolidChoice& solid : options.inside) report.inside.push_back(solid.text);
+  for (const SolidChoice& solid : options.without) report.without.push_back(solid.text);
   report.input_notes = source.notes;
   report.smoothing = source.smoothing;
   report.output = options.output.string();
@@ -193,7 +195,8 @@ void describe(RegionWatch& watch, const RegionWatch::SizeFor& size_for, MeshRepo
 
 void describe_materials(const PlacedSource& source, const Context& context,
                         MeshReport& report) {
-  report.materials = meshed_materials(source, report.written, report.pieces, context);
+  report.materials =
+      meshed_materials(source, report.names, report.written, report.pieces, context);
   std::vector<std::string> sentences =
       warnings_on(report.materials, report.size, !report.dry_run, report.dropped.pieces > 0);
   report.warnings.insert(report.warnings.begin(), std::make_move_iterator(sentences.begin()),
@@ -210,13 +213,14 @@ MeshReport run(const MeshOptions& options, Context& context) {
   if (!options.label_names.empty()) names = read_label_names(options.label_names);
   const Source source = open_source(options, report.memory_limit, context);
   names.insert(source.names.begin(), source.names.end());
-  for (const LabelMerge& merge : options.merges)
-    if (!merge.name.empty()) names[merge.to] = merge.name;
-  report.names = names;
   report.read_seconds = clock.seconds();
   describe(options, source, report);
   Progress progress(context);
   Counted counted = count(options, source, context, report);
+  names.merge(counted.source.domain->names());
+  for (const LabelMerge& merge : options.merges)
+    if (!merge.name.empty()) names[merge.to] = merge.name;
+  report.names = names;
   progress.stop();
   const Stopwatch looking;
   drop_pieces(options, counted, context, report);

@@ -1,5 +1,6 @@
 #include "mesh_files.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,12 @@ namespace {
 std::vector<std::filesystem::path> input_files(const MeshOptions& options) {
   std::vector<std::filesystem::path> files;
   if (!options.input.empty()) files.push_back(options.input);
-  for (const MaterialChoice& material : options.materials)
-    if (!material.file.empty()) files.push_back(material.file);
+  const auto add = [&files](const SolidChoice& solid) {
+    if (!solid.file.empty()) files.push_back(solid.file);
+  };
+  for (const MaterialChoice& material : options.materials) add(material.solid);
+  std::ranges::for_each(options.inside, add);
+  std::ranges::for_each(options.without, add);
   return files;
 }
 

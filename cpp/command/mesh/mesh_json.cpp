@@ -87,15 +87,15 @@ Json regions(const MeshReport& report) {
 }
 
 /// Of several solids.
-Json regions(const std::vector<MeshedMaterial>& materials, bool dry_run) {
+Json regions_of_materials(const MeshReport& report) {
   Json all = Json::array();
-  for (const auto& [label, name, tets, volume, solid, pieces] : materials) {
+  for (const auto& [label, name, tets, volume, solid, pieces] : report.materials) {
     Json one{{"label", label}, {"name", name}};
-    if (!dry_run) {
+    if (!report.dry_run) {
       one["tets"] = tets;
-      one["volume"] = volume;
+      one["volume"] = report.out(volume);
     }
-    one["solid_volume"] = solid.volume;
+    one["solid_volume"] = report.out(solid.volume);
     if (pieces) {
       one["pieces"] = pieces->by_faces;
       one["pieces_by_vertices"] = pieces->by_vertices;
@@ -126,6 +126,8 @@ std::string json(const MeshReport& report) {
   json["input"] = {{"kind", report.input_kind},
                    {"name", report.formula.empty() ? report.input_name : report.formula},
                    {"notes", report.input_notes}};
+  if (!report.inside.empty()) json["input"]["inside"] = report.inside;
+  if (!report.without.empty()) json["input"]["subtract"] = report.without;
   json["output"] = {
       {"file", report.output}, {"format", report.format}, {"bytes", report.output_bytes},
       {"origin", report.output_origin},
@@ -162,7 +164,7 @@ std::string json(const MeshReport& report) {
   json["seconds"] = seconds(report);
   json["warnings"] = report.warnings;
   if (!report.regions.empty()) json["regions"] = regions(report);
-  if (!report.materials.empty()) json["regions"] = regions(report.materials, report.dry_run);
+  if (!report.materials.empty()) json["regions"] = regions_of_materials(report);
   if (report.smoothing) json["smoothing"] = smoothing(report);
   json["memory"] = {{"limit", report.memory_limit},
                     {"needed", report.memory_needed},

@@ -23,24 +23,32 @@ with # before comments.  A formula may begin with definitions, like r = hypot(x,
 max(r - 1, abs(z) - 2): each ends with a semicolon, and it and the formula have at most
 20,000 bytes.
 
-Several surfaces or volumes, and the solids of --material, are materials of one mesh: labels
-1, 2, ... in the order of INPUT and then of --material, called after the files or as
---material says.  What starts like a shape (sphere:1) is one, what is a file or ends like
-one (.stl .obj .ply .off .vdb) is a file, all else is a formula, which needs --bounds; these
-cut off shapes too, but no files.  What is in several belongs to the strongest solid, the
-last one or the first in --priority, and is cut apart at the surface of the stronger: a wall
-that two have in common is one interface.  The lattice is around all of them, along the axes
-of the world; without --size its long edge is a 64th of the longest side of their box.  With
---method paper they are meshed as one solid, and each tetrahedron has the label at its
-centre.  A material that is not in the mesh, or by more than 2 % not with the volume that it
+Several files, and the solids of --material, are materials of one mesh: labels 1, 2, ... in
+the order of INPUT and then of --material, called after the files or as --material says.
+Labels of an image in INPUT are so each for itself, with their own numbers, after the
+greatest of which the others are numbered.  What starts like a shape (sphere:1) is one, what
+is a file or ends like one (.stl .obj .ply .off .vdb .nrrd .nii ...) is a file, all else is a
+formula, which needs --bounds; these cut off shapes too, but no files.  Of an image
+--material NAME=FILE takes all labels for one solid, FILE@labels=1,5-9 some, FILE@iso=300 or
+FILE@iso=A..B what is gray; --labels and --iso hold for files without such a choice.  What is
+in several belongs to the strongest solid, the last one or the first in --priority, and is
+cut apart at the surface of the stronger: a wall that two have in common is one interface.
+The lattice is that of the first image or, without one, around all of them, along the axes
+of the world; its long edge is then, without --size, a 64th of the longest side of their
+box.  With --method paper they are meshed as one solid, and each tetrahedron has the label at
+its centre.  A material that is not in the mesh, or by more than 2 % not with the volume that it
 has (estimated, of what is in no stronger solid), is named in a warning.
+
+--inside and --subtract trim all that is meshed, whatever it is made of, by solids that are
+named in the same way; the lattice and its size stay those of what is trimmed, labels keep
+their numbers, and formulas and shapes need no --bounds where --inside gives them room.
 
 World coordinates are the image's own: millimetres, LPS (x to the left, y to the
 back, z to the head), as ITK has them, for NIfTI too, whose sform is taken where it
 is set, else its qform.  --frame ras gives what nibabel, FreeSurfer and models of 3D
 Slicer have; table and JSON tell the axes of the output, and .vtu, .stl and .ply have them
-in a comment, SPACE=LPS.  Options that take coordinates (--crop) mean LPS all the same, and
-lengths before --scale.  The slices of a DICOM series, and the frames of a DICOM
+in a comment, SPACE=LPS.  --crop means LPS all the same, and all lengths are those before
+--scale; surfaces, volumes, formulas and shapes beside an image have the axes of the output.  The slices of a DICOM series, and the frames of a DICOM
 file, are ordered by their positions.  The first voxel of a TIFF file is at the
 origin, x along its rows, y down its columns, z through its pages.
 

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 #include "certet/surface.hpp"
@@ -32,8 +31,8 @@ void declare_source(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("input", raw.inputs,
                   "Image: NIfTI, NRRD, MetaImage, TIFF, a folder with a DICOM series, a DICOM "
                   "file of several frames or a DICOM segmentation; "
-                  "surface: STL, OBJ, PLY or OFF; volume: OpenVDB.  Several surfaces or volumes "
-                  "are one material each, called after the files")
+                  "surface: STL, OBJ, PLY or OFF; volume: OpenVDB.  Several files are one material "
+                  "each, called after the files; labels of an image are so each for itself")
       ->option_text("INPUT...");
   declare_materials(mesh, raw.materials);
   mesh.add_option("--labels", raw.labels,
@@ -149,24 +148,47 @@ void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
       ->option_text("FILE|-");
 }
 
+/// All solids that the options name.
+std::vector<SolidChoice> solids_of(const MeshOptions& options) {
+  std::vector<SolidChoice> solids;
+  for (const MaterialChoice& material : options.materials) solids.push_back(material.solid);
+  if (options.materials.empty())
+    solids.push_back({options.input, options.formula, options.shape});
+  solids.insert(solids.end(), options.inside.begin(), options.inside.end());
+  solids.insert(solids.end(), options.without.begin(), options.without.end());
+  return solids;
+}
+
 /// What goes with several solids.
-void check_materials(const MeshOptions& options, const RawMesh& raw) {
-  const auto any = [&](const auto& is_so) { return std::ranges::any_of(options.materials, is_so); };
-  const bool formula = any([](const MaterialChoice& m) { return !m.formula.empty(); });
-  const bool shape = any([](const MaterialChoice& m) { return !m.shape.empty(); });
-  const bool surface = any([](const MaterialChoice& m) { return is_surface_file(m.file); });
-  const bool volume = any([](const MaterialChoice& m) { return is_volume_file(m.file); });
-  if (formula && raw.bounds.empty()) refuse("a formula in --material needs --bounds");
+void check_solids(const MeshOptions& options, const RawMesh& raw) {
+  const std::vector<SolidChoice> solids = solids_of(options);
+  const auto any = [&](const auto& is_so) { return std::ranges::any_of(solids, is_so); };
+  const bool formula = any([](const SolidChoice& s) { return !s.formula.empty(); });
+  const bool shape = any([](const SolidChoice& s) { return !s.shape.empty(); });
+  const bool surface = any([](const SolidChoice& s) { return is_surface_file(s.file); });
+  const bool volume = any([](const SolidChoice& s) { return is_volume_file(s.file); });
+  const bool image = any([](const SolidChoice& s) { return s.is_image(); });
+  if (formula && raw.bounds.empty() &&
+      std::ranges::all_of(options.inside, [](const SolidChoice& s) { return !s.formula.empty(); }))
+    refuse("a formula in --expr, --material, --inside or --subtract needs --bounds, or something "
+           "else in --inside");
   if (!formula && !shape && !raw.bounds.empty()) refuse("--bounds goes with formulas and shapes");
-  if (!volume && !(raw.iso.empty() && options.grid.empty()))
-    refuse("--iso and --grid go with a volume, of which there is none among the materials");
+  if (!volume && !options.grid.empty())
+    refuse("--grid goes with a volume, of which there is none among the solids");
+  if (!volume && !image && !raw.iso.empty())
+    refuse("--iso goes with an image or a volume, of which there is none among the solids");
+  if (volume && raw.iso.find("..") != raw.iso.npos) refuse("--iso takes one value with a .vdb file");
   if (!surface && options.repair)
-    refuse("--repair goes with a surface, of which there is none among the materials");
-  if (!raw.labels.empty() || !raw.spacing.empty() || !options.image.series.empty() ||
-      !raw.volume.empty() || !raw.nan.empty() || !raw.smooth.empty() || !raw.crop.empty() ||
-      !options.label_names.empty())
-    refuse("--labels, --label-names, --spacing, --series, --volume, --nan, --smooth and --crop go "
-           "with an image, not with several materials");
+    refuse("--repair goes with a surface, of which there is none among the solids");
+  if (!image && !(raw.labels.empty() && raw.spacing.empty() && options.image.series.empty() &&
+                  raw.volume.empty() && raw.nan.empty() && raw.smooth.empty() &&
+                  raw.merge.empty() && raw.frame.empty() && options.label_names.empty()))
+    refuse("--labels, --label-names, --merge, --spacing, --series, --volume, --nan, --smooth and "
+           "--frame go with an image, of which there is none among the solids");
+  if (!raw.iso.empty() && !(raw.labels.empty() && raw.smooth.empty() && raw.merge.empty()))
+    refuse("--labels, --merge and --smooth go with labels, not with --iso");
+  if (!raw.crop.empty() && !(options.materials.empty() && solids.front().is_image()))
+    refuse("--crop goes with a single image; --inside is for all that is meshed");
 }
 
 void check_source(const MeshOptions& options, const RawMesh& raw) {
@@ -180,7 +202,8 @@ void check_source(const MeshOptions& options, const RawMesh& raw) {
     refuse("several materials exclude --expr and --shape; --material NAME=... has formulas and "
            "shapes");
   if (image + formula + shape > 1) refuse("an input, --expr and --shape exclude each other");
-  if (materials) return check_materials(options, raw);
+  if (materials || !options.inside.empty() || !options.without.empty())
+    return check_solids(options, raw);
   if (!image && (!raw.labels.empty() || !raw.iso.empty()))
     refuse("--labels and --iso go with an image, not with --expr or --shape");
   if (formula && raw.bounds.empty()) refuse("--expr needs --bounds");
@@ -237,20 +260,10 @@ double parse_smooth(const std::string& text) {
   return value;
 }
 
-/// V, A.., ..B or A..B
 void read_iso(MeshOptions& options, const std::string& text) {
-  const std::size_t dots = text.find("..");
-  if (dots == text.npos) {
-    options.iso = parse_number("--iso", text);
-    return;
-  }
-  const std::string first = text.substr(0, dots), last = text.substr(dots + 2);
-  if (first.empty() && last.empty()) refuse("--iso takes a number, A..B, A.. or ..B, not '..'");
-  options.iso = first.empty() ? -std::numeric_limits<double>::infinity()
-                              : parse_number("--iso", first);
-  if (!last.empty()) options.below = parse_number("--iso", last);
-  if (options.below && *options.iso >= *options.below)
-    refuse("--iso takes two values that ascend, not '" + text + "'");
+  const LevelRange range = parse_levels(text);
+  options.iso = range.above;
+  options.below = range.below;
   if (options.below && is_volume_file(options.input))
     refuse("--iso takes one value with a .vdb file");
 }
@@ -258,6 +271,8 @@ void read_iso(MeshOptions& options, const std::string& text) {
 MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   options.materials = chosen_materials(raw.inputs, raw.materials);
   options.priority = chosen_priority(options.materials, raw.materials);
+  options.inside = chosen_solids(raw.materials.inside);
+  options.without = chosen_solids(raw.materials.without);
   if (options.materials.empty() && !raw.inputs.empty()) options.input = raw.inputs.front();
   check_source(options, raw);
   read_size(options, raw);

@@ -41,6 +41,8 @@ struct MeshOptions {
   std::string shape;
   std::vector<MaterialChoice> materials;
   std::vector<std::string> priority;  ///< of materials, the strongest first
+  std::vector<SolidChoice> inside;    ///< of all that is meshed what is in these
+  std::vector<SolidChoice> without;   ///< and not in these
   std::optional<Bounds> bounds;
   std::vector<LabelRange> labels;  ///< empty: all but 0
   std::optional<double> iso;   ///< -infinity where there is only what is `below`

@@ -30,6 +30,7 @@ struct MeshReport {
   bool dry_run = false;
   std::string input_kind;  ///< as `Source::kind`
   std::string input_name;
+  std::vector<std::string> inside, without;  ///< what it was trimmed by
   std::string formula;  ///< whole, where the name is a part of it
   std::vector<std::string> input_notes;
   std::vector<std::string> warnings;

@@ -75,7 +75,7 @@ void add_regions(Lines& lines, const MeshReport& report) {
     lines.add("material", "{} {}{}{}", one.label, one.name,
               report.dry_run ? ""
                              : fmt::format(": {} tetrahedra, volume {:.6g}", grouped(one.tets),
-                                           one.volume),
+                                           report.out(one.volume)),
               !one.pieces ? ""
               : one.pieces->by_faces == 1
                   ? ", 1 piece"
@@ -88,6 +88,8 @@ void add_regions(Lines& lines, const MeshReport& report) {
 std::string table(const MeshReport& report) {
   Lines lines;
   lines.add("input", "{} ({})", report.input_name, report.input_kind);
+  for (const std::string& solid : report.inside) lines.add("inside", "{}", solid);
+  for (const std::string& solid : report.without) lines.add("subtracted", "{}", solid);
   for (const std::string& note : report.input_notes) lines.add("note", "{}", note);
   if (!report.output.empty() || report.dry_run)
     lines.add("output", "{} ({}, {}){}",

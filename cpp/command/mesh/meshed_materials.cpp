@@ -27,7 +27,7 @@ std::string why_missing(const MeshedMaterial& material, double size, bool droppe
 
 }  // namespace
 
-std::vector<MeshedMaterial> meshed_materials(const PlacedSource& source,
+std::vector<MeshedMaterial> meshed_materials(const PlacedSource& source, const LabelNames& names,
                                              const WrittenMesh& written, const Pieces& pieces,
                                              const Context& context) {
   const std::vector<RegionPieces>& counted =
@@ -36,9 +36,12 @@ std::vector<MeshedMaterial> meshed_materials(const PlacedSource& source,
       estimate_volumes(*source.domain, source.lattice, source.frame, samples, context);
   const double cube = std::pow(source.frame.size, 3);
   std::vector<MeshedMaterial> materials;
-  for (const auto& [label, name] : source.domain->names()) {
-    MeshedMaterial& one = materials.emplace_back(MeshedMaterial{label, name});
-    one.solid = solids[materials.size() - 1];
+  for (std::size_t m = 0; m < solids.size(); ++m) {
+    const std::int32_t label = source.domain->labels()[m];
+    const auto name = names.find(label);
+    MeshedMaterial& one = materials.emplace_back(
+        MeshedMaterial{label, name == names.end() ? std::to_string(label) : name->second});
+    one.solid = solids[m];
     if (const auto region = std::ranges::find(written.regions, label, &Region::label);
         region != written.regions.end()) {
       one.tets = region->tets;
@@ -48,6 +51,7 @@ std::vector<MeshedMaterial> meshed_materials(const PlacedSource& source,
     const auto found = std::ranges::find(counted, label, &RegionPieces::label);
     one.pieces = found == counted.end() ? PieceCount{} : found->pieces;
   }
+  std::ranges::sort(materials, {}, &MeshedMaterial::label);
   return materials;
 }
 

@@ -26,8 +26,8 @@ struct MeshedMaterial {
   std::optional<PieceCount> pieces = {};  ///< where they were counted
 };
 
-/// Of all materials of a source, by their labels.
-std::vector<MeshedMaterial> meshed_materials(const PlacedSource& source,
+/// Of all materials of a source, by their labels; who has no name is called by its number.
+std::vector<MeshedMaterial> meshed_materials(const PlacedSource& source, const LabelNames& names,
                                              const WrittenMesh& written, const Pieces& pieces,
                                              const Context& context);
 

@@ -9,9 +9,11 @@
 #include "certet/gray_levels.hpp"
 #include "certet/shape.hpp"
 #include "certet/volume.hpp"
+#include "image_source.hpp"
 #include "material_source.hpp"
 #include "silence.hpp"
 #include "surface_source.hpp"
+#include "trimmed_source.hpp"
 
 namespace certet::command {
 namespace {
@@ -76,11 +78,6 @@ Source from_volume(const MeshOptions& options) {
   return source;
 }
 
-Image read(const MeshOptions& options, std::uint64_t max_bytes) {
-  const Silence silence;
-  return read_image(options.input, max_bytes, options.image);
-}
-
 /// A solid of voxels, cropped if the options want it.
 PlacedSource placed_image(std::unique_ptr<PlacedDomain> domain, const MeshOptions& options) {
   return placed(options.crop ? cropped_domain(std::move(domain), *options.crop)
@@ -137,29 +134,8 @@ Source from_interfaces(const std::shared_ptr<const Image>& image, const MeshOpti
   return source;
 }
 
-/// By default surfaces are smooth where the method cuts labels apart.
-LabelSurfaces surfaces_of(const MeshOptions& options) {
-  if (options.iso || options.smooth == 0.0) return LabelSurfaces::flat;
-  if (facts(options.method).interfaces) return LabelSurfaces::interfaces;
-  return options.smooth ? LabelSurfaces::smoothed : LabelSurfaces::flat;
-}
-
-/// As the options want it: labels, or values of which none is NaN where that is so.
-Image wanted_image(const MeshOptions& options, std::uint64_t max_bytes) {
-  Image image = read(options, max_bytes);
-  if (options.nan)
-    if (const std::uint64_t count = replace_nan(image, *options.nan); count != 0)
-      image.notes.push_back(fmt::format("{} {} read as {:.9g}", count,
-                                        count == 1 ? "voxel is NaN and was" : "voxels are NaN and were",
-                                        *options.nan));
-  if (options.iso) return image;
-  image = with_labels(std::move(image));
-  if (!options.merges.empty()) merge_labels(image, options.merges);
-  return image;
-}
-
 Source from_image(const MeshOptions& asked, std::uint64_t max_bytes, const Context& context) {
-  auto image = std::make_shared<const Image>(wanted_image(asked, max_bytes));
+  auto image = std::make_shared<const Image>(open_image(asked.input, asked, asked.iso.has_value(), max_bytes));
   MeshOptions options = asked;
   if (asked.below) {
     image = std::make_shared<const Image>(between_levels(*image, {*asked.iso, *asked.below}));
@@ -184,7 +160,7 @@ Source from_image(const MeshOptions& asked, std::uint64_t max_bytes, const Conte
 
 }  // namespace
 
-PlacedSource placed(std::unique_ptr<PlacedDomain> domain) {
+PlacedSource placed(std::shared_ptr<const PlacedDomain> domain) {
   PlacedSource source;
   source.lattice = domain->lattice();
   source.frame = domain->frame();
@@ -200,13 +176,25 @@ std::string whole_formula(const std::string& text) {
 
 std::optional<PieceBounds> unknown_pieces(Context&) { return std::nullopt; }
 
-Source open_source(const MeshOptions& options, std::uint64_t max_bytes, const Context& context) {
-  if (!options.materials.empty()) return open_materials(options, context);
+namespace {
+
+Source open_whole(const MeshOptions& options, std::uint64_t max_bytes, const Context& context) {
+  if (!options.materials.empty()) return open_materials(options, max_bytes, context);
   if (!options.formula.empty()) return from_formula(options);
   if (!options.shape.empty()) return from_shape(options);
   if (is_surface_file(options.input)) return from_surface(options, context);
   if (is_volume_file(options.input)) return from_volume(options);
   return from_image(options, max_bytes, context);
+}
+
+}  // namespace
+
+Source open_source(const MeshOptions& asked, std::uint64_t max_bytes, const Context& context) {
+  if (asked.inside.empty() && asked.without.empty()) return open_whole(asked, max_bytes, context);
+  Trimming trimming = open_trimming(asked, max_bytes, context);
+  MeshOptions options = asked;
+  if (!options.bounds && needs_bounds(options)) options.bounds = trimming.bounds;
+  return trimmed(open_whole(options, max_bytes, context), std::move(trimming), options);
 }
 
 }  // namespace certet::command

@@ -39,7 +39,7 @@ struct Smoothing {
 
 /// A domain on a lattice of one size.
 struct PlacedSource {
-  std::unique_ptr<PlacedDomain> domain;
+  std::shared_ptr<const PlacedDomain> domain;
   Lattice lattice;
   Frame frame;
   double longest_side = 0;  ///< of the solid's box, in world units
@@ -67,7 +67,7 @@ struct Source {
 };
 
 /// A domain, on the lattice that it was made for.
-PlacedSource placed(std::unique_ptr<PlacedDomain> domain);
+PlacedSource placed(std::shared_ptr<const PlacedDomain> domain);
 
 /// A formula as the user gives it: itself or, as @FILE, what that file holds.  \throws Error.
 std::string whole_formula(const std::string& text);

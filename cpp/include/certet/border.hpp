@@ -18,6 +18,9 @@ class BorderBox {
   /// positions whose world coordinates, as `frame` gives them, are within.
   static BorderBox along_world(const Frame& frame, const Point3& corner, const Point3& opposite);
 
+  /// The same box for positions on the lattice of another frame; this one is of `own`.
+  [[nodiscard]] BorderBox seen_from(const Frame& other, const Frame& own) const;
+
   /// Whether a position, in steps, lies in the box.
   [[nodiscard]] bool contains(Coord3 position) const;
 

@@ -38,6 +38,7 @@
 #include "certet/formats.hpp"
 #include "certet/formula.hpp"
 #include "certet/image.hpp"
+#include "certet/image_solids.hpp"
 #include "certet/kept.hpp"
 #include "certet/label_names.hpp"
 #include "certet/materials_domain.hpp"
@@ -48,4 +49,5 @@
 #include "certet/shape.hpp"
 #include "certet/stuffing.hpp"
 #include "certet/surface.hpp"
+#include "certet/trimmed_domain.hpp"
 #include "certet/volume.hpp"

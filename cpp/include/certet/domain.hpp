@@ -25,7 +25,8 @@ struct LatticeBox {
 /// What is known of all points in a box at once.
 enum class Extent { inside, outside, mixed };
 
-/// An edge of the lattice whose ends are of different materials, in lattice units.
+/// An edge of the lattice whose ends are of different materials, in lattice units, from the
+/// greater material to the lesser.
 struct PartedEdge {
   Coord3 first, last;
   Material of_last = 0;   ///< what is at `last`, and not at `first`
@@ -69,8 +70,8 @@ class Domain {
   /// its even neighbours (`VoxelSigns` of coq/Certificate.v).
   [[nodiscard]] virtual bool even_points_tell_pieces() const { return false; }
 
-  /// What files call the materials: that of material m is labels()[m - 1].  They are
-  /// ascending, and stay where they are as long as the domain does.  None: the only
+  /// What files call the materials: that of material m is labels()[m - 1].  No two are the
+  /// same, and they stay where they are as long as the domain does.  None: the only
   /// material is 1, and it has no label.
   [[nodiscard]] virtual std::span<const std::int32_t> labels() const { return {}; }
 

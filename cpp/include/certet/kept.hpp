@@ -43,7 +43,7 @@ struct SizedShape {
   std::string name;  ///< what sentences call it
   /// `size` is the long edge in world units.  \throws Error, `too_large` where memory
   /// does not allow its lattice.
-  std::function<std::unique_ptr<PlacedDomain>(double size)> place;
+  std::function<std::shared_ptr<const PlacedDomain>(double size)> place;
   std::optional<double> volume = {};  ///< world units cubed, where it is known exactly
   double thin = 0;                    ///< how thick its thin parts are; 0: not known
   /// Where it is empty, pieces are not compared.  Where it gives nothing, they are with
@@ -69,7 +69,7 @@ struct MeshedShape {
 
 /// A shape on the lattice of one size, and its mesh, counted but not made.
 struct CountedShape {
-  std::unique_ptr<PlacedDomain> domain;
+  std::shared_ptr<const PlacedDomain> domain;
   Stuffing stuffing;
 };
 

@@ -32,7 +32,7 @@ class FineLattice {
   }
 
  private:
-  std::unique_ptr<PlacedDomain> domain_;
+  std::shared_ptr<const PlacedDomain> domain_;
   std::optional<PrunedDomain> pruned_;
 };
 

@@ -21,7 +21,7 @@ double least_tets(const MeshedSize& coarse, double size) {
 /// Nothing where the mesh is too large or the budget too small.
 std::optional<CountedShape> count_at(const SizedShape& shape, double size, Method method,
                                      core::SearchBudget& budget, Context& context) {
-  std::unique_ptr<PlacedDomain> domain = shape.place(size);
+  std::shared_ptr<const PlacedDomain> domain = shape.place(size);
   if (!budget.pay_for(*domain)) return std::nullopt;
   Stuffing stuffing(*domain, domain->lattice(), method, context);
   if (static_cast<double>(stuffing.tet_count()) > most_tets) return std::nullopt;

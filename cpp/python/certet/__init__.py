@@ -6,9 +6,9 @@
     certet.write(mesh, "brain.vtu")
 
 `mesh` makes one of voxels, of a function that is negative inside, of closed triangles, or of several
-of the latter two; so do `mesh_image`, `mesh_function`, `mesh_surface` and `mesh_solids`, each for one
-of these.  `write`, `read`, `check`,
-`interfaces` and `quality` do what they say.  They run on all cores without Python's lock; Ctrl-C stops them.  What they refuse is a `ValueError` with one sentence, a lattice or
+solids; so do `mesh_image`, `mesh_function`, `mesh_surface` and `mesh_solids`, each for one
+of these.  A `Solid` is made of any of them, and `a & b`, `a | b` and `a - b` of two solids.
+`write`, `read`, `check`, `interfaces`, `inside` and `quality` do what they say.  They run on all cores without Python's lock; Ctrl-C stops them.  What they refuse is a `ValueError` with one sentence, a lattice or
 mesh that is too large a `MemoryError`.
 """
 
@@ -25,8 +25,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments, _certet
 
-__all__ = ["CheckReport", "FileMesh", "Interface", "LossWarning", "Mesh", "Pieces", "Quality", "Warp",
-           "check", "interfaces", "mesh", "mesh_function", "mesh_image", "mesh_solids", "mesh_surface",
+__all__ = ["CheckReport", "FileMesh", "Interface", "LossWarning", "Mesh", "Pieces", "Quality", "Solid",
+           "Warp", "check", "inside", "interfaces", "mesh", "mesh_function", "mesh_image", "mesh_solids", "mesh_surface",
            "quality", "read", "write"]
 __version__: str = _certet.version
 
@@ -292,14 +292,97 @@ class Mesh:
         return f"<certet.Mesh of {len(self.points)} points and {len(self.tets)} tetrahedra>"
 
 
+class Solid:
+    """What is inside of a shape: several make others, and are the materials of one mesh.
+
+        part = certet.Solid("gyroid:1,0.2", bounds=box) & certet.Solid((points, triangles))
+        bone = certet.Solid(labels, spacing=(1, 1, 2)) - certet.Solid(screw)
+        certet.mesh(part, size=0.1)
+
+    `a & b` is what is in both, `a | b` what is in either, `a - b` what is in the first alone.  The
+    labels of an image stay apart in `a & b` and `a - b`, where it is `a`.  The lattice is that of
+    the first image among them, or along the axes of the world.
+
+    Parameters
+    ----------
+    shape : a function that is negative inside, as `mesh_function` takes, with `bounds`; a pair
+        (points, triangles), as `mesh_surface` does, with `repair` if it may be open; an array of
+        voxels, as `mesh_image` does, with `spacing`, `origin`, `direction`, `labels`, `iso`,
+        `smooth` and `merge`; or a text: a shape that `certet mesh --shape` knows, like
+        "sphere:1", or a formula with `bounds`
+    options : those that are named there
+
+    Raises
+    ------
+    ValueError, MemoryError : as `mesh_image`, and for solids without a place in common
+    """
+
+    def __init__(self, shape: Any, **options: Any) -> None:
+        self._inner = _inner_solid("the shape", shape, options)
+
+    @classmethod
+    def _of(cls, inner: _certet.Solid) -> Solid:
+        solid = cls.__new__(cls)
+        solid._inner = inner
+        return solid
+
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        """Shape (2, 3): the corners of a box around it, in world units."""
+        return np.asarray([self._inner.low, self._inner.high])
+
+    @property
+    def notes(self) -> list[str]:
+        """What was done to surfaces so that they bound solids, a sentence each."""
+        return list(self._inner.notes)
+
+    def __and__(self, other: Solid) -> Solid:
+        return Solid._of(self._inner & other._inner) if isinstance(other, Solid) else NotImplemented
+
+    def __or__(self, other: Solid) -> Solid:
+        return Solid._of(self._inner | other._inner) if isinstance(other, Solid) else NotImplemented
+
+    def __sub__(self, other: Solid) -> Solid:
+        return Solid._of(self._inner - other._inner) if isinstance(other, Solid) else NotImplemented
+
+    def __repr__(self) -> str:
+        return f"<certet.Solid in {self.bounds[0].tolist()} to {self.bounds[1].tolist()}>"
+
+
+def inside(shape: Any, points: ArrayLike) -> NDArray[np.bool_]:
+    """Which points are in a solid, or on its surface.
+
+    Parameters
+    ----------
+    shape : a `Solid`, or what it is made of without options, like a pair (points, triangles)
+    points : shape (..., 3), in world units; each is taken for the nearest point of a grid of 2^26
+        along the longest side of the solid's box
+
+    Returns
+    -------
+    shape (...) : truth values
+
+    Raises
+    ------
+    ValueError, MemoryError : as `Solid`
+    """
+    solid = shape if isinstance(shape, Solid) else Solid(shape)
+    places = _arguments.points(points)
+    if places.ndim == 0 or places.shape[-1] != 3:
+        raise ValueError(f"points are of shape (..., 3), not {places.shape}")
+    found: NDArray[np.bool_] = _certet.inside(solid._inner, places.reshape(-1, 3))
+    return found.reshape(places.shape[:-1])
+
+
 def mesh(shape: Any, **options: Any) -> Mesh:
     """Meshes a shape, by what it is.
 
     Parameters
     ----------
     shape : a function that is negative inside, as `mesh_function` takes; a pair (points,
-        triangles), as `mesh_surface` does; a dictionary of these, as `mesh_solids` does; or an
-        array of voxels, as `mesh_image` does
+        triangles), as `mesh_surface` does; a dictionary of these, as `mesh_solids` does; an
+        array of voxels, as `mesh_image` does; or a `Solid`, with `size`, `margin`, `method` and
+        `threads` as options
     options : those of that function, by name; `bounds` is required for a function
 
     Raises
@@ -308,6 +391,8 @@ def mesh(shape: Any, **options: Any) -> Mesh:
     """
     if callable(shape):
         return mesh_function(shape, **options)
+    if isinstance(shape, Solid):
+        return _mesh_solid(shape, **options)
     if isinstance(shape, Mapping):
         return mesh_solids(shape, **options)
     if isinstance(shape, tuple) and len(shape) == 2:
@@ -509,10 +594,12 @@ def mesh_surface(
 
 
 def mesh_solids(
-    solids: Mapping[str, Callable[[NDArray[np.float64]], ArrayLike] | tuple[ArrayLike, ArrayLike]],
+    solids: Mapping[str, Solid | Callable[[NDArray[np.float64]], ArrayLike]
+                    | tuple[ArrayLike, ArrayLike] | str],
     *,
     bounds: Sequence[Sequence[float]] | None = None,
     priority: Sequence[str] = (),
+    keep_labels: Sequence[str] = (),
     size: float | None = None,
     repair: bool = False,
     margin: int = 2,
@@ -526,17 +613,21 @@ def mesh_solids(
         certet.mesh_solids({"skull": (points, triangles), "brain": (more_points, more_triangles)})
 
     They may overlap: what is in several of them belongs to the strongest.  A wall that two have in
-    common is one interface.  `Mesh.labels` are 1, 2, … in the order of the dictionary, and
-    `Mesh.names` their names.
+    common is one interface.  `Mesh.labels` are 1, 2, … in the order of the dictionary, or the next
+    after those that are kept, and `Mesh.names` their names.
 
     Parameters
     ----------
-    solids : by their names, pairs (points, triangles), as `mesh_surface` takes, and functions that
-        are negative inside, as `mesh_function` does
-    bounds : ((x0, y0, z0), (x1, y1, z1)): a box that cuts off the functions, if there are any
+    solids : by their names, each a `Solid`, a pair (points, triangles), as `mesh_surface` takes,
+        a function that is negative inside, as `mesh_function` does, or a shape or formula
+    bounds : ((x0, y0, z0), (x1, y1, z1)): a box that cuts off functions and formulas, if there
+        are any
     priority : names, the strongest first; the others are weaker (default: the last solid is the
         strongest)
-    size : the long edge of the lattice (default: a 64th of the longest side of the box around all)
+    keep_labels : names of solids made of images whose labels are materials each, and keep their
+        numbers
+    size : the long edge of the lattice (default: the spacing of the first image or, without one, a
+        64th of the longest side of the box around all)
     repair : of surfaces, as `mesh_surface` has it
     margin, method, cuts, guarantee, threads : as `mesh_image` has them; with the paper's methods the
         solids are meshed as one, and a tetrahedron has the label at its centre
@@ -545,23 +636,92 @@ def mesh_solids(
     ------
     ValueError, MemoryError : as `mesh_function` and `mesh_surface`
     """
-    return _told(_certet.mesh_solids([_solid(name, one, bounds) for name, one in solids.items()],
-                                     list(priority), _arguments.size(size),
-                                     _arguments.whole("margin", margin), bool(repair),
+    kept = list(keep_labels)
+    for name in kept:
+        if name not in solids:
+            raise ValueError(f"keep_labels names {name!r}, which is no solid")
+    inner = [(name, _one_of_several(name, one, bounds, repair), name in kept)
+             for name, one in solids.items()]
+    return _told(_certet.mesh_solids(inner, list(priority), _arguments.size(size),
+                                     _arguments.whole("margin", margin),
                                      _options(method, cuts, guarantee, threads)))
 
 
-def _solid(name: str, solid: Any, bounds: Sequence[Sequence[float]] | None) -> _certet.Solid:
-    if callable(solid):
-        if bounds is None:
+def _mesh_solid(
+    solid: Solid,
+    *,
+    size: float | None = None,
+    margin: int = 2,
+    method: Method | None = None,
+    cuts: Cuts = "bisect",
+    guarantee: Guarantee | None = None,
+    threads: int = 0,
+) -> Mesh:
+    return _told(_certet.mesh_solid(solid._inner, _arguments.size(size),
+                                    _arguments.whole("margin", margin),
+                                    _options(method, cuts, guarantee, threads)))
+
+
+def _one_of_several(name: str, solid: Any, bounds: Sequence[Sequence[float]] | None,
+                    repair: bool) -> _certet.Solid:
+    if isinstance(solid, Solid):
+        return solid._inner
+    if not (callable(solid) or isinstance(solid, (str, tuple))):
+        raise ValueError(f"{name!r} is neither a Solid nor a function, a pair (points, triangles), "
+                         "a shape or a formula")
+    if isinstance(solid, tuple):
+        return _inner_solid(name, solid, {"repair": repair})
+    return _inner_solid(name, solid, {} if bounds is None else {"bounds": bounds})
+
+
+def _inner_solid(name: str, shape: Any, options: dict[str, Any]) -> _certet.Solid:
+    if isinstance(shape, str):
+        return _solid_of_text(shape, **options)
+    if callable(shape):
+        if "bounds" not in options:
             raise ValueError(f"the function {name!r} needs bounds")
-        low, high = _arguments.bounds(bounds)
-        return _certet.solid_of_function(name, _arguments.signs(solid), low, high)
-    if isinstance(solid, tuple) and len(solid) == 2:
-        points, triangles = solid
-        return _certet.solid_of_surface(name, _arguments.points(points),
-                                        _arguments.triangles(triangles))
-    raise ValueError(f"{name!r} is neither a function nor a pair (points, triangles)")
+        return _solid_of_function(shape, **options)
+    if isinstance(shape, tuple) and len(shape) == 2:
+        return _solid_of_surface(name, *shape, **options)
+    return _solid_of_image(shape, **options)
+
+
+def _solid_of_text(text: str, *, bounds: Any = None) -> _certet.Solid:
+    return _certet.solid_of_text(text, None if bounds is None else _arguments.bounds(bounds))
+
+
+def _solid_of_function(function: Callable[[NDArray[np.float64]], ArrayLike], *,
+                       bounds: Any) -> _certet.Solid:
+    low, high = _arguments.bounds(bounds)
+    return _certet.solid_of_function(_arguments.signs(function), low, high)
+
+
+def _solid_of_surface(name: str, points: ArrayLike, triangles: ArrayLike, *,
+                      repair: bool = False) -> _certet.Solid:
+    return _certet.solid_of_surface(name, _arguments.points(points),
+                                    _arguments.triangles(triangles), bool(repair))
+
+
+def _solid_of_image(
+    array: ArrayLike,
+    *,
+    spacing: float | Sequence[float] = (1, 1, 1),
+    origin: Sequence[float] = (0, 0, 0),
+    direction: ArrayLike | None = None,
+    labels: int | Iterable[int | tuple[int, int]] | None = None,
+    iso: float | tuple[float | None, float | None] | None = None,
+    smooth: float | None = None,
+    merge: Mapping[int | tuple[int, int], int | str] | None = None,
+) -> _certet.Solid:
+    if iso is not None and not (labels is None and merge is None and smooth is None):
+        raise ValueError("labels, merge and smooth go with labels, not with iso")
+    ranges = _arguments.labels(labels)
+    levels, merges = _arguments.levels(iso), _arguments.merges(merge)
+    return _certet.solid_of_image(
+        _arguments.voxels(array, ranges, merges, gray=levels is not None),
+        _arguments.three("spacing", spacing, one_will_do=True),
+        _arguments.three("origin", origin), _arguments.direction(direction), ranges, levels,
+        None if smooth is None else float(smooth), merges)
 
 
 def _told(inner: _certet.Mesh) -> Mesh:
