@@ -15,6 +15,7 @@
 #include "certet/error.hpp"
 #include "certet/surface.hpp"
 #include "rims.hpp"
+#include "steady_rest.hpp"
 #include "surfaces.hpp"
 
 namespace certet {
@@ -131,6 +132,41 @@ TEST(Rims, HaveTheSameNumbersEverywhere) {
     add(rims.variation(p, 1000 + n, 0.4));
   }
   EXPECT_EQ(hash, 0xf4d0441850d0a57cU);
+}
+
+/// Where it is told at once which whole number the rest is near to, it is; and it is told of
+/// most points, but of none at a rim or where a ray may pass one.
+TEST(SteadyRest, IsTheWholeNumberNearTheRest) {
+  std::mt19937_64 random(test_seed());
+  constexpr std::int32_t reach = 1 << 24;
+  const auto any = [&] { return between(random, -reach, reach); };
+  std::vector<RimLoop> loops;
+  for (int n = 0; n < 12; ++n) {
+    const Coord3 middle{any() / 2, any() / 2, any() / 2};
+    RimLoop& loop = loops.emplace_back();
+    for (int p = 0; p < 10; ++p) loop.push_back(middle + Coord3{any() / 16, any() / 16, any() / 16});
+    loop.push_back(loop.front());
+  }
+  const Rims rims(loops);
+  const SteadyRest steady(rims, {{-reach, -reach, -reach}, {reach, reach, reach}});
+  int told = 0, shifted = 0;
+  for (int n = 0; n < 40000; ++n) {
+    const Coord3 p{any(), any(), any()};
+    const std::optional<int> whole = steady.whole(p);
+    if (!whole) continue;
+    ++told;
+    for (const exact::Nudge nudge : {exact::Nudge::forward, exact::Nudge::backward})
+      ASSERT_LT(std::fabs(rims.rest(p, nudge) - *whole), 0.5 - lost_far_away / 2);
+    shifted += std::fabs(rims.rest(p, exact::Nudge::forward) - (*whole + 1)) > 0.5;
+  }
+  EXPECT_GT(told, 20000);
+  EXPECT_EQ(shifted, told);  // another number would not go unnoticed
+  for (const RimLoop& loop : loops)
+    for (const Coord3 p : loop) {
+      EXPECT_FALSE(steady.whole(p));
+      EXPECT_FALSE(steady.whole({p.x - (1 << 20), p.y, p.z}));
+    }
+  EXPECT_FALSE(steady.whole({reach + 1, 0, 0}) && steady.whole({reach + (1 << 20), 0, 0}));
 }
 
 /// Rows run through corners and edges of the rims.

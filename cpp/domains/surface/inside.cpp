@@ -13,9 +13,6 @@ namespace {
 /// What is taken for one half; far more than rounding, far less than what is seen.
 constexpr double about = 1e-9;
 
-/// How much may be lost where rims are far away.
-constexpr double lost = 0.02;
-
 std::vector<RimLoop> rims_of(const TriangleSurface& surface, const std::vector<Coord3>& points) {
   std::vector<RimLoop> rims;
   for (const HoleLoop& loop : rim_loops(surface)) {
@@ -74,10 +71,14 @@ Rule open_rule(const TriangleSurface& surface) {
 
 Inside::Inside(const TriangleSurface& surface, const std::vector<Coord3>& points, Rule rule)
     : rule_(rule), around_(box_around(surface, points)),
-      rims_(rule == Rule::half ? rims_of(surface, points) : std::vector<RimLoop>()) {}
+      rims_(rule == Rule::half ? rims_of(surface, points) : std::vector<RimLoop>()) {
+  if (rule == Rule::half) steady_.emplace(rims_, around_);
+}
 
 Sign Inside::at_half(int crossings, Coord3 p, exact::Nudge nudge) const {
   if (!is_within({p, p}, around_)) return Sign::minus;
+  if (const std::optional<int> rest = steady_->whole(p))
+    return crossings + *rest != 0 ? Sign::plus : Sign::minus;
   const double more = std::fabs(winding(crossings, p, nudge)) - 0.5;
   return sign_of_bits(more > about, std::fabs(more) <= about);
 }
@@ -88,7 +89,7 @@ Extent Inside::over(const IntegerBox& box, Coord3 middle, int crossings) const {
                                                                       : Extent::outside;
   if (!box.meets(around_)) return Extent::outside;
   const double more = std::fabs(winding(crossings, middle, exact::Nudge::forward)) - 0.5;
-  const double room = std::fabs(more) - lost;
+  const double room = std::fabs(more) - lost_far_away;
   if (room < 0 || rims_.variation(middle, half_diagonal(box), room) > room) return Extent::mixed;
   if (more < 0) return Extent::outside;
   return is_within(box, around_) ? Extent::inside : Extent::mixed;

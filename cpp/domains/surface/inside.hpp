@@ -3,11 +3,13 @@
 /// Which of its winding numbers make the inside of a surface.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "certet/domain.hpp"
 #include "certet/surface.hpp"
 #include "rims.hpp"
+#include "steady_rest.hpp"
 
 namespace certet {
 
@@ -27,6 +29,8 @@ class Inside {
  public:
   /// Points in steps.
   Inside(const TriangleSurface& surface, const std::vector<Coord3>& points, Rule rule);
+  Inside(const Inside&) = delete;
+  Inside& operator=(const Inside&) = delete;
 
   /// Of a moved point; `crossings` counts the triangles
   /// ahead where the ray along x leaves, less those where it enters.  On the surface is
@@ -50,7 +54,9 @@ class Inside {
   [[nodiscard]] Extent over(const IntegerBox& box, Coord3 middle, int crossings) const;
 
   [[nodiscard]] Rule rule() const { return rule_; }
-  [[nodiscard]] std::uint64_t bytes() const { return rims_.bytes(); }
+  [[nodiscard]] std::uint64_t bytes() const {
+    return rims_.bytes() + (steady_ ? steady_->bytes() : 0);
+  }
 
  private:
   [[nodiscard]] Sign at_half(int crossings, Coord3 p, exact::Nudge nudge) const;
@@ -58,6 +64,7 @@ class Inside {
   Rule rule_;
   IntegerBox around_;  ///< the triangles
   Rims rims_;
+  std::optional<SteadyRest> steady_;  ///< of an open surface
 };
 
 }  // namespace certet

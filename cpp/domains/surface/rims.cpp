@@ -61,6 +61,12 @@ bool is_ahead(const IntegerBox& box, Coord3 p) {
          p.z <= box.high.z;
 }
 
+/// Whether such a ray from some point of another box may.
+bool is_ahead(const IntegerBox& box, const IntegerBox& from) {
+  return box.high.x >= from.low.x && box.low.y <= from.high.y && from.low.y <= box.high.y &&
+         box.low.z <= from.high.z && from.low.z <= box.high.z;
+}
+
 Point3 gap(const Point3& to, Coord3 from) {
   return {to[0] - static_cast<double>(from.x), to[1] - static_cast<double>(from.y),
           to[2] - static_cast<double>(from.z)};
@@ -117,6 +123,24 @@ double Rims::variation(Coord3 centre, double radius, double enough) const {
     n = node.next;
   }
   return sum;
+}
+
+bool Rims::may_be_ahead(const IntegerBox& box) const {
+  for (std::uint32_t n = 0; n < tree_.nodes.size();) {
+    const RimNode& node = tree_.nodes[n];
+    if (!is_ahead(node.box, box)) {
+      n = node.next;
+      continue;
+    }
+    if (tree_.is_leaf(n))
+      for (std::uint32_t at = node.first; at < node.last; ++at) {
+        IntegerBox edge{tree_.chain[at], tree_.chain[at]};
+        edge.add({tree_.chain[at + 1], tree_.chain[at + 1]});
+        if (is_ahead(edge, box)) return true;
+      }
+    ++n;
+  }
+  return false;
 }
 
 std::uint64_t Rims::bytes() const {

@@ -33,6 +33,9 @@ class Rims {
   /// `enough` is not told from infinity.
   [[nodiscard]] double variation(Coord3 centre, double radius, double enough) const;
 
+  /// Whether the ray along x from some point of a box, in steps, may meet a rim.
+  [[nodiscard]] bool may_be_ahead(const IntegerBox& box) const;
+
   [[nodiscard]] std::uint64_t bytes() const;
 
  private:
