@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace certet::command {
 
@@ -22,16 +23,21 @@ std::string bytes(std::uint64_t count) {
   return fmt::format("{:.3g} TiB", size);
 }
 
-void add_histogram(Lines& lines, const Quality& quality) {
-  const auto& bins = quality.histogram;
-  const std::uint64_t most = *std::max_element(bins.begin(), bins.end());
+void add_histogram(Lines& lines, const Quality& quality, std::size_t together) {
+  constexpr std::size_t degrees = 5;  // of a bin
+  std::vector<std::uint64_t> bins((quality.histogram.size() + together - 1) / together);
   std::uint64_t all = 0;
-  for (const std::uint64_t bin : bins) all += bin;
+  for (std::size_t b = 0; b < quality.histogram.size(); ++b) {
+    bins[b / together] += quality.histogram[b];
+    all += quality.histogram[b];
+  }
+  const std::uint64_t most = *std::max_element(bins.begin(), bins.end());
   if (most == 0) return;
   for (std::size_t b = 0; b < bins.size(); ++b) {
     if (bins[b] == 0) continue;
     const double share = static_cast<double>(bins[b]) / static_cast<double>(most);
-    lines.add("", "{:>3}-{:<3}° {:>6.2f} % {}", 5 * b, 5 * b + 5,
+    lines.add("", "{:>3}-{:<3}° {:>6.2f} % {}", degrees * together * b,
+              degrees * together * (b + 1),
               100.0 * static_cast<double>(bins[b]) / static_cast<double>(all),
               std::string(static_cast<std::size_t>(std::lround(40 * share)), '#'));
   }

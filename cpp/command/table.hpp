@@ -33,7 +33,7 @@ class Lines {
 
 /// Least and greatest dihedral angle.
 void add_angles(Lines& lines, const Quality& quality);
-/// A bar for every bin that is not empty.
-void add_histogram(Lines& lines, const Quality& quality);
+/// A bar for every bin that is not empty, or for so many bins together.
+void add_histogram(Lines& lines, const Quality& quality, std::size_t together = 1);
 
 }  // namespace certet::command

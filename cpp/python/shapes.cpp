@@ -21,7 +21,9 @@ void fill(const Shape& shape, double size, const Options& options, Context& cont
   const MeshedShape meshed{*domain, options.method, stuffing.tet_count(),
                            volume_of(stuffing, domain->frame(), context),
                            stuffing.pieces(domain->frame(), context).whole};
-  result.losses = sentences_on(find_losses(shape.sized, meshed, context), shape.sized, "size=");
+  const Losses losses = find_losses(shape.sized, meshed, context);
+  result.losses = sentences_on(losses, shape.sized, "size=");
+  if (losses.uncompared) result.notes.push_back(sentence_on(*losses.uncompared));
 }
 
 }  // namespace

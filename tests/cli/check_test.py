@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import unittest
 
 import vtu
@@ -33,7 +34,42 @@ class Check(ProgramTest):
         self.assertTrue(self.check("t.vtu")["ok"])
         run = self.run_certet("check", "t.vtu")
         self.assertEqual(run.returncode, 0)
-        self.assertIn("verdict", run.stdout)
+        self.assertRegex(run.stdout, r"\Amesh +t.vtu\n.*\nverdict +valid, positive, conforming and closed\n")
+        self.assert_one_screen(run.stdout)
+
+    def assert_one_screen(self, table):
+        self.assertLessEqual(table.count("\n"), 23, table)
+        self.assertLessEqual(max(map(len, table.splitlines())), 110, table)
+
+    def test_many_labels_fit_one_screen(self):
+        """All of a few regions and interfaces; of many what one should know of, and how many
+        there are; --json has all."""
+        for labels, rows in ((3, 3), (40, 0)):
+            size = (2 * labels, 6, 6)
+            write_nrrd(self.folder / "a.nrrd", size, voxels(size, lambda i, j, k: 1 + i // 2))
+            self.mesh("a.nrrd", "-o", "a.vtu")
+            table = self.run_certet("check", "a.vtu").stdout
+            self.assert_one_screen(table)
+            self.assertEqual(len(re.findall(r"\n {11}\d+: .* tetrahedra, volume", table)), rows)
+            self.assertEqual("each in one piece, and a manifold; --json has all" in table, rows == 0)
+            self.assertRegex(table, rf"\nregions +{labels}, of volumes from")
+            self.assertRegex(table, rf"\ninterfaces +{labels - 1} of ")
+            report = self.check("a.vtu")
+            self.assertEqual(len(report["regions"]), labels)
+            self.assertEqual(len(report["interfaces"]), labels - 1)
+
+    def test_regions_in_pieces_are_told_of_many(self):
+        size = (24, 12, 6)
+        scattered = lambda i, j, k: 1 if (i // 2 + j // 2) % 2 else 2 + i // 2
+        write_nrrd(self.folder / "a.nrrd", size, voxels(size, scattered))
+        self.mesh("a.nrrd", "-o", "a.vtu")
+        report = self.check("a.vtu")
+        several = [r for r in report["regions"] if r["pieces"] > 1 or
+                   r["surface"]["nonmanifold"]["vertices"] > 0]
+        self.assertGreater(len(several), 4)
+        table = self.run_certet("check", "a.vtu").stdout
+        self.assertRegex(table, r"\n {11}\d+: .* pieces by faces, ")
+        self.assertIn(f"{len(several) - 4} more like these", table)
 
     def test_turned_tetrahedron(self):
         tet = vtu.tets(self.path)[7]

@@ -1,6 +1,7 @@
 """Labels that meet: one mesh, cut where they do, and the surfaces between them."""
 
 import json
+import random
 import struct
 import unittest
 
@@ -163,6 +164,28 @@ class Interfaces(ProgramTest):
             self.assertEqual(len(triangles), next(
                 i["triangles"] for i in report["interfaces"] if tuple(i["labels"]) == pair))
             self.assertAlmostEqual(sum(map(area_of, triangles)), area, delta=1e-3 * area)
+
+    def test_surfaces_of_several_touch_themselves_in_points_alone(self):
+        """Of noise, where two labels and the outside meet; of all labels as one there is none."""
+        chosen = random.Random(5)
+        size = (9, 9, 9)
+        images.write_nrrd(self.folder / "n.nrrd", size,
+                          images.voxels(size, lambda i, j, k: chosen.randint(0, 3)))
+        for options in (("--smooth", "0"), (), ("--method", "midpoint")):
+            report = self.mesh("n.nrrd", "-o", "n.vtu", *options)
+            found = report["mesh"]["nonmanifold"]
+            self.assertEqual(found["edges"], 0)
+            self.assertGreater(found["vertices"], 0)
+            self.assertIn("but for single points", report["guarantee"]["surface"])
+            table, checked = self.check("n.vtu")
+            self.assertEqual(checked["mesh"]["nonmanifold"]["vertices"], found["vertices"])
+            self.assertIn(f"no manifold at 0 edges and {found['vertices']} vertices", table)
+            for region in checked["regions"]:
+                self.assertEqual(region["surface"]["open_edges"], 0)
+                self.assertEqual(region["surface"]["nonmanifold"]["edges"], 0)
+            one = self.mesh("n.nrrd", "-o", "o.vtu", "--merge", "1-3=1", *options)
+            self.assertEqual(one["mesh"]["nonmanifold"]["vertices"], 0)
+            self.assertNotIn("surface", one["guarantee"])
 
     def test_check_finds_what_the_file_has_wrong(self):
         self.mesh("a.nrrd", "-o", "a.mesh")

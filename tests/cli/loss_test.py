@@ -259,6 +259,26 @@ class PiecesOfFormulas(Pieces):
                                   "-1.2,-1.2,-1.2,1.8,1.2,1.2", "--size", "0.15")
         self.assertRegex(told, "its samples at size .* and so have its samples at half of it")
 
+    def test_what_is_not_compared_is_said(self):
+        """Of a surface that is everywhere finer samples would take longer than the mesh."""
+        waves = ("--expr", "sin(20*x)*sin(20*y)*sin(20*z)", "--bounds", "-1,-1,-1,1,1,1",
+                 "--size", "0.08", "-o", "a.vtu")
+        report = self.mesh(*waves)
+        losses = report["losses"]
+        self.assertEqual(losses["size"], 0.04)
+        self.assertGreater(losses["cells"], report["mesh"]["tets"] / 2)
+        self.assertEqual(losses["not_compared"],
+                         "pieces were not compared with those of finer samples: at size 0.04 "
+                         f"{losses['cells']:,.0f} cells would be looked at")
+        self.assertEqual([w for w in report["warnings"] if "compared" in w], [])
+        self.assertIn(f"\nlosses     {losses['not_compared']}\n",
+                      self.run_certet("mesh", *waves).stdout)
+
+    def test_nothing_is_said_of_what_is_compared_or_known(self):
+        for source in (("--expr", self.BALLS, "--bounds", "-1.2,-1.2,-1.2,1.8,1.2,1.2"),
+                       ("--shape", "sphere:1")):
+            self.assertNotIn("losses", self.mesh(*source, "--size", "0.05", "-o", "a.vtu"))
+
     def test_resolved_ones_are_not_told(self):
         for size in ("0.05", "0.03"):
             self.assert_kept(2, "--expr", self.BALLS, "--bounds", "-1.2,-1.2,-1.2,1.8,1.2,1.2",

@@ -184,6 +184,32 @@ TEST(Interfaces, OneMaterialIsTheSolid) {
   }
 }
 
+/// A wall halfway between two planes of lattice points, towards which all that is beside it
+/// moves until it is level.  Four of these make a flat tetrahedron.  Against the outside it is
+/// dropped; between two materials it would be kept, so that the last of the four stays:
+/// `MayShare` of the certificate, which looks at its shape, is needed.
+TEST(Interfaces, NoFourCornersComeLevelBetweenTwoMaterials) {
+  const Lattice lattice{{0, 0, 0}, {12, 12, 13}};
+  const auto wall = [](Material below, std::int32_t twice_z) {
+    std::vector<std::int32_t> labels(static_cast<std::size_t>(below) + 1);
+    std::iota(labels.begin(), labels.end(), 1);
+    return materials::Positional{labels, [=](Coord3 p) {
+                                   return 2 * p.z < twice_z * steps ? below : below + 1;
+                                 }};
+  };
+  const auto stayed = [&](const Domain& domain) {
+    Context context;
+    return Stuffing(domain, lattice, Method::embedded, context).warp_figures().stayed;
+  };
+  constexpr std::uint64_t half_the_odd = 8 * 8 / 2;  // beside the wall, and not near its rim
+  EXPECT_EQ(stayed(wall(0, 25)), 0U);
+  EXPECT_GT(stayed(wall(1, 25)), stayed(wall(1, 26)) + half_the_odd);
+  const auto halves = wall(1, 25);
+  const Mesh mesh = mesh_of(halves, lattice, Method::embedded);
+  EXPECT_EQ(shape_fault(mesh), "");
+  EXPECT_EQ(surface_fault(mesh, true), "");
+}
+
 TEST(Interfaces, AreTheSameForEveryThreadCount) {
   const auto domain = random_cells(5, 9);
   const Mesh expected = mesh_of(domain, small_lattice(), Method::embedded, 1);

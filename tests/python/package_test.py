@@ -129,6 +129,12 @@ class Losses(unittest.TestCase):
             with self.subTest(words), self.assertWarnsRegex(certet.LossWarning, words):
                 mesh()
 
+    def test_what_is_not_compared_is_noted(self):
+        """Of a function every cell of a finer lattice would be asked about."""
+        mesh = certet.mesh(lambda p: (p**2).sum(1) - 1, bounds=((-1.1,) * 3, (1.1,) * 3), size=0.05)
+        self.assertRegex(mesh.notes[0], "not compared with those of finer samples: at size 0.025 ")
+        self.assertEqual(certet.mesh(ball()).notes, [])
+
     def test_none_where_all_is_kept(self):
         with warnings.catch_warnings():
             warnings.simplefilter("error")

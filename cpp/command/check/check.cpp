@@ -25,7 +25,8 @@ max, histogram}, bounds {min, max, and with --run: theorem}, seconds {read, chec
 memory {peak}.  mesh.checksum is what `certet mesh` tells as mesh.file_checksum.
 
 Pieces are what faces that two tetrahedra share, or points, join.  A surface that is no
-manifold is told of, and is no defect: --method paper makes such.
+manifold is told of, and is no defect: --method paper makes such, and where three labels
+meet, or two and the outside, one may touch itself in a point.
 
 Each region must have a closed surface.  Where two touch is their interface, which must end
 where a third region or the outside is, and nowhere else.  Surfaces that a .msh, .mesh or

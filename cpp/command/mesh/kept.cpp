@@ -23,9 +23,10 @@ void tell_losses(const SizedShape& shape, const Counted& counted, Context& conte
   MeshedShape mesh{*counted.source.domain, report.asked, report.tets,
                    report.written.world.volume + report.dropped.volume};
   if (report.dropped.pieces == 0) mesh.pieces = report.pieces.whole;
-  std::vector<std::string> sentences =
-      sentences_on(find_losses(shape, mesh, context), shape, "--size ");
+  const Losses losses = find_losses(shape, mesh, context);
+  std::vector<std::string> sentences = sentences_on(losses, shape, "--size ");
   std::ranges::move(sentences, std::back_inserter(report.warnings));
+  report.uncompared = losses.uncompared;
 }
 
 KeepingSizes size_for_pieces(const SizedShape& shape, const SolidVoxels& voxels,

@@ -19,6 +19,7 @@ Json guarantee(const MeshReport& report) {
             {"max_dihedral", bounds.max_dihedral},
             {"inverted_tets", report.inverted_tets}};
   if (!report.dry_run) json["holds"] = standing(report) == Standing::within;
+  if (report.cut_apart) json["surface"] = surface_of_several;
   return json;
 }
 
@@ -163,6 +164,10 @@ std::string json(const MeshReport& report) {
   json["guarantee"] = guarantee(report);
   json["seconds"] = seconds(report);
   json["warnings"] = report.warnings;
+  if (report.uncompared)
+    json["losses"] = {{"not_compared", sentence_on(*report.uncompared)},
+                      {"size", report.uncompared->size},
+                      {"cells", report.uncompared->cells}};
   if (!report.regions.empty()) json["regions"] = regions(report);
   if (!report.materials.empty()) json["regions"] = regions_of_materials(report);
   if (report.smoothing) json["smoothing"] = smoothing(report);

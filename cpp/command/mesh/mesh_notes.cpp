@@ -85,7 +85,10 @@ keeps them all, and the volume.
 The pieces of every mesh are counted, by faces and by vertices, and of several labels
 those of each; with --method paper the latter by --label-pieces alone, for it takes long.
 So are the edges and vertices at which its surface is no manifold, of which --method
-paper may leave some, and others where three labels meet.  --keep largest drops all pieces by faces but the one of the most
+paper may leave some.  By the other methods there is no such edge, and of one label no such
+vertex; of several, two and the outside may leave some, as three may on the surface of one
+of them: at the cut of an edge between two, where the third is on opposite sides of the edge
+and not between, or all around.  --keep largest drops all pieces by faces but the one of the most
 tetrahedra, --keep N all but the N largest, --keep percolating:x (y, z) all that do not go
 from one end of the solid to the other along that axis of the lattice, which is the
 image's or the world's, but for a --size at either end.  What was dropped is told.
@@ -109,7 +112,8 @@ closed surface has as many as outer shells, a shape one.  Of formulas, volumes, 
 shapes cut by --bounds, several materials together, and surfaces that are open or pass
 through themselves, those are counted that the lattice's points have at a quarter of the
 size, or at half of it, where not so many cells would be sampled for it as the mesh has
-pairs of tetrahedra.  Beyond 2 %,
+pairs of tetrahedra; where more would, the table and the JSON say that they were not
+compared, and how many.  Beyond 2 %,
 or with other pieces, a warning names a size that has been tried and keeps both; the
 sentence where nothing is inside has one that keeps the volume.  At most 16 sizes are
 tried, each a fifth smaller than the one before, later a third, up to 10 million
@@ -138,9 +142,11 @@ pieces {by_faces, by_vertices, largest_tets}, nonmanifold {edges, vertices, edge
 vertex_places: in the world, of the first 8}}, with --keep: dropped {keep, pieces, kept,
 tets, volume}, dihedral
 {min, max, lattice_min, lattice_max, rounding, histogram}, guarantee {asked, used,
-theorem, min_dihedral, max_dihedral, inverted_tets, holds}, seconds {read, sample,
+theorem, min_dihedral, max_dihedral, inverted_tets, holds,
+of several labels: surface (a sentence on it)}, seconds {read, sample,
 cut, warp, count, pieces, emit, measure, write, total}, memory {limit, needed, least,
-peak}, warnings, and for images regions [{label, voxels, tets, name where the file or
+peak}, warnings, where pieces were not compared: losses {not_compared (a sentence), size (of
+the finer lattice), cells (of it, to be looked at)}, and for images regions [{label, voxels, tets, name where the file or
 --label-names has one, volume, voxel_volume, change_percent, pieces (by faces) and pieces_by_vertices; of several
 labels with --method paper by --label-pieces alone, else pieces is of the samples, and told
 where the image's are: image_pieces {by_corners, by_faces}}], of several solids regions

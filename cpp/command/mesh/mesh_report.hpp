@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "certet/kept.hpp"
 #include "certet/method.hpp"
 #include "certet/patient_axes.hpp"
 #include "certet/pieces.hpp"
@@ -34,6 +35,7 @@ struct MeshReport {
   std::string formula;  ///< whole, where the name is a part of it
   std::vector<std::string> input_notes;
   std::vector<std::string> warnings;
+  std::optional<UncomparedPieces> uncompared;
   std::vector<MeshedRegion> regions;  ///< of an image
   std::vector<MeshedMaterial> materials;  ///< of several solids
   LabelNames names;                   ///< of regions, where they are known
@@ -71,6 +73,10 @@ struct MeshReport {
   /// A volume in the units of the output.
   [[nodiscard]] double out(double volume) const { return volume * scale * scale * scale; }
 };
+
+/// What holds of the surfaces of several labels and of all together, tested and not proved.
+inline constexpr std::string_view surface_of_several =
+    "closed, and a manifold but for single points where labels meet";
 
 /// How the mesh that was measured stands to its theorem.
 Standing standing(const MeshReport& report);

@@ -16,8 +16,10 @@ void add_method(Lines& lines, const MeshReport& report) {
             report.dry_run ? "; no angle was measured" : "");
   // What is proved of one solid besides its angles is not of several.
   lines.add("method", "{}: {}{}", method.name,
-            report.cut_apart ? "labels are cut apart, each by the rule for one solid"
-                             : method.sentence,
+            report.cut_apart
+                ? fmt::format("labels are cut apart, each keeps its pieces; surfaces are {}",
+                              surface_of_several)
+                : std::string(method.sentence),
             report.used == report.asked
                 ? ""
                 : fmt::format(" ({} inverted {} dropped tetrahedra)", name(report.asked),
@@ -48,6 +50,7 @@ void add_pieces(Lines& lines, const MeshReport& report) {
               grouped(dropped.pieces + dropped.kept), grouped(dropped.tets),
               report.out(dropped.volume));
   lines.add("pieces", "{}", sentence(report.pieces, report.tets));
+  if (report.uncompared) lines.add("losses", "{}", sentence_on(*report.uncompared));
   if (report.pieces.surface.vertices > 0)
     lines.add("surface", "{}", sentence(report.pieces.surface));
 }

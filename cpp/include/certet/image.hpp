@@ -221,9 +221,10 @@ std::shared_ptr<const LabelFields> label_fields(std::shared_ptr<const Image> ima
 /// of the lattice lie at voxel centres.  Each of those has its voxel's label, and between
 /// two that share a face and a label so have all points of the lattice: no label is lost,
 /// and no piece of one (by faces) is lost or taken apart.  Where the size is the spacing
-/// the pieces of the lattice are made of such pieces, and hang together across an edge or a
-/// corner of voxels at most.  On finer lattices a label may have islets besides, where
-/// voxels are as good as noise.
+/// the pieces of the lattice are made of such pieces: of those that touch at an edge or a
+/// corner of voxels and, where voxels are as good as noise, of some that are two voxels apart
+/// along an axis, since the label has two corners of the voxel between them.  On finer
+/// lattices a label may have islets besides, where voxels are as good as noise.
 ///
 /// For other sizes voxels that smoothing might lose have their own label throughout, and
 /// keep their flat faces: those in no 2 x 2 x 2 voxels of their label, those that share no

@@ -48,7 +48,7 @@ struct SizedShape {
   double thin = 0;                    ///< how thick its thin parts are; 0: not known
   /// Where it is empty, pieces are not compared.  Where it gives nothing, they are with
   /// those that a lattice of a quarter of the size finds, or of half of it, where that is not
-  /// too much to sample beside the mesh.
+  /// too much to sample beside the mesh; where it is, `Losses::uncompared` says so.
   KnownPieces pieces = {};
   double cost = 1;  ///< of asking about a point; 1: as much as of a formula
 };
@@ -116,10 +116,17 @@ struct OtherVolume {
   ShapeVolume shape;
 };
 
+/// Pieces that were not compared, since finer samples would take longer than the mesh.
+struct UncomparedPieces {
+  double size = 0;   ///< of the finer lattice
+  double cells = 0;  ///< of it, that would have to be looked at
+};
+
 /// What a mesh has not kept, and a size that keeps it.
 struct Losses {
   std::optional<OtherVolume> volume;
   std::optional<OtherPieces> pieces;
+  std::optional<UncomparedPieces> uncompared = {};  ///< which is no loss that is known
   KeepingSizes sizes;  ///< that keep both, if one of them is not kept
 
   [[nodiscard]] bool any() const { return volume || pieces; }
@@ -133,6 +140,9 @@ Losses find_losses(const SizedShape& shape, const MeshedShape& mesh, Context& co
 /// A sentence for each loss; `size` is what the user writes before a size: "--size ".
 std::vector<std::string> sentences_on(const Losses& losses, const SizedShape& shape,
                                       std::string_view size);
+
+/// That losses of pieces were not looked for, and what it would take.
+std::string sentence_on(const UncomparedPieces& uncompared);
 
 /// Of a shape that has no mesh at a size: a smaller one at which its mesh has its volume.
 /// \throws Error as `find_keeping_size`.

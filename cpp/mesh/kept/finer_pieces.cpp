@@ -17,16 +17,17 @@ class FineLattice {
  public:
   FineLattice(const SizedShape& shape, double size) : domain_(shape.place(size)) {}
 
-  /// Cells that would have to be sampled; nothing where there are more than so many.
-  std::optional<double> prune(double most_cells) {
-    const auto& cells = domain_->lattice().cells;
-    if (1.0 * cells[0] * cells[1] * cells[2] >
-        std::min(most_cells_in_all, cells_per_sampled * most_cells))
-      return std::nullopt;
+  /// Whether no more than so many cells would have to be sampled.
+  bool prune(double most_cells) {
+    const auto& count = domain_->lattice().cells;
+    cells_ = 1.0 * count[0] * count[1] * count[2];
+    if (cells_ > std::min(most_cells_in_all, cells_per_sampled * most_cells)) return false;
     pruned_.emplace(*domain_);
-    const double mixed = pruned_->mixed_cells();
-    return mixed <= most_cells ? std::optional(mixed) : std::nullopt;
+    cells_ = pruned_->mixed_cells();
+    return cells_ <= most_cells;
   }
+  /// How many; all of them where these were too many to ask for the extents of blocks.
+  [[nodiscard]] double cells() const { return cells_; }
   std::uint64_t pieces(Method method, Context& context) const {
     return count_sampled_pieces(*pruned_, domain_->lattice(), method, context);
   }
@@ -34,6 +35,7 @@ class FineLattice {
  private:
   std::shared_ptr<const PlacedDomain> domain_;
   std::optional<PrunedDomain> pruned_;
+  double cells_ = 0;
 };
 
 /// Runs `work`; a lattice that is too large has nothing to tell.
@@ -58,23 +60,29 @@ std::optional<std::uint64_t> pieces_at(const SizedShape& shape, double size, Met
   });
 }
 
-std::optional<FinerPieces> finer_pieces(const SizedShape& shape, const MeshedShape& mesh,
-                                        Context& context) {
+std::variant<FinerPieces, UncomparedPieces> finer_pieces(const SizedShape& shape,
+                                                         const MeshedShape& mesh,
+                                                         Context& context) {
   // Looking is to take a quarter of the time that the mesh takes, or less.
   constexpr double cells_per_tet = 0.5, least_cells = 5e4;
   // A surface crosses four times as many cells of half the size.
   constexpr double more_cells = 4;
   const double most = std::max(cells_per_tet * static_cast<double>(mesh.tets), least_cells);
   const double size = mesh.domain.frame().size;
-  return if_it_fits([&]() -> std::optional<FinerPieces> {
+  const auto& count = mesh.domain.lattice().cells;
+  UncomparedPieces uncompared{size / 2, 8.0 * count[0] * count[1] * count[2]};
+  const auto found = if_it_fits([&]() -> std::optional<FinerPieces> {
     FineLattice half(shape, size / 2);
-    const std::optional<double> cells = half.prune(most);
-    if (!cells) return std::nullopt;
-    if (more_cells * *cells <= most)
+    const bool few = half.prune(most);
+    uncompared.cells = half.cells();
+    if (!few) return std::nullopt;
+    if (more_cells * half.cells() <= most)
       if (const auto pieces = pieces_at(shape, size / 4, mesh.method, 2 * most, context))
         return FinerPieces{size / 4, *pieces};
     return FinerPieces{size / 2, half.pieces(mesh.method, context)};
   });
+  if (found) return *found;
+  return uncompared;
 }
 
 }  // namespace certet::core

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <variant>
 
 #include "certet/kept.hpp"
 
@@ -19,8 +20,10 @@ struct FinerPieces {
   double size = 0;
   std::uint64_t pieces = 0;
 };
-/// On a lattice of a quarter of the size or, where that is too much to sample, of half of it.
-std::optional<FinerPieces> finer_pieces(const SizedShape& shape, const MeshedShape& mesh,
-                                        Context& context);
+/// On a lattice of a quarter of the size or, where that is too much to sample, of half of it;
+/// where that is too much too, what it would take.
+std::variant<FinerPieces, UncomparedPieces> finer_pieces(const SizedShape& shape,
+                                                         const MeshedShape& mesh,
+                                                         Context& context);
 
 }  // namespace certet::core

@@ -37,12 +37,16 @@ class Comparison {
       if (!may_be(*known_, *mesh_.pieces)) losses_.pieces = OtherPieces{*mesh_.pieces, *known_};
       return;
     }
-    finer_ = core::finer_pieces(shape_, mesh_, context_);
-    compares_pieces_ = finer_.has_value();
-    if (!finer_) return;
-    const PieceBounds finer{finer_->pieces, finer_->pieces};
-    if (!may_be(finer, *mesh_.pieces))
-      losses_.pieces = OtherPieces{*mesh_.pieces, finer, finer_->size};
+    const auto finer = core::finer_pieces(shape_, mesh_, context_);
+    compares_pieces_ = std::holds_alternative<core::FinerPieces>(finer);
+    if (!compares_pieces_) {
+      losses_.uncompared = std::get<UncomparedPieces>(finer);
+      return;
+    }
+    finer_ = std::get<core::FinerPieces>(finer);
+    const PieceBounds sampled{finer_->pieces, finer_->pieces};
+    if (!may_be(sampled, *mesh_.pieces))
+      losses_.pieces = OtherPieces{*mesh_.pieces, sampled, finer_->size};
   }
 
   bool keeps(const CountedShape& counted, TriedSize& tried) {

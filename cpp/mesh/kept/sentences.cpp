@@ -82,6 +82,12 @@ std::string advice_on_pieces(const KeepingSizes& sizes, std::string_view size) {
              : "no size was found that keeps them, down to " + digits(sizes.finest.size, 4);
 }
 
+std::string sentence_on(const UncomparedPieces& uncompared) {
+  return "pieces were not compared with those of finer samples: at size " +
+         digits(uncompared.size, 4) + " " +
+         grouped(static_cast<std::uint64_t>(uncompared.cells)) + " cells would be looked at";
+}
+
 std::vector<std::string> sentences_on(const Losses& losses, const SizedShape& shape,
                                       std::string_view size) {
   std::vector<std::string> sentences;

@@ -1,0 +1,140 @@
+/// \file
+/// certet_label_soak: meshes random domains of 2 to 12 labels, and judges each mesh as a
+/// whole, by regions, and by interfaces.
+///
+///     certet_label_soak [--count N] [--first N] [--seed S] [--threads N] [--plant NAME]
+///                       [--report FILE.md]
+///
+/// Ends with status 1 if a mesh has a fault, 2 on wrong usage.
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+
+#include "../campaign.hpp"
+#include "label_trial.hpp"
+#include "subject.hpp"
+
+namespace {
+
+using labelled::Verdict;
+
+struct Arguments {
+  std::uint64_t count = 96, first = 0, seed = std::random_device{}();
+  unsigned threads = 2;
+  labelled::Plant plant{};
+  std::string report;
+};
+
+/// \throws std::exception on wrong usage
+Arguments parse(int argc, char** argv) {
+  Arguments arguments;
+  for (int i = 1; i < argc; i += 2) {
+    const std::string name = argv[i];
+    if (i + 1 == argc) throw std::invalid_argument(name + " has no value");
+    const std::string value = argv[i + 1];
+    if (name == "--count") arguments.count = std::stoull(value);
+    else if (name == "--first") arguments.first = std::stoull(value);
+    else if (name == "--seed") arguments.seed = std::stoull(value);
+    else if (name == "--threads") arguments.threads = static_cast<unsigned>(std::stoul(value));
+    else if (name == "--report") arguments.report = value;
+    else if (name == "--plant") {
+      const auto at = std::ranges::find(labelled::plant_names, value);
+      if (at == labelled::plant_names.end()) throw std::invalid_argument("there is no " + value);
+      arguments.plant = static_cast<labelled::Plant>(at - labelled::plant_names.begin());
+    } else {
+      throw std::invalid_argument(name + " is no option");
+    }
+  }
+  return arguments;
+}
+
+/// An exception is a fault too.
+Verdict judged(std::uint64_t number, const Arguments& arguments) {
+  try {
+    return labelled::judge(arguments.seed, number, arguments.plant);
+  } catch (const std::exception& error) {
+    Verdict verdict;
+    verdict.faults.push_back(std::string("an exception: ") + error.what());
+    return verdict;
+  }
+}
+
+/// A row of the table.
+struct Row {
+  Verdict sum = [] {
+    Verdict none;
+    none.meshes = 0;
+    return none;
+  }();
+  std::uint64_t faulty = 0;
+
+  void add(const Verdict& v) {
+    ++sum.meshes;
+    sum.tets += v.tets;
+    sum.regions += v.regions;
+    sum.interfaces += v.interfaces;
+    sum.pieces += v.pieces;
+    sum.tunnels += v.tunnels;
+    sum.cavities += v.cavities;
+    sum.min_dihedral = std::min(sum.min_dihedral, v.min_dihedral);
+    sum.max_dihedral = std::max(sum.max_dihedral, v.max_dihedral);
+    sum.pairs += v.pairs;
+    sum.joined += v.joined;
+    sum.lost += v.lost;
+    sum.streamed += v.streamed;
+    sum.region_pinches += v.region_pinches;
+    sum.outer_pinches += v.outer_pinches;
+    sum.parted += v.parted;
+    faulty += !v.faults.empty();
+  }
+  void tell(std::ostream& out, std::string_view name) const {
+    out << "| " << name << " | " << sum.meshes << " | " << sum.tets << " | " << sum.regions << " | "
+        << sum.interfaces << " | " << sum.pieces << " | " << sum.tunnels << " | " << sum.cavities
+        << " | " << sum.min_dihedral << " | " << sum.max_dihedral << " | " << sum.pairs << " | "
+        << sum.joined << " | " << sum.lost << " | " << sum.streamed << " | " << sum.region_pinches << " | "
+        << sum.outer_pinches << " | " << sum.parted << " | " << faulty << " |\n";
+  }
+};
+
+std::uint64_t tell_all(const Arguments& arguments) {
+  const std::vector<Verdict> verdicts =
+      soak::verdicts_of(arguments.count, arguments.threads, [&](std::uint64_t i) {
+        return judged(arguments.first + i, arguments);
+      });
+  constexpr std::size_t kinds = labelled::subject_kinds.size();
+  std::array<Row, kinds> rows;
+  Row all;
+  std::ostringstream sentences;
+  int left = 20;
+  for (std::size_t n = 0; n < verdicts.size(); ++n) {
+    rows[(arguments.first + n) % kinds].add(verdicts[n]);
+    all.add(verdicts[n]);
+    for (const std::string& fault : verdicts[n].faults)
+      if (left-- > 0)
+        sentences << "\ncertet_label_soak --seed " << arguments.seed << " --first "
+                  << arguments.first + n << " --count 1: " << fault << "\n";
+  }
+  std::ostringstream table;
+  table << "seed " << arguments.seed << ", from " << arguments.first
+        << "\n\n| labels | meshes | tetrahedra | regions | interfaces | pieces | tunnels | cavities | "
+           "least angle | greatest | pairs compared | pieces joined at a distance | labels lost and named | streamed | points where a "
+           "region touches itself | where all together do | pieces that hang together by such | with "
+           "a fault |\n"
+           "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+  for (std::size_t kind = 0; kind < kinds; ++kind) rows[kind].tell(table, labelled::subject_kinds[kind]);
+  all.tell(table, "all");
+  table << sentences.str();
+  std::cout << table.str();
+  if (!arguments.report.empty()) std::ofstream(arguments.report) << table.str();
+  return all.faulty;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return soak::campaign("certet_label_soak", [&] { return parse(argc, argv); }, tell_all);
+}
