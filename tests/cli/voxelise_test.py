@@ -88,13 +88,13 @@ class Voxelise(ProgramTest):
         for arguments in (["ras.vtu"], ["ras.mesh", "--frame", "ras"]):
             told = self.voxelise(*arguments, "--compare", "b.nrrd")
             self.assertEqual(told["compared"]["least_dice"], 1)
-        told = self.voxelise("ras.mesh", "--compare", "b.nrrd", warnings=["no voxel has its centre"])
-        self.assertEqual(told["compared"]["least_dice"], 0)
+        told = self.voxelise("ras.mesh", "--compare", "b.nrrd")
+        self.assertLess(told["compared"]["least_dice"], 0.5, "a .mesh file does not tell")
 
     def test_a_grid_around_the_mesh(self):
         mesh = self.mesh(*TORUS, "--size", "0.1", "-o", "a.vtu")["mesh"]
-        told = self.voxelise("a.vtu", "-o", "b.mha", "--spacing", "0.05,0.05,0.1")
-        self.assertAlmostEqual(told["voxels"]["held"] * 0.05 * 0.05 * 0.1, mesh["volume"], delta=0.02)
+        told = self.voxelise("a.vtu", "-o", "b.mha", "--spacing", "0.05,0.05,0.04")
+        self.assertAlmostEqual(told["voxels"]["held"] * 0.05 * 0.05 * 0.04, mesh["volume"], delta=0.02)
         self.assertEqual([row["label"] for row in told["labels"]], [1])
 
     def test_a_mesh_that_overlaps_itself(self):
