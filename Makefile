@@ -55,7 +55,8 @@ TEST_PACKAGES := \
   python3-nibabel \
   chromium chromium-driver python3-selenium \
   clang libclang-rt-14-dev valgrind dpkg-dev mandoc groff pkg-config
-BENCH_PACKAGES := $(TEST_PACKAGES) libbenchmark-dev python3-matplotlib
+# CGAL, by python3-pygalmesh, is GPL: a program of its own that is compared with, linked to nothing.
+BENCH_PACKAGES := $(TEST_PACKAGES) libbenchmark-dev python3-matplotlib python3-pygalmesh
 PACKAGES := $(sort $(BENCH_PACKAGES) clang-tidy)
 
 # $(call install,PACKAGES) installs those that are missing.

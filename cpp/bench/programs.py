@@ -15,7 +15,7 @@ class Failed(Exception):
     """A program that should have run did not; one sentence."""
 
 
-def run(arguments, folder):
+def run(arguments, folder, fine=(0,)):
     """Runs a program in a folder; gives (standard output, wall seconds, peak bytes)."""
     arguments = [str(a) for a in arguments]
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as words:
@@ -26,7 +26,7 @@ def run(arguments, folder):
         process.returncode = os.waitstatus_to_exitcode(status)
         out.seek(0)
         words.seek(0)
-        if process.returncode != 0:
+        if process.returncode not in fine:
             said = words.read().decode(errors="replace").strip()
             raise Failed(f"{Path(arguments[0]).name} ended with status {process.returncode}: {said}")
         return out.read().decode(), seconds, usage.ru_maxrss * 1024
@@ -63,6 +63,12 @@ class Programs:
         result = json.loads(report.read_text())
         report.unlink()
         return {**result, "wall": wall, "peak": peak}
+
+    def check(self, file):
+        """What `certet check` tells of a file, whether it finds defects or not."""
+        out, _, _ = run([self.bin / "certet", "check", file, "--json", "-"], self.folder,
+                        fine=(0, 1))
+        return json.loads(out)
 
     def parts(self):
         """The parts' benchmarks: the least nanoseconds of each by its name."""

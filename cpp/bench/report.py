@@ -1,8 +1,9 @@
 """Takes the figures of certet: bench.md, bench.json and bench.svg.
 
-usage: report.py BUILD [--large]
+usage: report.py BUILD [--large] [--only materials]
 BUILD is a build folder; all is written to BUILD/bench.  --large sends 300 million
-tetrahedra to a file instead of 30 million.  A missed bound is told, not an error:
+tetrahedra to a file instead of 30 million.  --only takes the figures of several regions
+alone, into materials.md and materials.json.  A missed bound is told, not an error:
 how fast a machine is, is no property of the program.  Exit status: 0 done, 1 a
 program failed, 2 wrong usage.
 """
@@ -14,6 +15,7 @@ import sys
 import time
 
 import figures
+import materials
 import plot
 import programs
 
@@ -22,15 +24,25 @@ def say(words):
     print(f"bench: {words}", flush=True)
 
 
-def take(bench, large):
-    """All figures, one after the other."""
-    tasks = [
+def of_the_whole(bench, large):
+    return [
         ("the engine against memcpy", figures.engine_and_copy(bench)),
         ("1M against 100M", figures.growth(bench)),
         ("the brain atlas", figures.brain(bench)),
         ("a large file", figures.memory_to_file(bench, 3e8 if large else 3e7)),
         ("the extracted reference", figures.reference(bench)),
     ]
+
+
+def of_materials(bench):
+    return [
+        ("interfaces of a brain atlas", materials.interfaces(bench)),
+        ("several solids", materials.solids(bench)),
+    ]
+
+
+def take(tasks):
+    """All figures, one after the other."""
     taken = []
     for words, task in tasks:
         say(words)
@@ -72,18 +84,36 @@ def parts_rows(parts):
                f"| {part['seconds'] / part['items'] * 1e9:.2f} |")
 
 
-def markdown(result, rows, with_plot):
-    machine = result["machine"]
-    lines = [
-        "# Figures of certet", "",
+def machine_lines(machine):
+    return [
         f"{machine['processor']}, {machine['cores']} cores, {machine['memory_gib']} GiB; "
         f"{machine['system']}; {machine['compiler']}, {machine['build']}.",
         f"Others used {machine['others_cores']:.2f} of the cores meanwhile"
         + (": the machine was not quiet, and times are too long." if
            machine["others_cores"] > 0.1 else "."),
-        "Every time is the least of several; what is compared took turns.", "",
-        "## The whole", "",
-        "| figure | value | bound | of what |", "|---|---|---|---|", *map(row, rows), "",
+        "Every time is the least of several; what is compared took turns.", ""]
+
+
+def figure_lines(rows):
+    return ["| figure | value | bound | of what |", "|---|---|---|---|", *map(row, rows), ""]
+
+
+def peer_lines(result):
+    return [
+        "## Beside CGAL", "",
+        "The same labels meshed by CGAL's Mesh_3 (its labelled image domain, optimised against "
+        "slivers, as Debian's python3-pygalmesh runs it) and by certet with the size that gives "
+        "about as many tetrahedra.  One thread each; from the image's file to a MEDIT file, of "
+        "certet the whole process, of CGAL without the start of Python.  Everything else is "
+        "judged from the two files by one program that shares no code with either, and `certet "
+        "check` must agree with it.  Volumes are of labels of 1,000 voxels and more.", "",
+        *materials.peer_lines(result["peers"], result["no_peers"])]
+
+
+def markdown(result, rows, with_plot):
+    lines = [
+        "# Figures of certet", "", *machine_lines(result["machine"]),
+        "## The whole", "", *figure_lines(rows), *peer_lines(result),
         "## The engine by size", "",
         "Torus, from sampling to the mesh in memory; each size in a process of its own.", "",
         "| tetrahedra | threads | time | ns per tetrahedron | over warm memcpy | peak memory "
@@ -116,28 +146,52 @@ def as_json(figure):
     return fields | {"met": figure.met} if isinstance(figure, figures.Figure) else fields
 
 
+def several_regions(bench):
+    """The figures, and the part of the report that the peers make."""
+    rows = take(of_materials(bench))
+    say("the same labels by CGAL")
+    contests, why = materials.peers(bench)
+    return rows, {"peers": materials.as_json(contests), "no_peers": why}
+
+
+def take_all(bench, large):
+    rows = take(of_the_whole(bench, large))
+    more, result = several_regions(bench)
+    say("the engine by size")
+    result["series"] = figures.series(bench)
+    say("the parts")
+    result["parts"] = bench.parts() if bench.has("certet_bench_parts") else {}
+    return rows + more, result
+
+
+def write(bench, name, result, text):
+    (bench.folder / f"{name}.json").write_text(json.dumps(result, indent=2) + "\n")
+    (bench.folder / f"{name}.md").write_text(text)
+    return bench.folder / f"{name}.md"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("build", metavar="BUILD")
     parser.add_argument("--large", action="store_true")
+    parser.add_argument("--only", choices=["materials"])
     options = parser.parse_args()
     bench = programs.Programs(options.build)
-    if not bench.has("certet_bench_whole"):
+    if not bench.has("certet_bench_whole") and not options.only:
         raise programs.Failed(f"there are no benchmarks in '{bench.bin}'")
     start, neighbours = time.perf_counter(), programs.Neighbours()
-    rows = take(bench, options.large)
-    say("the engine by size")
-    series = figures.series(bench)
-    say("the parts")
-    parts = bench.parts() if bench.has("certet_bench_parts") else {}
+    rows, result = several_regions(bench) if options.only else take_all(bench, options.large)
     machine = programs.machine(bench.build) | {"others_cores": round(neighbours.cores(), 2)}
-    result = {"machine": machine, "figures": [as_json(f) for f in rows], "series": series,
-              "parts": parts}
-    (bench.folder / "bench.json").write_text(json.dumps(result, indent=2) + "\n")
-    with_plot = draw(series, bench.folder / "bench.svg")
-    (bench.folder / "bench.md").write_text(markdown(result, rows, with_plot))
-    print("\n".join(map(row, rows)))
-    say(f"{bench.folder / 'bench.md'}, in {time.perf_counter() - start:.0f} s")
+    result = {"machine": machine, "figures": [as_json(f) for f in rows]} | result
+    if options.only:
+        text = "\n".join([*machine_lines(machine), *figure_lines(rows), *peer_lines(result)])
+        file = write(bench, "materials", result, text)
+    else:
+        with_plot = draw(result["series"], bench.folder / "bench.svg")
+        text = markdown(result, rows, with_plot)
+        file = write(bench, "bench", result, text)
+    print(text if options.only else "\n".join(map(row, rows)))
+    say(f"{file}, in {time.perf_counter() - start:.0f} s")
 
 
 if __name__ == "__main__":

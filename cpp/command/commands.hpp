@@ -20,6 +20,9 @@ Run declare_mesh(CLI::App& app);
 /// From one mesh file to another.
 Run declare_convert(CLI::App& app);
 
+/// From a mesh file to an image of labels.
+Run declare_voxelise(CLI::App& app);
+
 /// Reads a mesh file and verifies it anew.
 Run declare_check(CLI::App& app);
 
@@ -42,6 +45,7 @@ struct Subcommand {
 inline constexpr std::array subcommands{
     Subcommand{"mesh", "Mesh an image, a surface, a volume, a formula or a shape", declare_mesh},
     Subcommand{"convert", "Write a mesh file in another format", declare_convert},
+    Subcommand{"voxelise", "Make an image of labels of a mesh", declare_voxelise},
     Subcommand{"check", "Verify a mesh anew, from its file alone", declare_check},
     Subcommand{"report", "A page about a mesh, with a view to turn around", declare_report},
     Subcommand{"picture", "Draw a mesh into a PNG", declare_picture},

@@ -27,6 +27,7 @@
 #include "python_mesh.hpp"
 #include "shapes.hpp"
 #include "solids.hpp"
+#include "voxelise.hpp"
 
 namespace certet::python {
 namespace {
@@ -245,6 +246,7 @@ PYBIND11_MODULE(_certet, module) {
   declare_interfaces(module);
   declare_pieces(module);
   declare_solids(module);
+  declare_voxelise(module);
   module.def("mesh_image", mesh_image);
   module.def("mesh_function", mesh_function);
   module.def("mesh_surface", mesh_surface);

@@ -32,6 +32,14 @@ def write_nrrd(path, size, values, kind="h", directions=IDENTITY, origin=(0, 0, 
     path.write_bytes(header.encode() + data[:len(data) - cut])
 
 
+def read_bytes_of_nrrd(path):
+    """The voxels of one whose numbers have a byte each, packed by gzip."""
+    header, data = path.read_bytes().split(b"\n\n", 1)
+    lines = header.decode().splitlines()
+    assert "encoding: gzip" in lines and "type: unsigned char" in lines, header
+    return list(gzip.decompress(data))
+
+
 def write_plain_nrrd(path, size, kind="B"):
     """An image of any dimension, without a space."""
     count = math.prod(size)

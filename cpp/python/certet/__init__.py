@@ -8,7 +8,8 @@
 `mesh` makes one of voxels, of a function that is negative inside, of closed triangles, or of several
 solids; so do `mesh_image`, `mesh_function`, `mesh_surface` and `mesh_solids`, each for one
 of these.  A `Solid` is made of any of them, and `a & b`, `a | b` and `a - b` of two solids.
-`write`, `read`, `check`, `interfaces`, `inside` and `quality` do what they say.  They run on all cores without Python's lock; Ctrl-C stops them.  What they refuse is a `ValueError` with one sentence, a lattice or
+`write`, `read`, `check`, `interfaces`, `inside`, `quality` and `voxelise` do what they say.  They
+run on all cores without Python's lock; Ctrl-C stops them.  What they refuse is a `ValueError` with one sentence, a lattice or
 mesh that is too large a `MemoryError`.
 """
 
@@ -26,8 +27,8 @@ from numpy.typing import ArrayLike, NDArray
 from . import _arguments, _certet
 
 __all__ = ["CheckReport", "FileMesh", "Interface", "LossWarning", "Mesh", "Pieces", "Quality", "Solid",
-           "Warp", "check", "inside", "interfaces", "mesh", "mesh_function", "mesh_image", "mesh_solids", "mesh_surface",
-           "quality", "read", "write"]
+           "Warp", "check", "inside", "interfaces", "mesh", "mesh_function", "mesh_image", "mesh_solids",
+           "mesh_surface", "quality", "read", "voxelise", "write"]
 __version__: str = _certet.version
 
 Cuts = Literal["bisect", "midpoint"]
@@ -444,6 +445,48 @@ def quality(mesh: Mesh | FileMesh) -> Quality:
     """Measures every tetrahedron of a mesh; `mesh.quality()` is the same."""
     _inner(mesh)
     return mesh.quality()
+
+
+def voxelise(
+    mesh: Mesh | FileMesh,
+    *,
+    like: ArrayLike | None = None,
+    shape: Sequence[int] | None = None,
+    spacing: float | Sequence[float] = (1, 1, 1),
+    origin: Sequence[float] = (0, 0, 0),
+    direction: ArrayLike | None = None,
+) -> NDArray[np.int32]:
+    """Makes an image of a mesh's labels: shape (nx, ny, nz), its first index runs fastest.
+
+    Each voxel has the label of the tetrahedron that holds its centre, which is
+    `origin + direction @ (spacing * (i, j, k))`, and 0 where none does; a mesh without labels has
+    label 1.  Points are rounded to 2^-20 voxels, from there on all is exact: a centre on a face,
+    edge or corner belongs to where a step along the first axis leads or, if that stays on it,
+    along the second, or the third.
+
+    Parameters
+    ----------
+    like : an array that has the image's shape, such as the one that was meshed
+    shape : three whole numbers, in the place of `like`
+    spacing : 3 numbers, in world units, or one for all
+    origin : 3 numbers, in world units
+    direction : shape (3, 3), orthonormal (default: identity)
+
+    Warns of a mesh that overlaps itself, that holds no centre, or has a region 0.
+
+    Raises
+    ------
+    ValueError : an impossible geometry, a mesh with points that are not there or not finite
+    MemoryError : more than 2^18 voxels along an axis, or than the memory has room for
+    """
+    if (like is None) == (shape is None):
+        raise ValueError("voxelise takes either like, an array, or shape, three whole numbers")
+    size = _arguments.shape(np.shape(like) if like is not None else shape)
+    labels, doubts = _certet.voxelise(
+        _inner(mesh), size, _arguments.three("spacing", spacing, one_will_do=True),
+        _arguments.three("origin", origin), _arguments.direction(direction))
+    _warn(doubts)
+    return labels
 
 
 def mesh_image(

@@ -61,6 +61,18 @@ def three(name: str, value: Any, *, one_will_do: bool = False) -> Point:
     return x, y, z
 
 
+def shape(value: Any) -> tuple[int, int, int]:
+    """Of an array with three axes."""
+    if not hasattr(value, "__len__") or isinstance(value, str) or len(value) != 3:
+        raise ValueError(f"a shape is three whole numbers, not {_shown(value)}")
+    x, y, z = (whole("a shape's number", one) for one in value)
+    if min(x, y, z) < 1:
+        raise ValueError(f"a shape is three positive numbers, not {_shown(value)}")
+    if max(x, y, z) > 2**18:
+        raise MemoryError(f"a shape has at most {2**18} voxels along an axis, not {max(x, y, z)}")
+    return x, y, z
+
+
 def bounds(value: Any) -> tuple[Point, Point]:
     """Two corners, or the six numbers of the command's --bounds."""
     numbers = _real("bounds", value)

@@ -60,6 +60,13 @@ def interfaces(
     mesh: Mesh | FileMesh,
 ) -> list[tuple[tuple[int, int], NDArray[np.uint64], float]]: ...
 def pieces(mesh: Mesh | FileMesh) -> dict[str, Any]: ...
+def voxelise(
+    mesh: Mesh | FileMesh,
+    size: Sequence[int],
+    spacing: _Point,
+    origin: _Point,
+    direction: Sequence[_Point],
+) -> tuple[NDArray[np.int32], list[str]]: ...
 def mesh_image(
     array: NDArray[Any],
     spacing: _Point,
