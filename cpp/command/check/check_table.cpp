@@ -2,6 +2,7 @@
 #include <span>
 
 #include "check_report.hpp"
+#include "curved.hpp"
 #include "pieces.hpp"
 #include "table.hpp"
 
@@ -76,6 +77,7 @@ std::string table(const CheckedFile& checked) {
   lines.add("mesh", "{}", checked.file);
   lines.add("", "{} points, {} tetrahedra, {} boundary faces", grouped(report.points),
             grouped(report.quality.tets), grouped(report.boundary_faces));
+  if (checked.curved) add_curved(lines, *checked.curved);
   lines.add("pieces", "{}", sentence(checked.pieces, report.quality.tets));
   if (checked.pieces.surface.vertices > 0)
     lines.add("surface", "{}", sentence(checked.pieces.surface));
