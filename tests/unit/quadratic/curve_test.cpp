@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -10,6 +11,9 @@
 #include "certet/curved_quality.hpp"
 #include "certet/error.hpp"
 #include "certet/formats.hpp"
+#include "certet/write_mesh.hpp"
+#include "format/sample_mesh.hpp"
+#include "format/scratch_folder.hpp"
 
 namespace certet {
 namespace {
@@ -71,6 +75,31 @@ TEST(Curve, ACountedMeshGivesTheSameForAnyNumberOfThreads) {
     MiddleNodes found = middle_nodes(stuffing, own);
     curve(found, stuffing, survey(stuffing, own), ball(), own);
     EXPECT_TRUE(std::ranges::equal(found.bends(), expected.bends()));
+  }
+}
+
+/// A file that is written slab by slab, of as few layers as can be or all at once, is that of the
+/// mesh in memory.
+TEST(Curve, SlabsGiveTheBytesOfTheWhole) {
+  const test::ScratchFolder folder;
+  Context context;
+  const Mesh made = mesh(ball());
+  MiddleNodes nodes = middle_nodes(made);
+  curve(nodes, made, survey(made, context), ball(), context);
+  const Stuffing stuffing(ball(), ball().lattice(), Method::embedded, context);
+  for (const char* name : {"a.vtu", "a.msh", "a.inp"}) {
+    write(made, nodes, folder / name);
+    const std::string expected = test::bytes_of(folder / name);
+    MeshSize size{stuffing.point_count() + nodes.count(), stuffing.tet_count(), false};
+    size.survey = std::make_shared<const Survey>(survey(made, context));
+    size.middles = std::make_shared<const MiddleNodes>(nodes);
+    for (const std::uint64_t bytes : {std::uint64_t{0}, std::uint64_t{1} << 30}) {
+      const auto writer = open_writer(folder / name, *format_of(name), size);
+      write_mesh(stuffing, ball().frame(), cut_slabs(stuffing, bytes), *writer, context, {}, false,
+                 &nodes);
+      writer->finish();
+      EXPECT_EQ(test::bytes_of(folder / name), expected) << name;
+    }
   }
 }
 

@@ -109,7 +109,7 @@ TEST(Guard, ASpoiltElementGetsItsGreatestBendBack) {
   SurfaceElement element{{10, 11, 12, 13, 14, 15}, corners};
   Context context;
   // The middle of edge 0-1 far within, so that the determinant at corner 0 turns over.
-  std::vector<Bend> bends{{10, {-900, 0, 0}}, {14, {20, 0, 0}}};
+  std::vector<Bend> bends{{10, {-900, 0, 0}}, {14, {-20, 0, 0}}};
   const double least = take_back_spoiling(std::span(&element, 1), bends, context);
   ASSERT_EQ(bends.size(), 1u);
   EXPECT_EQ(bends[0].node, 14u);
@@ -164,7 +164,7 @@ TEST_F(Measured, PlantedDefectsAreFound) {
   EXPECT_EQ(measure().nonpositive, 1u);
   EXPECT_EQ(measure().bent, 1u);
   middles = whole;
-  numbers[1][0] = numbers[1][1];
+  numbers[1][2] = numbers[1][0];
   EXPECT_EQ(measure().shared_nodes, 1u);
   EXPECT_EQ(measure().torn_edges, 1u);
   numbers = sound;
