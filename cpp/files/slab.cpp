@@ -3,6 +3,7 @@
 #include "certet/context.hpp"
 #include "engine/corners.hpp"
 #include "engine/emit.hpp"
+#include "engine/parallel.hpp"
 #include "mesh/quality/lattice_measurement.hpp"
 
 namespace certet::pipeline {
@@ -36,6 +37,33 @@ std::span<const Point3> PointSlab::world(const Stuffing& stuffing, std::int32_t 
                                          std::int32_t end) const {
   return {world_.begin() + (stuffing.first_point(begin) - first_),
           world_.begin() + (stuffing.first_point(end) - first_)};
+}
+
+std::span<const Point3> MiddleSlab::make(const PointSlab& points, std::int32_t begin,
+                                         std::int32_t end, Context& context) {
+  const Stuffing& stuffing = source_.stuffing;
+  const std::uint64_t first_point = stuffing.first_point(begin);
+  first_ = middles_.first(first_point);
+  world_.resize(static_cast<std::size_t>(middles_.first(stuffing.first_point(end)) - first_));
+  const std::span<const Coord3> steps =
+      points.steps(stuffing, begin, source_.points_end(end));
+  core::parallel_for(context, Stage::emit, end - begin, [&](std::int64_t task) {
+    make_layer(steps, first_point, begin + static_cast<std::int32_t>(task));
+  });
+  return world_;
+}
+
+void MiddleSlab::make_layer(std::span<const Coord3> points, std::uint64_t first_point,
+                            std::int32_t layer) {
+  const std::uint64_t from = source_.stuffing.first_point(layer);
+  const std::uint64_t to = source_.stuffing.first_point(layer + 1);
+  auto bend = std::ranges::lower_bound(middles_.bends(), middles_.first(from), {}, &Bend::node);
+  middles_.for_each(from, to, [&](std::uint64_t node, std::uint64_t a, std::uint64_t b) {
+    const bool bent = bend != middles_.bends().end() && bend->node == node;
+    world_[node - first_] =
+        middle_in_world(source_.frame, points[a - first_point], points[b - first_point],
+                        bent ? (bend++)->by : Coord3{0, 0, 0});
+  });
 }
 
 /// Those that are known before the corners are.

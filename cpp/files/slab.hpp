@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "certet/buffer.hpp"
 #include "certet/checksum.hpp"
+#include "certet/middle_nodes.hpp"
 #include "certet/write_mesh.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/region_parts.hpp"
@@ -56,6 +58,26 @@ class PointSlab {
   std::uint64_t first_ = 0;
   Buffer<Coord3> steps_;
   Buffer<Point3> world_;
+};
+
+/// The middle nodes whose edges have their lower ends in the layers of a slab, in the coordinates
+/// of the file.
+class MiddleSlab {
+ public:
+  MiddleSlab(const Source& source, const MiddleNodes& middles)
+      : source_(source), middles_(middles) {}
+
+  /// Those of layers [begin, end); `points` are those of these and of the layer behind them.
+  std::span<const Point3> make(const PointSlab& points, std::int32_t begin, std::int32_t end,
+                               Context& context);
+
+ private:
+  void make_layer(std::span<const Coord3> points, std::uint64_t first_point, std::int32_t layer);
+
+  const Source& source_;
+  const MiddleNodes& middles_;
+  std::uint64_t first_ = 0;
+  std::vector<Point3> world_;
 };
 
 /// What is found in a layer of tetrahedra.

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "certet/curved_quality.hpp"
 #include "certet/error.hpp"
 #include "certet/formats.hpp"
 #include "certet/placed_quality.hpp"
@@ -52,20 +55,23 @@ void refuse_unsound(const Mesh& mesh, std::span<const Point3> world,
   }
 }
 
-}  // namespace
-
-std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file, Format format,
-                               Context& context) {
+/// `middles` is null where tetrahedra have four nodes.
+std::vector<std::string> write_nodes(const Mesh& mesh, std::shared_ptr<const MiddleNodes> middles,
+                                     const std::filesystem::path& file, Format format,
+                                     Context& context) {
   const Buffer<Point3> world = world_points(mesh);
   refuse_unsound(mesh, world, file);
   return std::visit(
       [&]<class Index>(const Buffer<Tet<Index>>& buffer) {
         const std::span<const Tet<Index>> tets = buffer;
         MeshSize size{mesh.points.size(), tets.size(), !mesh.labels.empty()};
+        if (middles != nullptr) size.points += middles->count();
+        size.middles = middles;
         if (needs_survey(format))
           size.survey = std::make_shared<const Survey>(survey(mesh, context));
         const std::unique_ptr<MeshWriter> writer = open_writer(file, format, size);
         writer->points(world);
+        if (middles != nullptr) writer->points(middle_points(mesh, *middles));
         write_tets<Index>(*writer, tets, mesh.labels, context);
         writer->finish();
         return losses_of(format, size);
@@ -73,9 +79,31 @@ std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& fi
       mesh.tets);
 }
 
+}  // namespace
+
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file, Format format,
+                               Context& context) {
+  return write_nodes(mesh, nullptr, file, format, context);
+}
+
 std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file,
                                Context& context) {
   return write(mesh, file, format_told_by(file), context);
+}
+
+std::vector<std::string> write(const Mesh& mesh, const MiddleNodes& middles,
+                               const std::filesystem::path& file, Format format,
+                               Context& context) {
+  if (middles.corners() != mesh.points.size())
+    throw Error(ErrorCode::bad_option, "the middle nodes are those of another mesh");
+  // Not a copy: the caller's nodes outlive the writer.
+  return write_nodes(mesh, {std::shared_ptr<const MiddleNodes>(), &middles}, file, format, context);
+}
+
+std::vector<std::string> write(const Mesh& mesh, const MiddleNodes& middles,
+                               const std::filesystem::path& file) {
+  Context context;
+  return write(mesh, middles, file, format_told_by(file), context);
 }
 
 std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file) {
@@ -90,11 +118,14 @@ std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path
       if (point >= mesh.points.size())
         throw Error(ErrorCode::bad_input, "cannot write '" + file.string() +
                                               "': a tetrahedron names a point that is not there");
-  MeshSize size{mesh.points.size(), mesh.tets.size(), !mesh.labels.empty()};
+  const FileMiddleNodes nodes = file_middle_nodes(mesh, file);
+  MeshSize size{mesh.points.size() + nodes.points.size(), mesh.tets.size(), !mesh.labels.empty()};
   size.space = mesh.space;
+  size.middles = nodes.middles;
   if (needs_survey(format)) size.survey = std::make_shared<const Survey>(survey(mesh, context));
   const std::unique_ptr<MeshWriter> writer = open_writer(file, format, size);
   writer->points(mesh.points);
+  writer->points(nodes.points);
   write_tets<std::uint64_t>(*writer, mesh.tets, mesh.labels, context);
   writer->finish();
   return losses_of(format, size);
@@ -103,6 +134,29 @@ std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path
 std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path& file) {
   Context context;
   return write(mesh, file, format_told_by(file), context);
+}
+
+FileMiddleNodes file_middle_nodes(const FileMesh& mesh, const std::filesystem::path& file) {
+  if (mesh.middles.empty()) return {};
+  const auto fail = [&](const std::string& what) {
+    throw Error(ErrorCode::bad_input, "cannot write '" + file.string() + "': " + what);
+  };
+  FileMiddleNodes nodes{
+      std::make_shared<const MiddleNodes>(middle_nodes(mesh.points.size(), mesh.tets)), {}};
+  constexpr std::uint64_t none = ~std::uint64_t{0};
+  std::vector<std::uint64_t> node_of(nodes.middles->count(), none);
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const auto edges = nodes.middles->of(mesh.tets[i]);
+    for (std::size_t e = 0; e < 6; ++e) {
+      const std::uint64_t node = mesh.middles[i][e];
+      if (node >= mesh.middle_points.size()) fail("a tetrahedron names a point that is not there");
+      if (node_of[edges[e]] != none && node_of[edges[e]] != node)
+        fail("an edge has several middle nodes");
+      node_of[edges[e]] = node;
+    }
+  }
+  for (const std::uint64_t node : node_of) nodes.points.push_back(mesh.middle_points[node]);
+  return nodes;
 }
 
 Survey survey(const FileMesh& mesh, Context& context) {
@@ -114,7 +168,13 @@ Survey survey(const FileMesh& mesh, Context& context) {
 }
 
 CheckReport check(const FileMesh& mesh, Context& context) {
-  return check(mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets), context);
+  CheckReport report =
+      check(mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets), context);
+  if (mesh.middles.empty()) return report;
+  const CurvedQuality curved =
+      measure_curved(mesh.points, mesh.tets, mesh.middle_points, mesh.middles, context);
+  report.failures.insert(report.failures.end(), curved.failures.begin(), curved.failures.end());
+  return report;
 }
 
 CheckReport check(const FileMesh& mesh) {

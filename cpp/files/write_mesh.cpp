@@ -15,6 +15,7 @@ namespace certet {
 namespace {
 
 using pipeline::Findings;
+using pipeline::MiddleSlab;
 using pipeline::PointSlab;
 using pipeline::Source;
 using pipeline::TetSlab;
@@ -80,6 +81,24 @@ Checksum write_points(Source& source, const Slabs& slabs, std::array<PointSlab, 
   Checksum checksum;
   for (const Checksum& layer : layers) checksum += layer;
   return checksum;
+}
+
+/// Behind the corners.
+void write_middle_points(Source& source, const Slabs& slabs, const MiddleNodes& middles,
+                         MeshWriter& writer, Context& context) {
+  PointSlab points(slabs.points, false);
+  MiddleSlab slab(source, middles);
+  for (std::size_t s = 0; s + 1 < slabs.bounds.size(); ++s) {
+    const auto [begin, end] = layers_of(slabs, s);
+    points.open(source, begin);
+    core::parallel_for(context, Stage::emit, source.points_end(end) - begin,
+                       [&, first = begin](std::int64_t i) {
+                         points.make_layer(source, first + static_cast<std::int32_t>(i));
+                       });
+    const std::span<const Point3> made = slab.make(points, begin, end, context);
+    const Timer timer(source.writing);
+    writer.points(made);
+  }
 }
 
 /// Glues the layers of one slab after the other.
@@ -172,9 +191,11 @@ Checksum write_points(Source& source, const Slabs& slabs, MeshWriter& writer,
   return write_points(source, slabs, points, writer, context);
 }
 
-WrittenMesh write_all(Source& source, const Slabs& slabs, MeshWriter& writer, Context& context) {
+WrittenMesh write_all(Source& source, const Slabs& slabs, const MiddleNodes* middles,
+                      MeshWriter& writer, Context& context) {
   WrittenMesh written;
   const Checksum placed = write_points(source, slabs, writer, context);
+  if (middles != nullptr) write_middle_points(source, slabs, *middles, writer, context);
   const std::int32_t farthest = reach(source.stuffing.lattice());
   const bool rounds = rounding_matters(source.frame, farthest);
   PointSlab points(slabs.points, rounds);
@@ -217,11 +238,11 @@ Slabs cut_slabs(const Stuffing& stuffing, std::uint64_t max_bytes) {
 
 WrittenMesh write_mesh(const Stuffing& stuffing, const Frame& frame, const Slabs& slabs,
                        MeshWriter& writer, Context& context, const MaterialRuns& known,
-                       bool label_pieces) {
+                       bool label_pieces, const MiddleNodes* middles) {
   checked_size(frame.size);
   try {
     Source source{stuffing, frame, known, label_pieces && stuffing.labels().size() > 1 && !stuffing.has_interfaces()};
-    return write_all(source, slabs, writer, context);
+    return write_all(source, slabs, middles, writer, context);
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::too_large, "out of memory while writing the mesh");
   }

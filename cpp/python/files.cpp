@@ -100,6 +100,18 @@ void declare_files(py::module_& module) {
                          {static_cast<py::ssize_t>(labels.size())},
                          {static_cast<py::ssize_t>(sizeof(std::int32_t))}, labels.data(), self);
       })
+      .def_property_readonly(
+          "middle_points", [](const py::object& self) -> py::object {
+            const auto& mesh = self.cast<const FileMesh&>();
+            if (mesh.middles.empty()) return py::none();
+            return shared(mesh.middle_points, self);
+          })
+      .def_property_readonly(
+          "middles", [](const py::object& self) -> py::object {
+            const auto& mesh = self.cast<const FileMesh&>();
+            if (mesh.middles.empty()) return py::none();
+            return shared(mesh.middles, self);
+          })
       .def_property_readonly("names", [](const FileMesh& mesh) { return mesh.names; })
       .def(py::pickle([](const FileMesh& mesh) { return state_of(mesh); },
                       [](const py::tuple& state) { return file_mesh_of_state(state); }))
@@ -107,7 +119,13 @@ void declare_files(py::module_& module) {
   module.def("read", read_file);
   module.def("write", [](const PythonMesh& mesh, const fs::path& file,
                          const std::optional<std::string>& format) {
-    return write_mesh(mesh.mesh, file, format);
+    if (!mesh.middles) return write_mesh(mesh.mesh, file, format);
+    std::vector<std::string> losses;
+    Context context;
+    run(context, [&] {
+      losses = write(mesh.mesh, mesh.middles->nodes, file, chosen_format(file, format), context);
+    });
+    return losses;
   });
   module.def("write", write_mesh<FileMesh>);
   module.def("check", [](const PythonMesh& mesh) { return check_mesh(mesh.mesh); });

@@ -187,6 +187,35 @@ py::object labels_of(const py::object& self) {
                    {static_cast<py::ssize_t>(sizeof(std::int32_t))}, labels.data(), self);
 }
 
+/// None of tetrahedra of four nodes; so the next.
+py::object middle_points_of(const py::object& self) {
+  const auto& middles = self.cast<const PythonMesh&>().middles;
+  if (!middles) return py::none();
+  return rows(std::span(middles->points.data(), middles->points.size()), self);
+}
+
+py::object middles_of(const py::object& self) {
+  const auto& middles = self.cast<const PythonMesh&>().middles;
+  if (!middles) return py::none();
+  return rows(std::span(middles->of_tets.data(), middles->of_tets.size()), self);
+}
+
+/// None where no middle node was put on the surface.
+py::object curve_of(const PythonMesh& mesh) {
+  if (!mesh.middles || !mesh.middles->curved) return py::none();
+  const CurveFigures& figures = *mesh.middles->curved;
+  py::dict result;
+  result["edges"] = figures.edges;
+  result["moved"] = figures.moved;
+  result["on_surface"] = figures.on_surface;
+  result["guarded"] = figures.guarded;
+  result["far"] = figures.far;
+  result["seams"] = figures.seams;
+  result["greatest_edges"] = figures.greatest_move;
+  result["least_jacobian"] = figures.least_jacobian;
+  return result;
+}
+
 py::array positions_of(const py::object& self) {
   static_assert(sizeof(Coord3) == 3 * sizeof(std::int32_t));
   const auto& points = self.cast<const PythonMesh&>().mesh.points;
@@ -211,14 +240,14 @@ void translate(std::exception_ptr pointer) {
 PYBIND11_MODULE(_certet, module) {
   py::register_exception_translator(translate);
   py::class_<Options>(module, "Options")
-      .def(py::init([](const std::string& method, int threads) {
+      .def(py::init([](const std::string& method, int threads, int order, bool curved) {
              const std::optional<Method> named = method_named(method);
              if (!named)
                throw Error(ErrorCode::bad_option,
                            "method is one of " + method_names() + ", not '" + method + "'");
-             return Options{*named, threads};
+             return Options{*named, threads, order, curved};
            }),
-           py::arg("method"), py::arg("threads"));
+           py::arg("method"), py::arg("threads"), py::arg("order"), py::arg("curved"));
   py::class_<PythonMesh, std::shared_ptr<PythonMesh>>(module, "Mesh")
       .def_property_readonly("points", [](const py::object& self) {
         const auto& world = self.cast<const PythonMesh&>().world;
@@ -227,6 +256,9 @@ PYBIND11_MODULE(_certet, module) {
       .def_property_readonly("positions", positions_of)
       .def_property_readonly("tets", tets_of)
       .def_property_readonly("labels", py::overload_cast<const py::object&>(labels_of))
+      .def_property_readonly("middle_points", middle_points_of)
+      .def_property_readonly("middles", middles_of)
+      .def_property_readonly("curve", curve_of)
       .def_property_readonly("size", [](const PythonMesh& mesh) { return mesh.mesh.frame.size; })
       .def_property_readonly("origin", [](const PythonMesh& mesh) { return mesh.mesh.frame.origin; })
       .def_property_readonly("axes", [](const PythonMesh& mesh) { return mesh.mesh.frame.axes; })

@@ -2,12 +2,15 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "certet/error.hpp"
@@ -19,7 +22,7 @@ namespace py = pybind11;
 
 /// To be changed with what a state holds.
 std::string mark() {
-  return std::string("1 ") + (std::endian::native == std::endian::little ? "little" : "big");
+  return std::string("2 ") + (std::endian::native == std::endian::little ? "little" : "big");
 }
 
 [[noreturn]] void refuse() {
@@ -51,6 +54,44 @@ py::tuple checked(const py::tuple& state, std::size_t size) {
 
 using BorderBytes = std::array<std::byte, sizeof(BorderBox)>;
 
+/// Which middle nodes are bent, and by how much; nothing of tetrahedra of four nodes.
+py::object state_of_middles(const std::optional<PythonMiddles>& middles) {
+  if (!middles) return py::none();
+  std::vector<std::uint64_t> nodes;
+  std::vector<Coord3> bends;
+  for (const Bend& bend : middles->nodes.bends()) {
+    nodes.push_back(bend.node);
+    bends.push_back(bend.by);
+  }
+  py::object figures = py::none();
+  if (const auto& f = middles->curved)
+    figures = py::make_tuple(f->edges, f->moved, f->on_surface, f->guarded, f->far, f->seams,
+                             f->greatest_move, f->least_jacobian);
+  return py::make_tuple(bytes_of(nodes), bytes_of(bends), figures);
+}
+
+std::optional<PythonMiddles> middles_of_state(const Mesh& mesh, const py::object& state) {
+  if (state.is_none()) return std::nullopt;
+  const auto parts = state.cast<py::tuple>();
+  const auto nodes = values_of<std::vector<std::uint64_t>>(parts[0]);
+  const auto by = values_of<std::vector<Coord3>>(parts[1]);
+  MiddleNodes middles = middle_nodes(mesh);
+  if (nodes.size() != by.size() || (!nodes.empty() && nodes.back() >= middles.count()) ||
+      !std::ranges::is_sorted(nodes))
+    refuse();
+  std::vector<Bend> bends;
+  for (std::size_t i = 0; i < nodes.size(); ++i) bends.push_back({nodes[i], by[i]});
+  middles.set_bends(std::move(bends));
+  std::optional<CurveFigures> curved;
+  if (const py::object told = parts[2]; !told.is_none()) {
+    const auto f = told.cast<py::tuple>();
+    const auto whole = [&](std::size_t i) { return f[i].cast<std::uint64_t>(); };
+    curved = {whole(0), whole(1), whole(2), whole(3), whole(4), whole(5), f[6].cast<double>(),
+              f[7].cast<double>()};
+  }
+  return placed(mesh, std::move(middles), curved);
+}
+
 }  // namespace
 
 py::tuple state_of(const PythonMesh& all) {
@@ -61,11 +102,12 @@ py::tuple state_of(const PythonMesh& all) {
       mark(), bytes_of(mesh.points), mesh.tets.index(),
       std::visit([](const auto& tets) { return bytes_of(tets); }, mesh.tets), bytes_of(mesh.labels),
       mesh.frame.origin, mesh.frame.axes, mesh.frame.size, mesh.names, bytes_of(border),
-      std::string(name(mesh.method)), all.notes, all.warnings);
+      std::string(name(mesh.method)), all.notes, all.warnings,
+      state_of_middles(all.middles));
 }
 
 std::shared_ptr<PythonMesh> mesh_of_state(const py::tuple& pickled) {
-  const py::tuple state = checked(pickled, 13);
+  const py::tuple state = checked(pickled, 14);
   auto all = std::make_shared<PythonMesh>();
   Mesh& mesh = all->mesh;
   mesh.points = values_of<Buffer<Coord3>>(state[1]);
@@ -85,16 +127,18 @@ std::shared_ptr<PythonMesh> mesh_of_state(const py::tuple& pickled) {
   all->notes = state[11].cast<std::vector<std::string>>();
   all->warnings = state[12].cast<std::vector<std::string>>();
   all->world = world_points(mesh);
+  all->middles = middles_of_state(mesh, state[13]);
   return all;
 }
 
 py::tuple state_of(const FileMesh& mesh) {
   return py::make_tuple(mark(), bytes_of(mesh.points), bytes_of(mesh.tets), bytes_of(mesh.labels),
-                        mesh.names, mesh.space, bytes_of(mesh.border));
+                        mesh.names, mesh.space, bytes_of(mesh.border),
+                        bytes_of(mesh.middle_points), bytes_of(mesh.middles));
 }
 
 std::shared_ptr<FileMesh> file_mesh_of_state(const py::tuple& pickled) {
-  const py::tuple state = checked(pickled, 7);
+  const py::tuple state = checked(pickled, 9);
   auto mesh = std::make_shared<FileMesh>();
   mesh->points = values_of<std::vector<Point3>>(state[1]);
   mesh->tets = values_of<std::vector<Tet<std::uint64_t>>>(state[2]);
@@ -102,7 +146,10 @@ std::shared_ptr<FileMesh> file_mesh_of_state(const py::tuple& pickled) {
   mesh->names = state[4].cast<LabelNames>();
   mesh->space = state[5].cast<std::string>();
   mesh->border = values_of<std::vector<std::array<std::uint64_t, 3>>>(state[6]);
+  mesh->middle_points = values_of<std::vector<Point3>>(state[7]);
+  mesh->middles = values_of<std::vector<std::array<std::uint64_t, 6>>>(state[8]);
   if (!mesh->labels.empty() && mesh->labels.size() != mesh->tets.size()) refuse();
+  if (!mesh->middles.empty() && mesh->middles.size() != mesh->tets.size()) refuse();
   return mesh;
 }
 

@@ -2,15 +2,35 @@
 /// \file
 /// What a `certet.Mesh` of Python holds.
 
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "certet/buffer.hpp"
+#include "certet/curve.hpp"
+#include "certet/curve.hpp"
 #include "certet/mesh.hpp"
 #include "certet/warp_figures.hpp"
 
 namespace certet::python {
 
+/// The middle nodes of a mesh of tetrahedra of ten nodes.
+struct PythonMiddles {
+  MiddleNodes nodes;
+  std::vector<Point3> points;  ///< in the world
+  std::vector<std::array<std::uint64_t, 6>> of_tets;  ///< numbers in `points`
+  std::optional<CurveFigures> curved;  ///< if they are on the surface
+};
+
+/// Where middle nodes are, and whose.
+PythonMiddles placed(const Mesh& mesh, MiddleNodes nodes, std::optional<CurveFigures> curved);
+
+/// A finished mesh; arrays handed out share its memory.
 /// A finished mesh; arrays handed out share its memory.
 struct PythonMesh {
   Mesh mesh;
@@ -19,6 +39,7 @@ struct PythonMesh {
   std::vector<std::string> losses;  ///< what it has not kept of its shape
   WarpFigures warp;
   std::vector<std::string> warnings;  ///< what it has lost
+  std::optional<PythonMiddles> middles = std::nullopt;  ///< where tetrahedra have ten nodes
 };
 
 }  // namespace certet::python

@@ -2,13 +2,23 @@
 
 #include <utility>
 
+#include "certet/curve.hpp"
 #include "certet/error.hpp"
 #include "certet/stuffing.hpp"
+#include "certet/survey.hpp"
 #include "run.hpp"
 
 namespace certet::python {
 
 namespace {
+
+PythonMiddles middles_of(const Mesh& mesh, const Domain& domain, const Options& options,
+                         Context& context) {
+  MiddleNodes nodes = middle_nodes(mesh, context);
+  std::optional<CurveFigures> curved;
+  if (options.curved) curved = curve(nodes, mesh, survey(mesh, context), domain, context);
+  return placed(mesh, std::move(nodes), curved);
+}
 
 /// Counts a mesh and makes it, and looks for what it has not kept.
 void fill(const Shape& shape, double size, const Options& options, Context& context,
@@ -16,6 +26,7 @@ void fill(const Shape& shape, double size, const Options& options, Context& cont
   const std::shared_ptr<const PlacedDomain> domain = shape.sized.place(size);
   const Stuffing stuffing(*domain, domain->lattice(), options.method, context);
   result.mesh = mesh(*domain, stuffing, context);
+  if (options.order == 2) result.middles = middles_of(result.mesh, *domain, options, context);
   result.warp = stuffing.warp_figures();
   result.notes = shape.notes;
   const MeshedShape meshed{*domain, options.method, stuffing.tet_count(),
@@ -27,6 +38,18 @@ void fill(const Shape& shape, double size, const Options& options, Context& cont
 }
 
 }  // namespace
+
+PythonMiddles placed(const Mesh& mesh, MiddleNodes nodes, std::optional<CurveFigures> curved) {
+  PythonMiddles middles{std::move(nodes), {}, {}, curved};
+  middles.points = middle_points(mesh, middles.nodes);
+  middles.of_tets.reserve(mesh.tet_count());
+  std::visit(
+      [&](const auto& tets) {
+        for (const auto& tet : tets) middles.of_tets.push_back(middles.nodes.of(tet));
+      },
+      mesh.tets);
+  return middles;
+}
 
 std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape(const Context&)>& make, double size,
                                     const Options& options) {

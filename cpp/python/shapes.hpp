@@ -23,6 +23,8 @@ namespace py = pybind11;
 struct Options {
   Method method{};
   int threads = 0;
+  int order = 1;        ///< 2: tetrahedra of ten nodes
+  bool curved = false;  ///< whether middle nodes of the surfaces are put on these
 };
 
 /// A shape that can be put on lattices of several sizes, and what is doubtful about it.

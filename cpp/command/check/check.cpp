@@ -7,6 +7,7 @@
 #include "certet/formats.hpp"
 #include "check_report.hpp"
 #include "commands.hpp"
+#include "curved.hpp"
 #include "memory.hpp"
 #include "outputs.hpp"
 #include "signals.hpp"
@@ -23,6 +24,12 @@ by_vertices, largest_tets}, nonmanifold {edges, vertices, edge_places, vertex_pl
 the first 8}}, with labels: regions [{label, pieces, pieces_by_vertices}], dihedral {min,
 max, histogram}, bounds {min, max, and with --run: theorem}, seconds {read, check, total},
 memory {peak}.  mesh.checksum is what `certet mesh` tells as mesh.file_checksum.
+
+Of tetrahedra of ten nodes all this is of the corners, and order2 {middle_nodes, bent, torn_edges
+(with several middle nodes), shared_nodes (of several edges), nonfinite_nodes, bad_indices,
+nonpositive, least_jacobian, volume} of the curved elements.  Their Jacobian determinants
+are bounded from below by Bernstein coefficients: one that is not bounded above 0 is a defect;
+least_jacobian is the least bound, as a part of the straight element's determinant.
 
 Pieces are what faces that two tetrahedra share, or points, join.  A surface that is no
 manifold is told of, and is no defect: --method paper makes such, and where three labels
@@ -86,6 +93,10 @@ void examine_file(const FileMesh& mesh, CheckedFile& checked, Context& context) 
   checked.interfaces = std::move(found.interfaces);
   checked.surfaces = std::move(compared.surfaces);
   checked.names = mesh.names;
+  checked.curved = measure_curved(mesh, context);
+  if (checked.curved)
+    checked.report.failures.insert(checked.report.failures.end(), checked.curved->failures.begin(),
+                                   checked.curved->failures.end());
 }
 
 Status check(const CheckOptions& options) {

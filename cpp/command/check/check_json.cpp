@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check_report.hpp"
+#include "curved.hpp"
 #include "json.hpp"
 #include "pieces.hpp"
 
@@ -74,6 +75,7 @@ std::string json(const CheckedFile& checked) {
                   {"boundary_faces", report.boundary_faces},
                   {"open_edges", report.open_edges}};
   add_pieces(json["mesh"], checked.pieces);
+  if (checked.curved) json["order2"] = json_of(*checked.curved);
   for (const RegionReport& region : checked.regions)
     json["regions"].push_back(json_of(region, checked.names));
   for (const InterfaceReport& interface : checked.interfaces)

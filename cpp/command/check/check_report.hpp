@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "certet/curved_quality.hpp"
 #include "certet/examine.hpp"
 #include "certet/formats.hpp"
 #include "report.hpp"
@@ -23,6 +24,7 @@ struct CheckedFile {
   std::vector<InterfaceReport> interfaces;
   std::vector<SurfaceReport> surfaces;  ///< that the file holds
   LabelNames names;                     ///< that the file has
+  std::optional<CurvedQuality> curved;  ///< of tetrahedra of ten nodes
   std::optional<RunFile> run;
   AngleBounds asked{0, 180, {}};  ///< by --min-angle and --max-angle
   std::uint64_t checksum = 0;  ///< of the file's numbers, whatever its format

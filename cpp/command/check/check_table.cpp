@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "check_report.hpp"
+#include "curved.hpp"
 #include "pieces.hpp"
 #include "table.hpp"
 
@@ -122,6 +123,7 @@ std::string table(const CheckedFile& checked) {
   lines.add("", "{} points, {} tetrahedra, {} boundary faces", grouped(report.points),
             grouped(report.quality.tets), grouped(report.boundary_faces));
   add_verdict(lines, checked);
+  if (checked.curved) add_curved(lines, *checked.curved);
   lines.add("pieces", "{}", sentence(checked.pieces, report.quality.tets));
   if (checked.pieces.surface.vertices > 0)
     lines.add("surface", "{}", sentence(checked.pieces.surface));

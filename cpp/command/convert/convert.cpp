@@ -30,7 +30,7 @@ precision cannot hold is not written (status 6): where points would fall togethe
 triangles lose their area or turn by more than 4.5 degrees.
 
 Keys of the JSON: certet, command, input, output {file, format, bytes, origin, scale}, mesh
-{points, tets, regions, boundary_faces, interfaces, interface_faces, checksum}, seconds,
+{points, tets, middle_nodes (where tetrahedra have ten nodes), regions, boundary_faces, interfaces, interface_faces, checksum}, seconds,
 warnings.)";
 
 /// What the user asks of `certet convert`.
@@ -43,6 +43,7 @@ struct ConvertOptions {
 /// What is known at the end.
 struct ConvertReport {
   std::string input, output, format;
+  std::uint64_t middle_nodes = 0;  ///< of tetrahedra of ten nodes
   std::uint64_t bytes = 0, points = 0, tets = 0, regions = 0, boundary_faces = 0, interfaces = 0, interface_faces = 0,
                 checksum = 0;
   Point3 output_origin{};  ///< in the input: where the coordinates of the output have their 0
@@ -62,6 +63,8 @@ std::string table(const ConvertReport& report) {
   lines.add("mesh", "{} points, {} tetrahedra, {} regions, {} boundary faces",
             grouped(report.points), grouped(report.tets), grouped(report.regions),
             grouped(report.boundary_faces));
+  if (report.middle_nodes > 0)
+    lines.add("order", "2: {} middle nodes", grouped(report.middle_nodes));
   if (report.interfaces > 0)
     lines.add("", "{} interfaces of {} triangles", grouped(report.interfaces),
               grouped(report.interface_faces));
@@ -86,6 +89,7 @@ std::string json(const ConvertReport& report) {
                   {"interfaces", report.interfaces},
                   {"interface_faces", report.interface_faces},
                   {"checksum", fmt::format("0x{:016x}", report.checksum)}};
+  if (report.middle_nodes > 0) json["mesh"]["middle_nodes"] = report.middle_nodes;
   json["seconds"] = report.seconds;
   json["warnings"] = report.warnings;
   return print(json);
@@ -120,9 +124,11 @@ void check_indices(const ConvertOptions& options, const FileMesh& mesh) {
 }
 
 void write(const ConvertOptions& options, Format format, const FileMesh& mesh,
-           const MeshSize& size, const Context& context) {
+           const MeshSize& size, std::span<const Point3> middle_points,
+           const Context& context) {
   const auto writer = open_writer(options.output, format, size);
   writer->points(mesh.points);
+  writer->points(middle_points);
   constexpr std::size_t piece = 1 << 20;
   const std::span<const std::int32_t> labels(mesh.labels);
   for (std::size_t begin = 0; begin < mesh.tets.size(); begin += piece) {
@@ -151,14 +157,16 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
   const std::uint64_t interfaces = found->interfaces.size(), faces = face_count(*found);
   choose_surface(options.surface, mesh.names, *found);
   stop_if_cancelled(context);
-  const MeshSize size{mesh.points.size(), mesh.tets.size(), !mesh.labels.empty(), found,
-                      mesh.space};
-  write(options, format, mesh, size, context);
+  const FileMiddleNodes nodes = file_middle_nodes(mesh, options.output);
+  const MeshSize size{mesh.points.size() + nodes.points.size(), mesh.tets.size(),
+                      !mesh.labels.empty(), found, mesh.space, nodes.middles};
+  write(options, format, mesh, size, nodes.points, context);
   ConvertReport report{options.input.string(), options.output.string(), std::string(name(format))};
   for (const std::filesystem::path& file : files_of(options.output, format))
     report.bytes += std::filesystem::file_size(file);
-  report.points = size.points;
-  report.tets = size.tets;
+  report.points = mesh.points.size();
+  report.middle_nodes = nodes.points.size();
+  report.tets = mesh.tets.size();
   report.regions = found->regions.size();
   report.boundary_faces = boundary_faces;
   report.interfaces = interfaces;

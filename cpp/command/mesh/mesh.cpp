@@ -96,7 +96,7 @@ void write(const MeshOptions& options, const SizedShape& shape, const Counted& c
   const MaterialRuns none;
   report.written = write_mesh(stuffing, frame, slabs, writer, context,
                               size.survey == nullptr ? none : size.survey->materials,
-                              options.label_pieces);
+                              options.label_pieces, size.middles.get());
   report.written.world.volume /= report.out(1);
   check_written(report);
   tell_losses(shape, counted, context, report);
@@ -230,6 +230,8 @@ MeshReport run(const MeshOptions& options, Context& context) {
   const SizedShape shape = sized(options, source, counted, report.memory_limit);
   if (report.tets == 0) refuse_empty(shape, report.size, options.method, context);
   MeshSize size = announce(options, names, counted, context);
+  report.order =
+      add_middle_nodes(options.order, *counted.source.domain, counted.stuffing, size, context);
   if (report.axes) size.space = space(*report.axes);
   report.output_bytes = file_bytes(options.format, size);
   if (size.survey != nullptr) report.warnings = label_losses(options.format, *size.survey);

@@ -153,6 +153,7 @@ std::string json(const MeshReport& report) {
                         {"rounding", written.rounding},
                         {"histogram", written.lattice.histogram}};
   }
+  if (report.order) json["order2"] = json_of(*report.order, report.size * report.scale);
   add_pieces(json["mesh"], report.pieces);
   if (!report.keep.empty())
     json["dropped"] = {{"keep", report.keep},

@@ -61,11 +61,21 @@ Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report) {
   std::uint64_t held = source.bytes + stuffing.bytes();
   if (size.survey != nullptr)
     held += face_count(*size.survey) * sizeof(BoundaryFace) + size.survey->materials.bytes();
-  report.memory_least = held + cut_slabs(stuffing, 0).bytes;
+  // Middle nodes, of which a slab has as many for a tetrahedron as the whole.
+  double for_each_tet = 0;
+  if (size.middles != nullptr) {
+    held += size.middles->bytes();
+    for_each_tet = static_cast<double>(size.middles->count() * sizeof(Point3)) /
+                   static_cast<double>(size.tets);
+  }
+  const auto middle_bytes = [&](const Slabs& slabs) {
+    return static_cast<std::uint64_t>(for_each_tet * static_cast<double>(slabs.tets));
+  };
+  report.memory_least = held + cut_slabs(stuffing, 0).bytes + middle_bytes(cut_slabs(stuffing, 0));
   if (report.memory_least > report.memory_limit)
     refuse_memory("the mesh", report.memory_least, report.memory_limit);
   Slabs slabs = cut_slabs(stuffing, std::min(slab_bytes, report.memory_limit - held));
-  report.memory_needed = held + slabs.bytes;
+  report.memory_needed = held + slabs.bytes + middle_bytes(slabs);
   return slabs;
 }
 

@@ -132,6 +132,14 @@ otherwise it stays, and the cuts around it are moved away from it (clamped), by 
 most 0.4 of an edge.  Pieces, tunnels and cavities of the mesh are those of the
 samples, which are + where the lattice's points are inside.
 
+With --order 2 middle nodes come behind the corners, by the lower and then the higher end of
+their edges; mesh.points counts the corners.  Each format has its own order of the ten nodes.  All that is said of angles, and of theorems, is of the tetrahedra with straight
+edges.  --curved looks for the surface along the mean normal of the triangles around an edge,
+within a quarter of its length, and puts the middle node there.  Edges stay straight
+where more than two regions meet, and where else the Jacobian determinant of an element could fall
+below a quarter of what it is while straight: this is bounded by its Bernstein coefficients, in
+whole numbers.
+
 Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file,
 format, bytes, origin, frame (lps, ras, or input where the axes are not known), scale}, lattice
 {cells, size, cuts, and with --target-tets: target_tets, tries}, method {name, and of embedded:
@@ -139,7 +147,10 @@ violated, stayed, shortened, missed (the surface, by shortened moves) {greatest,
 greatest_edges, rms_edges}, clamped {cuts and the same}}, theorem, mesh {points, tets, volume,
 volume_fraction (of shapes without an end), checksum, file_checksum,
 pieces {by_faces, by_vertices, largest_tets}, nonmanifold {edges, vertices, edge_places,
-vertex_places: in the world, of the first 8}}, with --keep: dropped {keep, pieces, kept,
+vertex_places: in the world, of the first 8}}, with --order 2: order2 {middle_nodes, curved, and with
+--curved: surface_edges, moved, on_surface, straight {guarded (would spoil an element), far (from
+the surface), seams}, greatest_move, greatest_move_edges, least_jacobian (a lower bound, of
+what it is while straight)}, with --keep: dropped {keep, pieces, kept,
 tets, volume}, dihedral
 {min, max, lattice_min, lattice_max, rounding, histogram}, guarantee {asked, used,
 theorem, min_dihedral, max_dihedral, inverted_tets, holds,

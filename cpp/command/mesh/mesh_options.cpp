@@ -131,6 +131,7 @@ void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
                   "lattice's origin, which lies at the solid and is told in table and JSON")
       ->check(CLI::IsMember({"world", "0"}))
       ->option_text("world|0");
+  declare_order(mesh, options.order);
   declare_placing(mesh, raw.frame, raw.scale);
   mesh.add_option("--label-names", options.label_names,
                   "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
@@ -291,6 +292,7 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   if (options.output.empty() && !options.dry_run) refuse("mesh needs an output: -o OUT");
   options.format = choose_format(options.output, raw.format, raw.compress);
   check_surface_choice(options.surface, options.format);
+  check_order(options.order, options.format, options.method);
   if (raw.origin == "0") options.origin = OutputOrigin::lattice;
   if (raw.frame == "lps") options.frame = OutputFrame::lps;
   if (raw.frame == "ras") options.frame = OutputFrame::ras;

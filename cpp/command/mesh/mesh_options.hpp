@@ -17,6 +17,7 @@
 #include "certet/method.hpp"
 #include "certet/pieces.hpp"
 #include "material_options.hpp"
+#include "order.hpp"
 
 namespace certet::command {
 
@@ -64,6 +65,7 @@ struct MeshOptions {
   std::optional<KeepRule> keep;  ///< which pieces stay; nothing: all
   std::string keep_text;         ///< as the user wrote it
   bool label_pieces = false;     ///< counts the pieces of each label
+  OrderChoice order;
   int threads = 0;
   std::uint64_t max_memory = 0;  ///< 0: by what is available
   bool dry_run = false;

@@ -16,6 +16,7 @@
 #include "certet/warp_figures.hpp"
 #include "certet/write_mesh.hpp"
 #include "meshed_materials.hpp"
+#include "order.hpp"
 #include "regions.hpp"
 #include "report.hpp"
 
@@ -58,6 +59,7 @@ struct MeshReport {
   WarpFigures warp;
 
   std::uint64_t points = 0, tets = 0;
+  std::optional<OrderReport> order;  ///< of tetrahedra of ten nodes
   Pieces pieces;
   std::string keep;  ///< which pieces were to stay; empty: all
   DroppedPieces dropped;

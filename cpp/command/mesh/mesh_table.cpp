@@ -112,6 +112,7 @@ std::string table(const MeshReport& report) {
     lines.add("target", "{} tetrahedra, size found in {} tries", grouped(report.target_tets),
               report.tries);
   lines.add("mesh", "{} points, {} tetrahedra", grouped(report.points), grouped(report.tets));
+  if (report.order) add_order(lines, *report.order, report.size * report.scale);
   add_pieces(lines, report);
   add_regions(lines, report);
   if (!report.dry_run) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "certet/error.hpp"
+#include "certet/curved_quality.hpp"
 #include "certet/examine.hpp"
 #include "certet/formats.hpp"
 #include "certet/page.hpp"
@@ -82,6 +83,19 @@ void add_pieces(const Examination& found, PageFacts& facts) {
   if (pieces.surface.vertices > 0) facts.rows.push_back({"surface", sentence(pieces.surface)});
 }
 
+/// What is said of tetrahedra of ten nodes, besides that of their corners.
+void add_curved(const FileMesh& mesh, Context& context, PageFacts& facts) {
+  const CurvedQuality curved = measure_curved(mesh.points, mesh.tets, mesh.middle_points,
+                                              mesh.middles, context);
+  facts.defects.insert(facts.defects.end(), curved.failures.begin(), curved.failures.end());
+  facts.rows.push_back(
+      {"order", fmt::format("2: {} middle nodes, {} of them beside the middles of their edges; "
+                            "volume {:.9g}; Jacobian determinants at least {:.4f} of those of "
+                            "straight elements",
+                            grouped(curved.nodes), grouped(curved.bent), curved.volume,
+                            curved.least_jacobian)});
+}
+
 /// The mesh, and the surfaces that its file holds beside it.
 Examination examine_for_page(const FileMesh& mesh, PageFacts& facts) {
   Context context;
@@ -90,6 +104,7 @@ Examination examine_for_page(const FileMesh& mesh, PageFacts& facts) {
   name_regions(found.survey, mesh.names);
   for (std::string& failure : compare_surfaces(mesh, found.survey).failures)
     facts.defects.push_back(std::move(failure));
+  if (!mesh.middles.empty()) add_curved(mesh, context, facts);
   return found;
 }
 

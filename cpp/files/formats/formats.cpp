@@ -95,8 +95,16 @@ std::vector<fs::path> files_of(const fs::path& file, Format format) {
 
 bool needs_survey(Format format) { return entry_of(format).needs_survey; }
 
+bool holds_middle_nodes(Format format) {
+  return format != Format::vtp && format != Format::stl && format != Format::ply;
+}
+
 std::unique_ptr<MeshWriter> open_writer(const fs::path& file, Format format,
                                         const MeshSize& size) {
+  if (size.middles != nullptr && !holds_middle_nodes(format))
+    throw Error(ErrorCode::bad_option, "cannot write '" + file.string() + "': the format " +
+                                           std::string(name(format)) +
+                                           " has no tetrahedra of ten nodes");
   return entry_of(format).open(file, size);
 }
 

@@ -1,5 +1,6 @@
 // Gmsh 2.2, ASCII: the version that most other programs read.
 
+#include "element_nodes.hpp"
 #include "gmsh_elements.hpp"
 #include "gmsh_groups.hpp"
 #include "line.hpp"
@@ -14,7 +15,7 @@ namespace {
 class Gmsh22Writer final : public StreamedWriter {
  public:
   Gmsh22Writer(const std::filesystem::path& file, const MeshSize& size)
-      : StreamedWriter(file, size), groups_(survey()), text_(file_, 0) {
+      : StreamedWriter(file, size), groups_(survey()), nodes_(size, gmsh_order), text_(file_, 0) {
     text_.append_text("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
     text_.append_text(groups_.naming_sections());
     append(Line() << "$Nodes\n" << size.points << '\n');
@@ -37,15 +38,15 @@ class Gmsh22Writer final : public StreamedWriter {
     for (std::size_t i = 0; i < tets.size(); ++i) {
       if (labels[i] != label_ || tag_ == 0) tag_ = groups_.tag_of(label_ = labels[i]);
       if (tag_ == 0) file_.fail("a tetrahedron has a label that was not announced");
-      put_element(first + i, gmsh_tetrahedron, tag_, tets[i]);
+      put_element(first + i, nodes_.has_middles() ? gmsh_tetrahedron_10 : gmsh_tetrahedron, tag_,
+                  nodes_.tet(tets[i]));
     }
   }
 
   /// Its number, its type, two tags (the physical and the elementary group), its
   /// points.
-  template <std::size_t corners>
   void put_element(std::uint64_t number, int type, std::int32_t tag,
-                   const std::array<std::uint64_t, corners>& points) {
+                   std::span<const std::uint64_t> points) {
     Line line;
     line << number + 1 << ' ' << type << " 2 " << tag << ' ' << tag;
     for (const std::uint64_t point : points) line << ' ' << point + 1;
@@ -55,13 +56,15 @@ class Gmsh22Writer final : public StreamedWriter {
   void close() override {
     std::uint64_t number = size_.tets;
     Sheets::for_each_face(survey(), [&](const BoundaryFace& face, std::int32_t sheet) {
-      put_element(number++, gmsh_triangle, sheet, face.points);
+      put_element(number++, nodes_.has_middles() ? gmsh_triangle_6 : gmsh_triangle, sheet,
+                  nodes_.face(face.points));
     });
     text_.append_text("$EndElements\n");
     text_.flush();
   }
 
   GmshGroups groups_;
+  ElementNodes nodes_;
   Section text_;
   std::int32_t label_ = 0, tag_ = 0;  ///< of the latest tetrahedron
 };
@@ -78,10 +81,11 @@ std::uint64_t gmsh22_bytes(const MeshSize& size) {
   const Survey& survey = survey_of(size);
   const SheetText text(survey, NameRule::quoted);
   const std::uint64_t number = digits_of(size.tets + text.faces);
+  const ElementNodes nodes(size);
   // The number, " 4 2", both tags, the points and the end of the line.
   return 200 + GmshGroups(survey).naming_sections().size() + size.points * (digits + 60 + 4) +
-         size.tets * (number + 4 + 2 + 4 * (digits + 1) + 1) + 2 * text.label_digits +
-         text.faces * (number + 4 + 2 + 3 * (digits + 1) + 1) + 2 * text.number_digits;
+         size.tets * (number + 4 + 2 + nodes.per_tet() * (digits + 1) + 1) + 2 * text.label_digits +
+         text.faces * (number + 4 + 2 + nodes.per_face() * (digits + 1) + 1) + 2 * text.number_digits;
 }
 
 }  // namespace certet::formats

@@ -10,6 +10,7 @@
 #include "cursor.hpp"
 #include "gmsh_elements.hpp"
 #include "gmsh_labels.hpp"
+#include "middle_nodes_read.hpp"
 #include "names.hpp"
 #include "registry.hpp"
 
@@ -25,6 +26,13 @@ constexpr std::array<std::uint8_t, 32> corners_of{0, 2, 3, 4, 4, 8, 6, 5, 3, 6, 
 constexpr bool is_solid(std::int32_t type) {
   return (type >= 4 && type <= 7) || (type >= 11 && type <= 14) ||
          (type >= 17 && type <= 19) || type >= 29;
+}
+
+constexpr bool is_tetrahedron(std::int32_t type) {
+  return type == gmsh_tetrahedron || type == gmsh_tetrahedron_10;
+}
+constexpr bool is_triangle(std::int32_t type) {
+  return type == gmsh_triangle || type == gmsh_triangle_6;
 }
 
 class GmshReader {
@@ -112,6 +120,7 @@ FileMesh GmshReader::read() {
   order_tets();
   finish_surfaces();
   finish_labels();
+  part_middle_nodes(mesh_, gmsh_order, file_);
   return std::move(mesh_);
 }
 
@@ -225,8 +234,8 @@ void GmshReader::check_type(std::int32_t type) const {
   if (type < 1 || type >= static_cast<std::int32_t>(corners_of.size()) ||
       corners_of[static_cast<std::size_t>(type)] == 0)
     file_.fail("it has elements of the type " + std::to_string(type) + ", which is not known");
-  if (is_solid(type) && type != gmsh_tetrahedron)
-    file_.fail("it has cells other than tetrahedra of four nodes");
+  if (is_solid(type) && !is_tetrahedron(type))
+    file_.fail("it has cells other than tetrahedra of four or ten nodes");
 }
 
 void GmshReader::read_elements() {
@@ -242,19 +251,19 @@ void GmshReader::read_elements() {
     const auto corners = corners_of[static_cast<std::size_t>(type)];
     const std::uint64_t words = 1 + std::uint64_t{corners};
     const std::uint64_t count = checked(size(), words, 8 * words, "elements");
-    const auto& groups = type == gmsh_triangle ? group_of_surface_ : group_of_volume_;
+    const auto& groups = is_triangle(type) ? group_of_surface_ : group_of_volume_;
     const auto group = groups.find(entity);
     const std::int32_t physical = group == groups.end() ? 0 : group->second;
     for (std::uint64_t i = 0; i < count; ++i) {
       const std::uint64_t tag = size();
-      if (type == gmsh_tetrahedron) {
-        take_tet(tag, physical, entity);
-        for (std::uint64_t& point : mesh_.tets.back()) point = size();
-      } else if (type == gmsh_triangle) {
-        auto& faces = surfaces_[physical != 0 ? physical : entity];
-        for (std::uint64_t& point : faces.emplace_back()) point = size();
-      } else {
-        for (int c = 0; c < corners; ++c) size();
+      if (is_tetrahedron(type)) take_tet(tag, physical, entity);
+      std::array<std::uint64_t, 3>* const face =
+          is_triangle(type) ? &surfaces_[physical != 0 ? physical : entity].emplace_back()
+                            : nullptr;
+      for (std::size_t c = 0; c < corners; ++c) {
+        const std::uint64_t point = size();
+        if (is_tetrahedron(type)) take_node(mesh_, c, point);
+        if (face != nullptr && c < 3) (*face)[c] = point;
       }
     }
   }
@@ -295,20 +304,19 @@ void GmshReader::read_element_block_22(std::int32_t type, std::uint64_t count,
       const std::int32_t tag = integer();
       if (t < groups.size()) groups[t] = tag;
     }
-    if (type == gmsh_tetrahedron) take_tet(number, groups[0], groups[1]);
+    if (is_tetrahedron(type)) take_tet(number, groups[0], groups[1]);
     std::array<std::uint64_t, 3>* const face =
-        type == gmsh_triangle
+        is_triangle(type)
             ? &surfaces_[groups[0] != 0 ? groups[0] : groups[1]].emplace_back() : nullptr;
-    for (int c = 0; c < corners_of[static_cast<std::size_t>(type)]; ++c) {
+    for (std::size_t c = 0; c < corners_of[static_cast<std::size_t>(type)]; ++c) {
       const std::uint64_t point = tag_22();
-      if (type == gmsh_tetrahedron) mesh_.tets.back()[static_cast<std::size_t>(c)] = point;
-      if (face != nullptr) (*face)[static_cast<std::size_t>(c)] = point;
+      if (is_tetrahedron(type)) take_node(mesh_, c, point);
+      if (face != nullptr && c < 3) (*face)[c] = point;
     }
   }
 }
 
 void GmshReader::take_tet(std::uint64_t tag, std::int32_t group, std::int32_t entity) {
-  mesh_.tets.emplace_back();
   mesh_.labels.push_back(group);
   entities_.push_back(entity);
   tet_tags_.push_back(tag);
@@ -354,11 +362,14 @@ void GmshReader::order_tets() {
   if (!std::ranges::is_sorted(tet_tags_)) {
     const std::vector<std::uint64_t> order = order_of(tet_tags_);
     reorder(mesh_.tets, order);
+    if (mesh_.middles.size() == mesh_.tets.size()) reorder(mesh_.middles, order);
     reorder(mesh_.labels, order);
     reorder(entities_, order);
   }
   for (Tet<std::uint64_t>& tet : mesh_.tets)
     for (std::uint64_t& point : tet) point = index_of(point);
+  for (auto& nodes : mesh_.middles)
+    for (std::uint64_t& node : nodes) node = index_of(node);
 }
 
 void GmshReader::finish_surfaces() {

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "certet/bounds.hpp"
+#include "element_nodes.hpp"
 #include "gmsh_elements.hpp"
 #include "gmsh_groups.hpp"
 #include "region_sections.hpp"
@@ -39,7 +40,9 @@ using Int = std::int32_t;
 using Size = std::uint64_t;
 
 constexpr Int surface_dimension = 2, volume_dimension = 3;
-constexpr Size tet_bytes = 5 * sizeof(Size), face_bytes = 4 * sizeof(Size);
+/// A number and the nodes.
+Size tet_bytes(const ElementNodes& nodes) { return (1 + nodes.per_tet()) * sizeof(Size); }
+Size face_bytes(const ElementNodes& nodes) { return (1 + nodes.per_face()) * sizeof(Size); }
 
 /// A surface for each patch and interface, and a volume for each region, none with boundaries of
 /// its own.
@@ -98,15 +101,20 @@ class GmshWriter final : public StreamedWriter {
                 std::span<const std::int32_t> labels) override;
   void close() override;
 
+  /// A number and nodes, both counted from 1.
+  std::span<const Size> numbered(Size number, std::span<const Size> nodes);
+
   GmshGroups groups_;
+  ElementNodes nodes_;
   Bounds box_{};  ///< around all points
   std::optional<Section> tags_, coordinates_;
   RegionSections tets_;
   std::uint64_t end_ = 0;  ///< of what has a place in the file
+  std::array<Size, 11> record_{};
 };
 
 GmshWriter::GmshWriter(const std::filesystem::path& file, const MeshSize& size)
-    : StreamedWriter(file, size), groups_(survey()), tets_(file_) {
+    : StreamedWriter(file, size), groups_(survey()), nodes_(size, gmsh_order), tets_(file_) {
   file_.reserve(gmsh_bytes(size));
   const Bytes heading = nodes_heading(groups_, size.points);
   const std::uint64_t begin = header_of(groups_, box_).all().size();
@@ -139,17 +147,23 @@ void GmshWriter::open_tets() {
   for (std::size_t i = 0; i < groups_.regions.size(); ++i) {
     const Region& region = survey().regions[i];
     const Bytes heading =
-        block_heading(volume_dimension, groups_.regions[i].tag, gmsh_tetrahedron, region.tets);
-    end_ = tets_.open(region, end_, heading.all(), tet_bytes);
+        block_heading(volume_dimension, groups_.regions[i].tag,
+                      nodes_.has_middles() ? gmsh_tetrahedron_10 : gmsh_tetrahedron, region.tets);
+    end_ = tets_.open(region, end_, heading.all(), tet_bytes(nodes_));
   }
+}
+
+std::span<const Size> GmshWriter::numbered(Size number, std::span<const Size> nodes) {
+  record_[0] = number;
+  for (std::size_t i = 0; i < nodes.size(); ++i) record_[i + 1] = nodes[i] + 1;
+  return {record_.data(), nodes.size() + 1};
 }
 
 void GmshWriter::put_tets(std::uint64_t first, std::span<const Tet<std::uint64_t>> tets,
                           std::span<const std::int32_t> labels) {
   for (std::size_t i = 0; i < tets.size(); ++i) {
-    const auto& [a, b, c, d] = tets[i];
-    const std::array<Size, 5> record{first + i + 1, a + 1, b + 1, c + 1, d + 1};
-    tets_.append(labels[i], std::as_bytes(std::span(record)));
+    const std::span<const Size> record = numbered(first + i + 1, nodes_.tet(tets[i]));
+    tets_.append(labels[i], std::as_bytes(record));
   }
 }
 
@@ -158,11 +172,10 @@ void GmshWriter::close() {
   Section out(file_, end_);
   Size number = size_.tets;
   for (const Sheet& sheet : groups_.sheets.all()) {
-    out.append(block_heading(surface_dimension, sheet.number, gmsh_triangle, sheet.faces).all());
+    const Int type = nodes_.has_middles() ? gmsh_triangle_6 : gmsh_triangle;
+    out.append(block_heading(surface_dimension, sheet.number, type, sheet.faces).all());
     groups_.sheets.for_each_face(sheet, [&](const BoundaryFace& face) {
-      const auto& [a, b, c] = face.points;
-      const std::array<Size, 4> record{++number, a + 1, b + 1, c + 1};
-      out.append_all(std::span<const Size>(record));
+      out.append_all(numbered(++number, nodes_.face(face.points)));
     });
   }
   out.append_text(footer);
@@ -179,14 +192,15 @@ std::unique_ptr<MeshWriter> open_gmsh(const std::filesystem::path& file, const M
 std::uint64_t gmsh_bytes(const MeshSize& size) {
   const Survey& survey = survey_of(size);
   const GmshGroups groups(survey);
+  const ElementNodes nodes(size);
   const std::uint64_t faces = face_count(survey);
   const std::uint64_t blocks = groups.regions.size() + groups.sheets.all().size();
   return header_of(groups, {}).all().size() +
          nodes_heading(groups, size.points).all().size() +
          size.points * (sizeof(Size) + sizeof(Point3)) +
          elements_heading(groups, size.tets + faces).all().size() +
-         blocks * block_heading(0, 0, 0, 0).all().size() + size.tets * tet_bytes +
-         faces * face_bytes + footer.size();
+         blocks * block_heading(0, 0, 0, 0).all().size() + size.tets * tet_bytes(nodes) +
+         faces * face_bytes(nodes) + footer.size();
 }
 
 }  // namespace certet::formats

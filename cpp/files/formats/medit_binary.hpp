@@ -18,7 +18,10 @@ enum Keyword : std::int32_t {
   vertices = 4,
   triangles = 6,
   tetrahedra = 8,
+  triangles_p2 = 24,   ///< of six nodes
+  tetrahedra_p2 = 30,  ///< of ten nodes
   end = 54,
+  tetrahedra_p2_ordering = 133,  ///< where a file has its nodes in another order
 };
 
 }  // namespace certet::formats::medit_binary

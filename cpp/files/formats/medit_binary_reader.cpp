@@ -3,6 +3,7 @@
 
 #include "cursor.hpp"
 #include "medit_binary.hpp"
+#include "middle_nodes_read.hpp"
 #include "numbered_patches.hpp"
 #include "registry.hpp"
 
@@ -22,8 +23,8 @@ class MeditBinaryReader {
   void read_heading();
   void read_block(std::int32_t keyword);
   void read_points();
-  void read_tets();
-  void read_triangles();
+  void read_tets(std::size_t nodes);
+  void read_triangles(std::size_t nodes);
   std::uint64_t vertex();
   std::uint64_t place() { return whole(version_ >= 3); }
   std::uint64_t index() { return whole(version_ >= 4); }
@@ -70,6 +71,7 @@ FileMesh MeditBinaryReader::read() {
   }
   if (!has_points_ || !has_tets_) file_.fail("it has no vertices or no tetrahedra");
   patches_.give(mesh_);
+  part_middle_nodes(mesh_, usual_order, file_);
   return std::move(mesh_);
 }
 
@@ -80,8 +82,12 @@ void MeditBinaryReader::read_block(std::int32_t keyword) {
   if (keyword == dimension && cursor_.binary<std::int32_t>() != 3)
     file_.fail("its dimension is not 3");
   if (keyword == vertices && !std::exchange(has_points_, true)) read_points();
-  if (keyword == triangles) read_triangles();
-  if (keyword == tetrahedra && !std::exchange(has_tets_, true)) read_tets();
+  if (keyword == tetrahedra_p2_ordering)
+    file_.fail("its tetrahedra of ten nodes have an order of their own, which is not known");
+  if (keyword == triangles) read_triangles(3);
+  if (keyword == triangles_p2) read_triangles(6);
+  if (keyword == tetrahedra && !std::exchange(has_tets_, true)) read_tets(4);
+  if (keyword == tetrahedra_p2 && !std::exchange(has_tets_, true)) read_tets(10);
 }
 
 void MeditBinaryReader::read_points() {
@@ -99,21 +105,24 @@ std::uint64_t MeditBinaryReader::vertex() {
   return number - 1;
 }
 
-void MeditBinaryReader::read_triangles() {
-  const std::uint64_t triangles = cursor_.checked(place(), 4 * index_bytes(), "triangles");
+void MeditBinaryReader::read_triangles(std::size_t nodes) {
+  const std::uint64_t triangles =
+      cursor_.checked(place(), (nodes + 1) * index_bytes(), "triangles");
   for (std::uint64_t i = 0; i < triangles; ++i) {
     std::array<std::uint64_t, 3> face;
     for (std::uint64_t& point : face) point = vertex();
+    for (std::size_t middle = 3; middle < nodes; ++middle) vertex();
     patches_.add(face, static_cast<std::int64_t>(index()));
   }
 }
 
-void MeditBinaryReader::read_tets() {
-  const std::uint64_t tets = cursor_.checked(place(), 5 * index_bytes(), "tetrahedra");
-  mesh_.tets.resize(tets);
+void MeditBinaryReader::read_tets(std::size_t nodes) {
+  const std::uint64_t tets = cursor_.checked(place(), (nodes + 1) * index_bytes(), "tetrahedra");
+  mesh_.tets.reserve(tets);
+  if (nodes > 4) mesh_.middles.reserve(tets);
   mesh_.labels.resize(tets);
   for (std::uint64_t i = 0; i < tets; ++i) {
-    for (std::uint64_t& point : mesh_.tets[i]) point = vertex();
+    for (std::size_t place = 0; place < nodes; ++place) take_node(mesh_, place, vertex());
     mesh_.labels[i] = reference();
   }
 }

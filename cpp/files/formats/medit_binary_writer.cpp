@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "element_nodes.hpp"
 #include "medit_binary.hpp"
 #include "registry.hpp"
 #include "section.hpp"
@@ -39,8 +40,9 @@ struct Layout {
     const std::uint64_t head = 4 + place + place;  // keyword, next place, count
     vertices_at = 8 + (4 + place + 4);             // the dimension is always of 32 bits
     tets_at = vertices_at + head + size.points * (24 + index);
-    faces_at = tets_at + head + size.tets * 5 * index;
-    end_at = faces_at + head + faces * 4 * index;
+    const ElementNodes nodes(size);
+    faces_at = tets_at + head + size.tets * (nodes.per_tet() + 1) * index;
+    end_at = faces_at + head + faces * (nodes.per_face() + 1) * index;
     bytes = end_at + 4 + place;
   }
 };
@@ -48,7 +50,7 @@ struct Layout {
 class MeditBinaryWriter final : public StreamedWriter {
  public:
   MeditBinaryWriter(const std::filesystem::path& file, const MeshSize& size)
-      : StreamedWriter(file, size), layout_(size), out_(file_, 0) {
+      : StreamedWriter(file, size), layout_(size), nodes_(size), out_(file_, 0) {
     file_.reserve(layout_.bytes);
     put(mark);
     put(layout_.version);
@@ -79,8 +81,7 @@ class MeditBinaryWriter final : public StreamedWriter {
     put_place(count);
   }
 
-  template <std::size_t corners>
-  void put_element(const std::array<std::uint64_t, corners>& points, std::int32_t reference) {
+  void put_element(std::span<const std::uint64_t> points, std::int32_t reference) {
     for (const std::uint64_t point : points) put_index(static_cast<std::int64_t>(point + 1));
     put_index(reference);
   }
@@ -91,15 +92,18 @@ class MeditBinaryWriter final : public StreamedWriter {
       put_index(0);
     }
   }
-  void open_tets() override { open(tetrahedra, layout_.faces_at, size_.tets); }
+  void open_tets() override {
+    open(nodes_.has_middles() ? tetrahedra_p2 : tetrahedra, layout_.faces_at, size_.tets);
+  }
   void put_tets(std::uint64_t, std::span<const Tet<std::uint64_t>> tets,
                 std::span<const std::int32_t> labels) override {
-    for (std::size_t i = 0; i < tets.size(); ++i) put_element(tets[i], labels[i]);
+    for (std::size_t i = 0; i < tets.size(); ++i) put_element(nodes_.tet(tets[i]), labels[i]);
   }
   void close() override {
-    open(triangles, layout_.end_at, face_count(survey()));
+    open(nodes_.has_middles() ? triangles_p2 : triangles, layout_.end_at,
+         face_count(survey()));
     Sheets::for_each_face(survey(), [&](const BoundaryFace& face, std::int32_t number) {
-      put_element(face.points, number);
+      put_element(nodes_.face(face.points), number);
     });
     put(std::int32_t{end});
     put_place(0);
@@ -107,6 +111,7 @@ class MeditBinaryWriter final : public StreamedWriter {
   }
 
   Layout layout_;
+  ElementNodes nodes_;
   Section out_;
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cursor.hpp"
+#include "middle_nodes_read.hpp"
 #include "numbered_patches.hpp"
 #include "registry.hpp"
 
@@ -31,11 +32,11 @@ class MeditReader {
       if (word == "Vertices" && !has_points) {
         read_points();
         has_points = true;
-      } else if (word == "Tetrahedra" && !has_tets) {
-        read_tets();
+      } else if ((word == "Tetrahedra" || word == "TetrahedraP2") && !has_tets) {
+        read_tets(word == "Tetrahedra" ? 4 : 10);
         has_tets = true;
-      } else if (word == "Triangles") {
-        read_triangles();
+      } else if (word == "Triangles" || word == "TrianglesP2") {
+        read_triangles(word == "Triangles" ? 3 : 6);
       } else if (!pass_over(word)) {
         refuse(word);
       }
@@ -43,14 +44,15 @@ class MeditReader {
     if (!has_points || !has_tets) file_.fail("it has no vertices or no tetrahedra");
     if (!words_.word().empty()) file_.fail("it goes on behind its end");
     patches_.give(mesh_);
+    part_middle_nodes(mesh_, usual_order, file_);
     return std::move(mesh_);
   }
 
  private:
   void read_heading();
   void read_points();
-  void read_tets();
-  void read_triangles();
+  void read_tets(std::size_t nodes);
+  void read_triangles(std::size_t nodes);
   std::uint64_t vertex();
   std::uint64_t count(std::uint64_t shortest_line);
   bool pass_over(std::string_view section);
@@ -99,27 +101,30 @@ std::uint64_t MeditReader::vertex() {
   return number - 1;
 }
 
-void MeditReader::read_triangles() {
-  const std::uint64_t triangles = count(std::string_view("1 1 1 0\n").size());
+void MeditReader::read_triangles(std::size_t nodes) {
+  const std::uint64_t triangles = count(2 * (nodes + 1));
   for (std::uint64_t i = 0; i < triangles; ++i) {
     std::array<std::uint64_t, 3> face;
     for (std::uint64_t& point : face) point = vertex();
+    for (std::size_t middle = 3; middle < nodes; ++middle) vertex();
     patches_.add(face, words_.number<std::int64_t>("a reference"));
   }
 }
 
-void MeditReader::read_tets() {
-  const std::uint64_t tets = count(std::string_view("1 1 1 1 0\n").size());
-  mesh_.tets.resize(tets);
+void MeditReader::read_tets(std::size_t nodes) {
+  const std::uint64_t tets = count(2 * (nodes + 1));
+  mesh_.tets.reserve(tets);
+  if (nodes > 4) mesh_.middles.reserve(tets);
   mesh_.labels.resize(tets);
   for (std::uint64_t i = 0; i < tets; ++i) {
-    for (std::uint64_t& index : mesh_.tets[i]) index = vertex();
+    for (std::size_t place = 0; place < nodes; ++place) take_node(mesh_, place, vertex());
     mesh_.labels[i] = words_.number<std::int32_t>("a reference");
   }
 }
 
 void MeditReader::refuse(std::string_view word) const {
   if (word.empty()) file_.fail("it is cut off: its 'End' is missing");
+  if (word == "TetrahedraP2") file_.fail("it has tetrahedra of four nodes and of ten, or twice");
   if (word == "Vertices" || word == "Tetrahedra")
     file_.fail("it has two sections " + in_quotes(word));
   file_.fail("its section " + in_quotes(word) + " is not known");

@@ -33,10 +33,12 @@ Point3 move_to_zero(FileMesh& mesh) {
   for (std::size_t a = 0; a < 3; ++a) {
     Range range;
     for (const Point3& point : mesh.points) range.add(point[a]);
+    for (const Point3& point : mesh.middle_points) range.add(point[a]);
     shift[a] = range.exact_shift();
     // Where nothing is taken away, a negative zero stays one.
-    if (shift[a] != 0)
-      for (Point3& point : mesh.points) point[a] -= shift[a];
+    if (shift[a] == 0) continue;
+    for (Point3& point : mesh.points) point[a] -= shift[a];
+    for (Point3& point : mesh.middle_points) point[a] -= shift[a];
   }
   return shift;
 }

@@ -25,6 +25,7 @@ void scale(FileMesh& mesh, double factor) {
   check(factor);
   if (factor == 1) return;
   for (Point3& point : mesh.points) point = scaled(point, factor);
+  for (Point3& point : mesh.middle_points) point = scaled(point, factor);
 }
 
 void scale(Mesh& mesh, double factor) {

@@ -1,6 +1,7 @@
 // TetGen: points in .node, tetrahedra with their regions in .ele, the boundary
-// with its patches in .face.  Numbers count from 1.
+// with its patches in .face, whose triangles are those of corners.  Numbers count from 1.
 
+#include "element_nodes.hpp"
 #include "line.hpp"
 #include "registry.hpp"
 #include "section.hpp"
@@ -19,11 +20,11 @@ class TetgenWriter final : public StreamedWriter {
  public:
   TetgenWriter(const std::filesystem::path& file, const MeshSize& size)
       : StreamedWriter(sibling(file, ".node"), size), ele_file_(sibling(file, ".ele")),
-        face_file_(sibling(file, ".face")), node_(file_, 0), ele_(ele_file_, 0),
+        face_file_(sibling(file, ".face")), nodes_(size, tetgen_order), node_(file_, 0), ele_(ele_file_, 0),
         face_(face_file_, 0) {
     // How many there are, the dimension or the corners, attributes, markers.
     put(node_, Line() << size.points << " 3 0 0\n");
-    put(ele_, Line() << size.tets << " 4 1\n");
+    put(ele_, Line() << size.tets << ' ' << nodes_.per_tet() << " 1\n");
     put(face_, Line() << face_count(survey()) << " 1\n");
   }
 
@@ -37,9 +38,10 @@ class TetgenWriter final : public StreamedWriter {
   void put_tets(std::uint64_t first, std::span<const Tet<std::uint64_t>> tets,
                 std::span<const std::int32_t> labels) override {
     for (std::size_t i = 0; i < tets.size(); ++i) {
-      const auto& [a, b, c, d] = tets[i];
-      put(ele_, Line() << first + i + 1 << ' ' << a + 1 << ' ' << b + 1 << ' ' << c + 1 << ' '
-                       << d + 1 << ' ' << labels[i] << '\n');
+      Line line;
+      line << first + i + 1;
+      for (const std::uint64_t point : nodes_.tet(tets[i])) line << ' ' << point + 1;
+      put(ele_, line << ' ' << labels[i] << '\n');
     }
   }
   void close() override {
@@ -65,6 +67,7 @@ class TetgenWriter final : public StreamedWriter {
   }
 
   OutputFile ele_file_, face_file_;
+  ElementNodes nodes_;
   Section node_, ele_, face_;
 };
 
@@ -79,7 +82,7 @@ std::uint64_t tetgen_bytes(const MeshSize& size) {
   const std::uint64_t digits = digits_of(size.points), tet_digits = digits_of(size.tets);
   const SheetText text(survey_of(size), NameRule::quoted);
   return 100 + size.points * (digits + 60 + 4) +
-         size.tets * (tet_digits + 4 * (digits + 1) + 2) + text.label_digits +
+         size.tets * (tet_digits + ElementNodes(size).per_tet() * (digits + 1) + 2) + text.label_digits +
          text.faces * (digits_of(text.faces) + 3 * (digits + 1) + 2) + text.number_digits;
 }
 

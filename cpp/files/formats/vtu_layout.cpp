@@ -44,7 +44,9 @@ std::string vtu_header_of(const VtuLayout& layout, const MeshSize& size, bool co
 }
 
 VtuLayout::VtuLayout(const MeshSize& size)
-    : footer("\n  </AppendedData>\n</VTKFile>\n") {
+    : per_tet(size.middles == nullptr ? 4 : 10),
+      cell_type(size.middles == nullptr ? vtk_tetra : vtk_quadratic_tetra),
+      footer("\n  </AppendedData>\n</VTKFile>\n") {
   std::uint64_t end = 0;
   const auto place_next = [&end](std::string_view type, std::uint64_t bytes) {
     const VtuArray array{type, bytes, end};
@@ -52,9 +54,9 @@ VtuLayout::VtuLayout(const MeshSize& size)
     return array;
   };
   const auto [index_type, index_bytes] = integer_for(size.points);
-  const auto [offset_type, offset_bytes] = integer_for(4 * size.tets);
+  const auto [offset_type, offset_bytes] = integer_for(per_tet * size.tets);
   points = place_next("Float64", size.points * 3 * sizeof(double));
-  connectivity = place_next(index_type, size.tets * 4 * index_bytes);
+  connectivity = place_next(index_type, size.tets * per_tet * index_bytes);
   offsets = place_next(offset_type, size.tets * offset_bytes);
   types = place_next("UInt8", size.tets);
   if (size.labels) label = place_next("Int32", size.tets * sizeof(std::int32_t));

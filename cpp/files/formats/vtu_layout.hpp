@@ -16,8 +16,8 @@ namespace certet::formats {
 inline constexpr std::string_view vtu_byte_order =
     std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
 
-/// VTK's number for a linear tetrahedron.
-inline constexpr std::uint8_t vtk_tetra = 10;
+/// VTK's numbers for tetrahedra of four and of ten nodes.
+inline constexpr std::uint8_t vtk_tetra = 10, vtk_quadratic_tetra = 24;
 
 /// An array of the appended data: its size in bytes as UInt64, then the bytes.
 struct VtuArray {
@@ -32,6 +32,8 @@ struct VtuArray {
 struct VtuLayout {
   explicit VtuLayout(const MeshSize& size);
 
+  std::uint64_t per_tet;  ///< nodes
+  std::uint8_t cell_type;  ///< VTK's
   VtuArray points, connectivity, offsets, types;
   VtuArray label;      ///< no bytes and no place if there are no labels
   std::string header;  ///< the XML up to the underscore that opens the data

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cursor.hpp"
+#include "middle_nodes_read.hpp"
 #include "registry.hpp"
 #include "vtu_bytes.hpp"
 #include "vtu_header.hpp"
@@ -144,32 +145,40 @@ void VtuReader::read_points(FileMesh& mesh) const {
   });
 }
 
-/// Cells of no volume, which are passed over: points, lines, triangles, squares.
-bool is_flat(std::uint8_t type) { return type >= 1 && type <= 9; }
+/// Cells of no volume, which are passed over: points, lines, triangles, squares; the latter
+/// three with middle nodes too.
+bool is_flat(std::uint8_t type) { return (type >= 1 && type <= 9) || (type >= 21 && type <= 23); }
+
+/// The nodes of a tetrahedron; 0 of all other cells.
+std::uint64_t nodes_of(std::uint8_t type) {
+  return type == vtk_tetra ? 4 : type == vtk_quadratic_tetra ? 10 : 0;
+}
 
 void VtuReader::read_cells(FileMesh& mesh) const {
   std::vector<std::uint8_t> types;
   for_each<std::int64_t>(find("Cells/types", header_.cells, 1, true), [&](std::int64_t type) {
     const auto known = static_cast<std::uint8_t>(std::clamp<std::int64_t>(type, 0, 255));
-    if (known != vtk_tetra && !is_flat(known)) file_.fail("it has cells other than tetrahedra");
+    if (nodes_of(known) == 0 && !is_flat(known)) file_.fail("it has cells other than tetrahedra");
     types.push_back(known);
   });
-  const bool mixed = !std::ranges::all_of(types, [](auto type) { return type == vtk_tetra; });
+  const std::uint64_t nodes = types.empty() ? 4 : nodes_of(types.front());
+  const bool mixed =
+      nodes == 0 || !std::ranges::all_of(types, [&](auto type) { return type == types.front(); });
   if (mixed) {
     read_mixed_cells(mesh, types);
   } else {
     std::int64_t end = 0;
     for_each<std::int64_t>(find("Cells/offsets", header_.cells, 1, true), [&](std::int64_t at) {
-      if (at != (end += 4)) file_.fail("its offsets are not those of tetrahedra");
+      if (at != (end += static_cast<std::int64_t>(nodes)))
+        file_.fail("its offsets are not those of tetrahedra");
     });
     mesh.tets.reserve(header_.cells);
-    std::size_t corner = 0;
+    std::size_t place = 0;
     // A negative number becomes one that no point has.
-    for_each<std::int64_t>(find("Cells/connectivity", header_.cells, 4, true),
+    for_each<std::int64_t>(find("Cells/connectivity", header_.cells, nodes, true),
                            [&](std::int64_t point) {
-                             if (corner == 0) mesh.tets.emplace_back();
-                             mesh.tets.back()[corner] = static_cast<std::uint64_t>(point);
-                             corner = (corner + 1) % 4;
+                             take_node(mesh, place, static_cast<std::uint64_t>(point));
+                             place = (place + 1) % nodes;
                            });
   }
   read_labels(mesh, types);
@@ -180,8 +189,8 @@ void VtuReader::read_mixed_cells(FileMesh& mesh, const std::vector<std::uint8_t>
   for_each<std::int64_t>(find("Cells/offsets", header_.cells, 1, true), [&](std::int64_t at) {
     const std::uint64_t before = ends.empty() ? 0 : ends.back();
     const auto end = static_cast<std::uint64_t>(at);
-    const bool tet = types[ends.size()] == vtk_tetra;
-    if (at < 0 || end < before || (tet && end - before != 4))
+    const std::uint64_t nodes = nodes_of(types[ends.size()]);
+    if (at < 0 || end < before || (nodes != 0 && end - before != nodes))
       file_.fail("its offsets are not those of its cells");
     ends.push_back(end);
   });
@@ -190,11 +199,8 @@ void VtuReader::read_mixed_cells(FileMesh& mesh, const std::vector<std::uint8_t>
       find("Cells/connectivity", ends.empty() ? 0 : ends.back(), 1, true),
       [&](std::int64_t point) {
         while (at == ends[cell]) ++cell;
-        if (types[cell] == vtk_tetra) {
-          const std::uint64_t corner = 4 - (ends[cell] - at);
-          if (corner == 0) mesh.tets.emplace_back();
-          mesh.tets.back()[corner] = static_cast<std::uint64_t>(point);
-        }
+        if (const std::uint64_t nodes = nodes_of(types[cell]); nodes != 0)
+          take_node(mesh, nodes - (ends[cell] - at), static_cast<std::uint64_t>(point));
         ++at;
       });
 }
@@ -206,7 +212,7 @@ void VtuReader::read_labels(FileMesh& mesh, const std::vector<std::uint8_t>& typ
     mesh.labels.reserve(mesh.tets.size());
     std::size_t cell = 0;
     for_each<std::int64_t>(find(name, header_.cells, 1, true), [&](std::int64_t label) {
-      if (types[cell++] != vtk_tetra) return;
+      if (nodes_of(types[cell++]) == 0) return;
       if (!std::in_range<std::int32_t>(label)) file_.fail("it has a label beyond 32 bits");
       mesh.labels.push_back(static_cast<std::int32_t>(label));
     });
@@ -219,6 +225,7 @@ FileMesh VtuReader::read() {
   mesh.space = header_.space;
   read_points(mesh);
   read_cells(mesh);
+  part_middle_nodes(mesh, usual_order, file_);
   return mesh;
 }
 

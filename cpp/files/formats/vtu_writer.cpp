@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <array>
 #include <limits>
 
 #include "announced.hpp"
+#include "element_nodes.hpp"
 #include "output_file.hpp"
 #include "registry.hpp"
 #include "section.hpp"
@@ -74,6 +76,8 @@ class VtuWriter final : public MeshWriter {
   void append(std::span<const Tet<Index>> tets, std::span<const std::int32_t> labels);
   template <class Index>
   void append_indices(std::span<const Tet<Index>> tets);
+  template <class Stored, class Index>
+  void append_nodes(std::span<const Tet<Index>> tets);
   void append_shapes(std::uint64_t tets);
 
   MeshSize size_;
@@ -96,6 +100,8 @@ void VtuWriter::append(std::span<const Tet<Index>> tets, std::span<const std::in
 template <class Index>
 void VtuWriter::append_indices(std::span<const Tet<Index>> tets) {
   const bool wide = layout_.connectivity.is_64_bit();
+  if (size_.middles != nullptr)
+    return wide ? append_nodes<std::int64_t>(tets) : append_nodes<std::int32_t>(tets);
   if (wide == (sizeof(Index) == 8)) {
     connectivity_.append(tets);
     return;
@@ -107,14 +113,25 @@ void VtuWriter::append_indices(std::span<const Tet<Index>> tets) {
     connectivity_.generate<std::int32_t>(4 * tets.size(), index);
 }
 
+template <class Stored, class Index>
+void VtuWriter::append_nodes(std::span<const Tet<Index>> tets) {
+  ElementNodes nodes(size_);
+  for (const Tet<Index>& tet : tets) {
+    std::array<Stored, 10> stored;
+    std::ranges::transform(nodes.tet(tet), stored.begin(),
+                           [](std::uint64_t node) { return static_cast<Stored>(node); });
+    connectivity_.append(std::span<const Stored>(stored));
+  }
+}
+
 /// Where each tetrahedron ends, and that it is one.
 void VtuWriter::append_shapes(std::uint64_t tets) {
-  const auto offset = [this](std::uint64_t i) { return 4 * (tets_ + i + 1); };
+  const auto offset = [this](std::uint64_t i) { return layout_.per_tet * (tets_ + i + 1); };
   if (layout_.offsets.is_64_bit())
     offsets_.generate<std::int64_t>(tets, offset);
   else
     offsets_.generate<std::int32_t>(tets, offset);
-  types_.generate<std::uint8_t>(tets, [](std::uint64_t) { return vtk_tetra; });
+  types_.generate<std::uint8_t>(tets, [this](std::uint64_t) { return layout_.cell_type; });
   tets_ += tets;
 }
 

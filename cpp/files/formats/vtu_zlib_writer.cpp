@@ -4,6 +4,7 @@
 
 #include "files/compression/blocks.hpp"
 #include "certet/error.hpp"
+#include "element_nodes.hpp"
 #include "registry.hpp"
 #include "section.hpp"
 #include "streamed_writer.hpp"
@@ -99,12 +100,15 @@ class VtuZlibWriter final : public StreamedWriter {
 
   void put_tets(std::uint64_t, std::span<const Tet<std::uint64_t>> tets,
                 std::span<const std::int32_t> labels) override {
-    if (layout_.connectivity.is_64_bit())
-      connectivity_->append(std::as_bytes(tets));
-    else
-      for (const auto& tet : tets)
-        for (const std::uint64_t point : tet)
+    ElementNodes nodes(size_);
+    for (const auto& tet : tets) {
+      const std::span<const std::uint64_t> own = nodes.tet(tet);
+      if (layout_.connectivity.is_64_bit())
+        connectivity_->append(std::as_bytes(own));
+      else
+        for (const std::uint64_t point : own)
           connectivity_->append_number(static_cast<std::int32_t>(point));
+    }
     if (labels_) labels_->append(std::as_bytes(labels));
   }
 
@@ -125,16 +129,16 @@ std::uint64_t VtuZlibWriter::put_offsets(std::uint64_t place) {
   PackedArray array(file_, place, layout_.offsets.bytes);
   for (std::uint64_t i = 1; i <= size_.tets; ++i) {
     if (layout_.offsets.is_64_bit())
-      array.append_number(static_cast<std::int64_t>(4 * i));
+      array.append_number(static_cast<std::int64_t>(layout_.per_tet * i));
     else
-      array.append_number(static_cast<std::int32_t>(4 * i));
+      array.append_number(static_cast<std::int32_t>(layout_.per_tet * i));
   }
   return array.finish();
 }
 
 std::uint64_t VtuZlibWriter::put_types(std::uint64_t place) {
   PackedArray array(file_, place, layout_.types.bytes);
-  for (std::uint64_t i = 0; i < size_.tets; ++i) array.append_number(vtk_tetra);
+  for (std::uint64_t i = 0; i < size_.tets; ++i) array.append_number(layout_.cell_type);
   return array.finish();
 }
 

@@ -21,6 +21,9 @@
 ///     quality(mesh)             its dihedral angles and volume
 ///     count_pieces(mesh, context)   its pieces, and where its surface is no manifold
 ///     examine(points, tets, labels, context)   all that, and each region and interface
+///     middle_nodes(mesh)        a node in the middle of each edge, for tetrahedra of ten
+///     curve(nodes, mesh, survey, domain, context)   puts those of the surface on it
+///     write(mesh, nodes, path)  with them
 ///     find_losses(shape, mesh, context)   what it has not kept of its shape, and a size that does
 ///
 /// Each takes a `Context` too, which has the number of threads, stops a run and tells of
@@ -33,6 +36,7 @@
 #include "certet/combined_solids.hpp"
 #include "certet/context.hpp"
 #include "certet/count_pieces.hpp"
+#include "certet/curve.hpp"
 #include "certet/error.hpp"
 #include "certet/examine.hpp"
 #include "certet/formats.hpp"
@@ -43,6 +47,7 @@
 #include "certet/label_names.hpp"
 #include "certet/materials_domain.hpp"
 #include "certet/mesh.hpp"
+#include "certet/middle_nodes.hpp"
 #include "certet/method.hpp"
 #include "certet/placed_quality.hpp"
 #include "certet/quality.hpp"

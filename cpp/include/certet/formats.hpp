@@ -13,6 +13,7 @@
 
 #include "certet/check.hpp"
 #include "certet/mesh.hpp"
+#include "certet/middle_nodes.hpp"
 #include "certet/quality.hpp"
 #include "certet/survey.hpp"
 
@@ -49,12 +50,15 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& file, F
 /// either.
 bool can_compress();
 
+/// Whether a format has tetrahedra of ten nodes; those of surfaces alone have none.
+bool holds_middle_nodes(Format format);
+
 /// Whether a writer needs to know the mesh's survey beforehand.
 bool needs_survey(Format format);
 
 /// All that a file says about its size, known before the first number is written.
 struct MeshSize {
-  std::uint64_t points = 0;
+  std::uint64_t points = 0;  ///< with the middle nodes
   std::uint64_t tets = 0;
   bool labels = false;  ///< whether tetrahedra have labels
   /// Where the format needs it; it must be the survey of the mesh that follows.
@@ -62,6 +66,8 @@ struct MeshSize {
   /// Which way the axes go in a patient, LPS or RAS, where that is known: .vtu, .stl and .ply
   /// have it as a comment, SPACE=LPS, as 3D Slicer looks for it.
   std::string space = {};
+  /// Of tetrahedra of ten nodes; these come behind the corners, by their numbers.
+  std::shared_ptr<const MiddleNodes> middles = nullptr;
 };
 
 /// Writes a mesh piece by piece, so that it never needs to be in memory whole:
@@ -88,7 +94,8 @@ class MeshWriter {
 };
 
 /// \throws Error `write_failed` if the file cannot be made: its folder is not
-/// there or full, or the name is taken by a folder or by a read-only file.
+/// there or full, or the name is taken by a folder or by a read-only file; `bad_option` if the
+/// format does not hold middle nodes and there are some.
 std::unique_ptr<MeshWriter> open_writer(const std::filesystem::path& file, Format format,
                                         const MeshSize& size);
 
@@ -119,6 +126,11 @@ struct FileMesh {
   /// All triangles of .mesh, .meshb and .msh files, by growing numbers: the patches, the
   /// interfaces, or whatever the writer meant by them.
   std::vector<FileSurface> surfaces = {};
+  /// Of tetrahedra of ten nodes the middle nodes, in the order of the file; and of each
+  /// tetrahedron their numbers, in the order of `tet_edges`.  Both are empty where
+  /// tetrahedra have four nodes; `points` are the corners alone.
+  std::vector<Point3> middle_points = {};
+  std::vector<std::array<std::uint64_t, 6>> middles = {};
 };
 
 /// The regions, the boundary and the interfaces of what a file held, found anew, with the names
@@ -171,11 +183,29 @@ std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& fi
                                Context& context);
 std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& file);
 
+/// The same with a node in the middle of each edge, as `curve` left them or straight.
+/// \throws Error `bad_option` besides: nodes of another mesh, or a format that does not hold them.
+std::vector<std::string> write(const Mesh& mesh, const MiddleNodes& middles,
+                               const std::filesystem::path& file, Format format,
+                               Context& context);
+std::vector<std::string> write(const Mesh& mesh, const MiddleNodes& middles,
+                               const std::filesystem::path& file);
+
 /// The same of what a file held, as it is: its angles are not checked.
-/// \throws Error `bad_input` besides, for tetrahedra that name points which are not there.
+/// \throws Error `bad_input` besides, for tetrahedra that name points which are not there, and
+/// for edges that have several middle nodes.
 std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path& file,
                                Format format, Context& context);
 std::vector<std::string> write(const FileMesh& mesh, const std::filesystem::path& file);
+
+/// The middle nodes of what a file held, numbered and ordered as ours are.
+struct FileMiddleNodes {
+  std::shared_ptr<const MiddleNodes> middles;  ///< null where tetrahedra have four nodes
+  std::vector<Point3> points;
+};
+/// \throws Error `bad_input`, naming the file that is to be written, where an edge has several, or
+/// one is not there; `too_large`.
+FileMiddleNodes file_middle_nodes(const FileMesh& mesh, const std::filesystem::path& file);
 
 /// Verifies what a file held, as `check` of points and tetrahedra does.
 CheckReport check(const FileMesh& mesh, Context& context);

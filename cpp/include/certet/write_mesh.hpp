@@ -19,7 +19,7 @@ struct Slabs {
   std::vector<std::int32_t> bounds;  ///< slab s is the layers [bounds[s], bounds[s+1])
   std::uint64_t points = 0;          ///< of the largest slab, with those of the layer behind
   std::uint64_t tets = 0;            ///< of the largest slab
-  std::uint64_t bytes = 0;           ///< that writing the mesh this way needs
+  std::uint64_t bytes = 0;           ///< that writing the mesh this way needs, without middle nodes
 };
 
 /// Slabs of as many layers as can be written with `max_bytes`; of at least one,
@@ -41,6 +41,7 @@ struct WrittenMesh : PlacedQuality {
 /// there are none.  While one slab is written, the next is made.
 /// With `label_pieces`, counts the pieces of each of several labels on the way, which takes
 /// about as long as measuring does.
+/// With `middles`, those of the mesh, which `writer` was told of too, writes them behind the points.
 /// Does not finish the file, so that the caller may ask `standing_of` the mesh first.  What
 /// is written and returned (but for the seconds) does not depend on slabs and
 /// threads.
@@ -48,6 +49,6 @@ struct WrittenMesh : PlacedQuality {
 /// `checked_size` for the size of the frame.
 WrittenMesh write_mesh(const Stuffing& stuffing, const Frame& frame, const Slabs& slabs,
                        MeshWriter& writer, Context& context, const MaterialRuns& known = {},
-                       bool label_pieces = false);
+                       bool label_pieces = false, const MiddleNodes* middles = nullptr);
 
 }  // namespace certet

@@ -26,9 +26,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments, _certet
 
-__all__ = ["CheckReport", "FileMesh", "Interface", "LossWarning", "Mesh", "Pieces", "Quality", "Solid",
-           "Warp", "check", "inside", "interfaces", "mesh", "mesh_function", "mesh_image", "mesh_solids",
-           "mesh_surface", "quality", "read", "voxelise", "write"]
+__all__ = ["CheckReport", "Curve", "FileMesh", "Interface", "LossWarning", "Mesh", "Pieces", "Quality",
+           "Solid", "Warp", "check", "inside", "interfaces", "mesh", "mesh_function", "mesh_image",
+           "mesh_solids", "mesh_surface", "quality", "read", "voxelise", "write"]
 __version__: str = _certet.version
 
 Cuts = Literal["bisect", "midpoint"]
@@ -112,6 +112,28 @@ class Warp(NamedTuple):
     """The same, root mean square of these alone."""
 
 
+class Curve(NamedTuple):
+    """What became of the edges of the boundary and of interfaces, by curved=True."""
+
+    edges: int
+    """All of them, but for those where the shape is cut off."""
+    moved: int
+    """The middle node was put on the surface."""
+    on_surface: int
+    """It was there."""
+    guarded: int
+    """It stayed in the middle, or else an element would be spoilt."""
+    far: int
+    """It stayed: no surface within a quarter of the edge."""
+    seams: int
+    """It stayed, where more than two regions meet."""
+    greatest_edges: float
+    """The farthest move, in long edges of the lattice."""
+    least_jacobian: float
+    """A lower bound on the Jacobian determinant of all elements, as a part of that of the straight
+    element, at least a quarter."""
+
+
 class LossWarning(UserWarning):
     """A mesh has not the pieces of its shape, or a volume that differs by a fiftieth or more; the
     sentence says a size that keeps them, which was tried, if one was found."""
@@ -151,6 +173,17 @@ class FileMesh:
     def labels(self) -> NDArray[np.int32] | None:
         """Shape (m,): the label of each tetrahedron, where the file has any."""
         return self._inner.labels
+
+    @property
+    def middle_points(self) -> NDArray[np.float64] | None:
+        """Shape (k, 3): of tetrahedra of ten nodes those in the middle of edges, else None."""
+        return self._inner.middle_points
+
+    @property
+    def middles(self) -> NDArray[np.uint64] | None:
+        """Shape (m, 6): the rows of `middle_points` between the corners 0-1, 1-2, 0-2, 0-3, 1-3 and
+        2-3 of each tetrahedron, which is the order of VTK and Abaqus; else None."""
+        return self._inner.middles
 
     @property
     def names(self) -> dict[int, str]:
@@ -206,6 +239,27 @@ class Mesh:
         """Shape (m,): the label of each tetrahedron; None but for images of labels and several
         solids."""
         return self._inner.labels
+
+    @property
+    def middle_points(self) -> NDArray[np.float64] | None:
+        """Shape (k, 3): of tetrahedra of ten nodes those in the middle of edges, else None."""
+        return self._inner.middle_points
+
+    @property
+    def middles(self) -> NDArray[np.uint64] | None:
+        """Shape (m, 6): the rows of `middle_points` between the corners 0-1, 1-2, 0-2, 0-3, 1-3 and
+        2-3 of each tetrahedron, which is the order of VTK and Abaqus; else None."""
+        return self._inner.middles
+
+    @property
+    def order(self) -> Literal[1, 2]:
+        """2 where tetrahedra have ten nodes."""
+        return 1 if self._inner.middles is None else 2
+
+    @property
+    def curve(self) -> Curve | None:
+        """How many middle nodes are on the surface; None but by curved=True."""
+        return None if self._inner.curve is None else Curve(**self._inner.curve)
 
     @property
     def names(self) -> dict[int, str]:
@@ -288,7 +342,11 @@ class Mesh:
         import meshio
 
         data = {} if self.labels is None else {"label": [self.labels]}
-        return meshio.Mesh(self.points, [("tetra", self.tets)], cell_data=data)
+        if self.middles is None:
+            return meshio.Mesh(self.points, [("tetra", self.tets)], cell_data=data)
+        cells = np.hstack([self.tets, len(self.points) + self.middles])
+        return meshio.Mesh(np.vstack([self.points, self.middle_points]), [("tetra10", cells)],
+                           cell_data=data)
 
     def __repr__(self) -> str:
         return f"<certet.Mesh of {len(self.points)} points and {len(self.tets)} tetrahedra>"
@@ -505,6 +563,8 @@ def mesh_image(
     cuts: Cuts = "bisect",
     guarantee: Guarantee | None = None,
     threads: int = 0,
+    order: Literal[1, 2] = 1,
+    curved: bool = False,
 ) -> Mesh:
     """Meshes voxels: chosen labels, or where a grayscale image is above `iso`.
 
@@ -538,6 +598,10 @@ def mesh_image(
     cuts, guarantee : the same in two older words, where there is no `method`: cuts="midpoint",
         or guarantee="angles" or "embedding"
     threads : 0 takes all cores; the mesh does not depend on it
+    order : 2: tetrahedra of ten nodes, one in the middle of each edge, which `Mesh.middles` and
+        `Mesh.middle_points` have, and `write` writes
+    curved : with order=2: middle nodes of the boundary and of interfaces lie on the surface, where
+        no element is spoilt by it; `Mesh.curve` says how many do
 
     Warns of labels that the mesh has lost, with a size that keeps them, of labels asked for one by
     one that no voxel has, and of gray values taken for labels; `Mesh.warnings` has the sentences.
@@ -560,7 +624,7 @@ def mesh_image(
         _arguments.three("spacing", spacing, one_will_do=True),
         _arguments.three("origin", origin), _arguments.direction(direction), ranges, levels,
         None if smooth is None else float(smooth), merges, _arguments.size(size), _arguments.whole("margin", margin),
-        _options(method, cuts, guarantee, threads)))
+        _options(method, cuts, guarantee, threads, order, curved)))
 
 
 def mesh_function(
@@ -573,6 +637,8 @@ def mesh_function(
     cuts: Cuts = "bisect",
     guarantee: Guarantee | None = None,
     threads: int = 0,
+    order: Literal[1, 2] = 1,
+    curved: bool = False,
 ) -> Mesh:
     """Meshes where a function is negative.
 
@@ -585,7 +651,7 @@ def mesh_function(
     bounds : ((x0, y0, z0), (x1, y1, z1)), or these six numbers: a box, beyond which all is
         outside
     size : the long edge of the lattice (default: a 64th of the longest side of the box)
-    margin, method, cuts, guarantee, threads : as `mesh_image` has them
+    margin, method, cuts, guarantee, threads, order, curved : as `mesh_image` has them
 
     Raises
     ------
@@ -596,7 +662,7 @@ def mesh_function(
     low, high = _arguments.bounds(bounds)
     return _told(_certet.mesh_function(
         _arguments.signs(f), low, high, _arguments.size(size), _arguments.whole("margin", margin),
-        _options(method, cuts, guarantee, threads)))
+        _options(method, cuts, guarantee, threads, order, curved)))
 
 
 def mesh_surface(
@@ -610,6 +676,8 @@ def mesh_surface(
     cuts: Cuts = "bisect",
     guarantee: Guarantee | None = None,
     threads: int = 0,
+    order: Literal[1, 2] = 1,
+    curved: bool = False,
 ) -> Mesh:
     """Meshes the inside of a closed surface.
 
@@ -624,7 +692,7 @@ def mesh_surface(
         solid is thin, as far as some 4 million tetrahedra)
     repair : of an open surface, mesh what it winds around by more than one half (the
         generalised winding number); `Mesh.notes` says how many holes that closed
-    margin, method, cuts, guarantee, threads : as `mesh_image` has them
+    margin, method, cuts, guarantee, threads, order, curved : as `mesh_image` has them
 
     Raises
     ------
@@ -635,7 +703,7 @@ def mesh_surface(
     return _told(_certet.mesh_surface(
         _arguments.points(points), _arguments.triangles(triangles), _arguments.size(size),
         _arguments.whole("margin", margin), bool(repair),
-        _options(method, cuts, guarantee, threads)))
+        _options(method, cuts, guarantee, threads, order, curved)))
 
 
 def mesh_solids(
@@ -652,6 +720,8 @@ def mesh_solids(
     cuts: Cuts = "bisect",
     guarantee: Guarantee | None = None,
     threads: int = 0,
+    order: Literal[1, 2] = 1,
+    curved: bool = False,
 ) -> Mesh:
     """Meshes several solids as the materials of one mesh, cut apart where they meet.
 
@@ -674,7 +744,7 @@ def mesh_solids(
     size : the long edge of the lattice (default: the spacing of the first image or, without one, a
         64th of the longest side of the box around all)
     repair : of surfaces, as `mesh_surface` has it
-    margin, method, cuts, guarantee, threads : as `mesh_image` has them; with the paper's methods the
+    margin, method, cuts, guarantee, threads, order, curved : as `mesh_image` has them; with the paper's methods the
         solids are meshed as one, and a tetrahedron has the label at its centre
 
     Raises
@@ -689,7 +759,7 @@ def mesh_solids(
              for name, one in solids.items()]
     return _told(_certet.mesh_solids(inner, list(priority), _arguments.size(size),
                                      _arguments.whole("margin", margin),
-                                     _options(method, cuts, guarantee, threads)))
+                                     _options(method, cuts, guarantee, threads, order, curved)))
 
 
 def _mesh_solid(
@@ -814,7 +884,12 @@ def _inner(mesh: Any) -> Any:
     return mesh._inner
 
 
-def _options(method: str | None, cuts: str, guarantee: str | None, threads: int) -> _certet.Options:
+def _options(method: str | None, cuts: str, guarantee: str | None, threads: int,
+             order: int = 1, curved: bool = False) -> _certet.Options:
+    if order not in (1, 2):
+        raise ValueError(f"order is 1 or 2, not {order!r}")
+    if curved and order != 2:
+        raise ValueError("curved goes with order=2")
     if cuts not in ("bisect", "midpoint"):
         raise ValueError(f"cuts is 'bisect' or 'midpoint', not {cuts!r}")
     if guarantee not in (None, "angles", "embedding"):
@@ -823,4 +898,5 @@ def _options(method: str | None, cuts: str, guarantee: str | None, threads: int)
         method = "midpoint" if cuts == "midpoint" else guarantee or "embedded"
     elif (cuts, guarantee) != ("bisect", None):
         raise ValueError("method says all that cuts and guarantee do: give one or the others")
-    return _certet.Options(_arguments.word("method", method), _arguments.whole("threads", threads))
+    return _certet.Options(_arguments.word("method", method), _arguments.whole("threads", threads),
+                           int(order), bool(curved))

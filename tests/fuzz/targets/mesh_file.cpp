@@ -13,7 +13,7 @@ void mesh_file(Bytes bytes) {
     if (!mesh.labels.empty() && mesh.labels.size() != mesh.tets.size())
       throw Finding("there are labels, but not one for each tetrahedron");
     const std::span<const certet::Tet<std::uint64_t>> tets(mesh.tets);
-    certet::check(mesh.points, tets, context);
+    certet::check(mesh, context);
     certet::examine(mesh.points, tets, mesh.labels, context);
     certet::compare_surfaces(mesh, certet::survey(mesh, context));
     certet::checksum(mesh);
