@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "check_report.hpp"
@@ -45,28 +47,46 @@ std::string told(const InterfaceReport& interface, const LabelNames& names) {
                      faults_of(interface.nonmanifold));
 }
 
-bool is_conspicuous(const RegionReport& region) {
-  return region.pieces.by_faces > 1 || region.nonmanifold.vertices > 0;
+/// What one should know of a part: of a region in several pieces, or what is no manifold.
+std::string conspicuous(const RegionReport& region) {
+  return pieces_of(region.pieces) + faults_of(region.nonmanifold);
 }
-bool is_conspicuous(const InterfaceReport& interface) {
-  return interface.nonmanifold.vertices > 0;
+std::string conspicuous(const InterfaceReport& interface) {
+  return faults_of(interface.nonmanifold);
 }
 
-/// All of a few; of many those that are not `sound`, which says what the others are.
+std::string called(const RegionReport& region, const LabelNames& names) {
+  return name_of(region.label, names);
+}
+std::string called(const InterfaceReport& interface, const LabelNames& names) {
+  return pair_of(interface, names);
+}
+
+/// Of many the worst, by points that are no manifold; `sound` says what others are.
+template <class Part>
+void add_conspicuous(Lines& lines, const std::vector<Part>& all, const LabelNames& names,
+                     std::string_view sound) {
+  std::vector<const Part*> found;
+  for (const Part& part : all)
+    if (!conspicuous(part).empty()) found.push_back(&part);
+  std::ranges::stable_sort(found, std::greater(),
+                           [](const Part* part) { return part->nonmanifold.vertices; });
+  const std::size_t shown = std::min(found.size(), most_conspicuous);
+  for (const Part* part : std::span(found).first(shown))
+    lines.add("", "{}: {}", called(*part, names), conspicuous(*part).substr(2));
+  if (found.empty())
+    lines.add("", "each {}; --json has all", sound);
+  else if (shown < found.size())
+    lines.add("", "{} more like these; --json has all", grouped(found.size() - shown));
+  else
+    lines.add("", "all others {}; --json has all", sound);
+}
+
 template <class Part>
 void add_parts(Lines& lines, const std::vector<Part>& all, const LabelNames& names,
                std::string_view sound) {
-  std::vector<const Part*> shown;
-  for (const Part& part : all)
-    if (all.size() <= most_rows || is_conspicuous(part)) shown.push_back(&part);
-  const std::size_t found = shown.size();
-  if (all.size() > most_rows) shown.resize(std::min(found, most_conspicuous));
-  for (const Part* part : shown) lines.add("", "{}", told(*part, names));
-  if (shown.size() < found)
-    lines.add("", "{} more like these", grouped(found - shown.size()));
-  if (found < all.size())
-    lines.add("", "{} {}{}; --json has all", grouped(all.size() - found),
-              found == 0 ? "" : "others, ", sound);
+  if (all.size() > most_rows) return add_conspicuous(lines, all, names, sound);
+  for (const Part& part : all) lines.add("", "{}", told(part, names));
 }
 
 void add_regions(Lines& lines, const CheckedFile& checked) {
@@ -77,7 +97,7 @@ void add_regions(Lines& lines, const CheckedFile& checked) {
   lines.add("regions", "{}, of volumes from {:.6g} ({}) to {:.6g} ({})", grouped(all.size()),
             volume(*least), name_of(least->label, checked.names), volume(*most),
             name_of(most->label, checked.names));
-  add_parts(lines, all, checked.names, "each in one piece, and a manifold");
+  add_parts(lines, all, checked.names, "in one piece, and a manifold");
 }
 
 void add_interfaces(Lines& lines, const CheckedFile& checked) {
@@ -89,7 +109,7 @@ void add_interfaces(Lines& lines, const CheckedFile& checked) {
     triangles += interface.triangles, area += interface.area;
   lines.add("interfaces", "{} of {} triangles, area {:.6g}", grouped(all.size()),
             grouped(triangles), area);
-  add_parts(lines, all, checked.names, "each a manifold");
+  add_parts(lines, all, checked.names, "a manifold");
 }
 
 std::string covered(const CheckedFile& checked) {
