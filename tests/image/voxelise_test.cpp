@@ -243,6 +243,7 @@ TEST(Voxelise, RefusesWhatIsNoMeshOrNoGrid) {
   expect_refused(ErrorCode::bad_input, "262,144", [&] { made_of(mesh, place); });
   mesh.points[0][1] = std::numeric_limits<double>::quiet_NaN();
   expect_refused(ErrorCode::bad_input, "not finite", [&] { made_of(mesh, place); });
+  mesh.points[0][1] = 0;
   mesh.tets[0][2] = 100;
   expect_refused(ErrorCode::bad_input, "not there", [&] { made_of(mesh, place); });
 }
