@@ -35,15 +35,13 @@ def balls():
 
 
 def atlas():
-    """The middle of the brain atlas, and the whole; none where it is not there."""
+    """The brain atlas; none where it is not there."""
     if not ATLAS.exists():
         return
     import nibabel
 
-    whole = np.asarray(nibabel.load(ATLAS).dataobj).astype(np.uint8)
-    middle = tuple(slice((n - 96) // 2, (n + 96) // 2) for n in whole.shape)
-    yield LabelImage("brain atlas, the middle 96³", whole[middle], 2)
-    yield LabelImage("brain atlas, whole", whole, 4)
+    labels = np.asarray(nibabel.load(ATLAS).dataobj).astype(np.uint8)
+    yield LabelImage("brain atlas", labels, 4)
 
 
 def write_nrrd(labels, file):
