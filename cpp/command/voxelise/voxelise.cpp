@@ -151,8 +151,8 @@ Run declare_voxelise(CLI::App& app) {
                  "Image of labels that the voxels are compared with, label by label")
       ->option_text("IMAGE");
   app.add_option("--frame", options->frame,
-                 "Which way the mesh's axes go: lps (to the left, the back, the head) or ras (right, "
-                 "front, head) (default: what its file says, else lps)")
+                 "Which way the mesh's axes go, as --frame of `certet mesh` (default: what the file "
+                 "says, else lps)")
       ->check(CLI::IsMember({"lps", "ras"}))
       ->option_text("lps|ras");
   app.add_option("--threads", options->threads, "Threads (default: as many as there are)")
