@@ -16,6 +16,7 @@ class LabelImage:
     name: str
     labels: np.ndarray
     size: float  # how long edges are to be, about, in voxels
+    finer: float  # the same of the mesh that CGAL is not asked for
 
     def voxels(self):
         """How many each label has, without the outside."""
@@ -31,7 +32,7 @@ def balls():
     for label, (centre, radius) in enumerate((((30.2, 31.1, 32.3), 20), ((26.4, 33.2, 30.1), 9),
                                               ((44.3, 30.6, 33.7), 11)), start=1):
         labels[((points - centre) ** 2).sum(-1) < radius**2] = label
-    return LabelImage("three balls, 64³", labels, 1.6)
+    return LabelImage("three balls, 64³", labels, 1.6, 1)
 
 
 def atlas():
@@ -41,7 +42,7 @@ def atlas():
     import nibabel
 
     labels = np.asarray(nibabel.load(ATLAS).dataobj).astype(np.uint8)
-    yield LabelImage("brain atlas", labels, 4)
+    yield LabelImage("brain atlas", labels, 4, 2)
 
 
 def write_nrrd(labels, file):
