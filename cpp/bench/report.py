@@ -103,7 +103,7 @@ def peer_lines(result):
         "## Beside CGAL", "",
         "The same labels meshed by CGAL's Mesh_3 (its labelled image domain, optimised against "
         "slivers, as Debian's python3-pygalmesh runs it) and by certet with the size that gives "
-        "about as many tetrahedra.  One thread each; from the image's file to a MEDIT file, of "
+        "about as many tetrahedra, and with a finer lattice.  One thread each; from the image's file to a MEDIT file, of "
         "certet the whole process, of CGAL without the start of Python.  Everything else is "
         "judged from the two files by one program that shares no code with either, and `certet "
         "check` must agree with it.  Volumes are of labels of 1,000 voxels and more.", "",

@@ -1,6 +1,7 @@
 """certet voxelise: meshes as voxels, and how they compare with the image that was meshed."""
 
 import json
+import resource
 import unittest
 
 from images import read_bytes_of_nrrd, voxels, write_nrrd
@@ -127,6 +128,19 @@ class Voxelise(ProgramTest):
             with self.subTest(arguments):
                 self.assert_fails(status, words, "voxelise", "a.vtu", *arguments)
         self.assert_fails(3, ["none.vtu"], "voxelise", "none.vtu", "-o", "b.nrrd", *like)
+
+    def test_a_full_disk(self):
+        self.mesh("a.nrrd", "-o", "a.vtu")
+
+        def small_files():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (512, 512))
+
+        for name in ("b.nrrd", "b.mha", "b.nii", "b.nii.gz"):
+            with self.subTest(name):
+                (self.folder / name).write_text("older")
+                self.assert_fails(6, [name, "cannot be written"], "voxelise", "a.vtu", "-o", name,
+                                  "--spacing", "0.3,0.3,0.3", preexec_fn=small_files)
+                self.assertEqual((self.folder / name).read_text(), "older")
 
 
 if __name__ == "__main__":

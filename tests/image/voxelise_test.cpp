@@ -61,8 +61,8 @@ FileMesh cubes(int n) {
   for (int k = 0; k < n; ++k)
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) {
-        const std::uint64_t corner = i + j * steps[1] + k * steps[2];
-        std::array<int, 3> way{0, 1, 2};
+        const std::uint64_t corner = std::uint64_t(i) + std::uint64_t(j) * steps[1] + std::uint64_t(k) * steps[2];
+        std::array<std::size_t, 3> way{0, 1, 2};
         do {
           const std::uint64_t a = corner + steps[way[0]], b = a + steps[way[1]], c = b + steps[way[2]];
           const bool even = (way[1] + 3 - way[0]) % 3 == 1;
@@ -86,18 +86,19 @@ std::pair<int, bool> plainly(const FileMesh& mesh, const Point3& at, std::int32_
   int inside = 0;
   bool near = false;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    const auto volume = [&](int moved) {
+    constexpr std::size_t none = 4;
+    const auto volume = [&](std::size_t moved) {
       std::array<Point3, 4> p{};
-      for (int c = 0; c < 4; ++c) p[c] = c == moved ? at : mesh.points[mesh.tets[t][c]];
+      for (std::size_t c = 0; c < 4; ++c) p[c] = c == moved ? at : mesh.points[mesh.tets[t][c]];
       double m[3][3];
-      for (int r = 0; r < 3; ++r)
-        for (int a = 0; a < 3; ++a) m[r][a] = p[r + 1][a] - p[0][a];
+      for (std::size_t r = 0; r < 3; ++r)
+        for (std::size_t a = 0; a < 3; ++a) m[r][a] = p[r + 1][a] - p[0][a];
       return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
              m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
              m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
     };
     double least = std::numeric_limits<double>::infinity();
-    for (int c = 0; c < 4; ++c) least = std::min(least, volume(c) / volume(-1));
+    for (std::size_t c = 0; c < 4; ++c) least = std::min(least, volume(c) / volume(none));
     near |= std::abs(least) < 1e-4;
     if (least <= 0) continue;
     ++inside;
@@ -243,6 +244,7 @@ TEST(Voxelise, RefusesWhatIsNoMeshOrNoGrid) {
   expect_refused(ErrorCode::bad_input, "262,144", [&] { made_of(mesh, place); });
   mesh.points[0][1] = std::numeric_limits<double>::quiet_NaN();
   expect_refused(ErrorCode::bad_input, "not finite", [&] { made_of(mesh, place); });
+  mesh.points[0][1] = 0;
   mesh.tets[0][2] = 100;
   expect_refused(ErrorCode::bad_input, "not there", [&] { made_of(mesh, place); });
 }

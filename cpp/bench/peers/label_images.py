@@ -16,6 +16,7 @@ class LabelImage:
     name: str
     labels: np.ndarray
     size: float  # how long edges are to be, about, in voxels
+    finer: float  # the same of the mesh that CGAL is not asked for
 
     def voxels(self):
         """How many each label has, without the outside."""
@@ -31,19 +32,17 @@ def balls():
     for label, (centre, radius) in enumerate((((30.2, 31.1, 32.3), 20), ((26.4, 33.2, 30.1), 9),
                                               ((44.3, 30.6, 33.7), 11)), start=1):
         labels[((points - centre) ** 2).sum(-1) < radius**2] = label
-    return LabelImage("three balls, 64³", labels, 1.6)
+    return LabelImage("three balls, 64³", labels, 1.6, 1)
 
 
 def atlas():
-    """The middle of the brain atlas, and the whole; none where it is not there."""
+    """The brain atlas; none where it is not there."""
     if not ATLAS.exists():
         return
     import nibabel
 
-    whole = np.asarray(nibabel.load(ATLAS).dataobj).astype(np.uint8)
-    middle = tuple(slice((n - 96) // 2, (n + 96) // 2) for n in whole.shape)
-    yield LabelImage("brain atlas, the middle 96³", whole[middle], 2)
-    yield LabelImage("brain atlas, whole", whole, 4)
+    labels = np.asarray(nibabel.load(ATLAS).dataobj).astype(np.uint8)
+    yield LabelImage("brain atlas", labels, 4, 2)
 
 
 def write_nrrd(labels, file):

@@ -9,6 +9,7 @@
 #include "refusal.hpp"
 #include "report.hpp"
 #include "signals.hpp"
+#include "silence.hpp"
 #include "stopwatch.hpp"
 #include "voxelise_report.hpp"
 
@@ -66,6 +67,16 @@ void check_options(const VoxeliseOptions& options) {
   if (json_file) check_output(options.json);
 }
 
+Image image_of(const std::filesystem::path& file) {
+  const Silence silence;
+  return read_image(file);
+}
+
+void write_to(const std::filesystem::path& file, const Image& labels) {
+  const Silence silence;
+  write_labels(labels, file);
+}
+
 /// As images are: LPS.
 FileMesh read_mesh(const VoxeliseOptions& options, const Context& context) {
   FileMesh mesh = certet::read(options.mesh, context);
@@ -87,10 +98,10 @@ VoxeliseReport run(const VoxeliseOptions& options, Context& context) {
   const Stopwatch clock;
   check_options(options);
   Image other;
-  if (!options.compare.empty()) other = read_image(options.compare);
+  if (!options.compare.empty()) other = image_of(options.compare);
   const FileMesh mesh = read_mesh(options, context);
   Image grid;
-  if (!options.like.empty()) grid = place_of(read_image(options.like));
+  if (!options.like.empty()) grid = place_of(image_of(options.like));
   else if (!options.spacing.empty()) grid = grid_around(mesh, parse_spacing(options.spacing));
   else grid = place_of(other);
   VoxeliseReport report;
@@ -106,7 +117,7 @@ VoxeliseReport run(const VoxeliseOptions& options, Context& context) {
   report.warnings = warnings_on_voxels(report.made);
   stop_if_cancelled(context);
   if (!options.output.empty()) {
-    write_labels(report.made.image, options.output);
+    write_to(options.output, report.made.image);
     report.bytes = std::filesystem::file_size(options.output);
   }
   report.seconds = clock.seconds();
@@ -140,8 +151,8 @@ Run declare_voxelise(CLI::App& app) {
                  "Image of labels that the voxels are compared with, label by label")
       ->option_text("IMAGE");
   app.add_option("--frame", options->frame,
-                 "Which way the mesh's axes go: lps (to the left, the back, the head) or ras (right, "
-                 "front, head) (default: what its file says, else lps)")
+                 "Which way the mesh's axes go, as --frame of `certet mesh` (default: what the file "
+                 "says, else lps)")
       ->check(CLI::IsMember({"lps", "ras"}))
       ->option_text("lps|ras");
   app.add_option("--threads", options->threads, "Threads (default: as many as there are)")

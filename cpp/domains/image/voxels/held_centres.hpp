@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <optional>
-#include <utility>
 
 #include "voxel_frame.hpp"
 
@@ -54,28 +52,29 @@ struct VoxelRange {
   }
 };
 
-/// A tetrahedron among the voxels.
+using FineCorners = std::array<FinePoint, 4>;
+
+/// Six times its volume, of the sign that the order of its corners gives it.
+inline WideProduct volume(const FineCorners& corners) {
+  const HalfSpace base(corners[0], corners[1], corners[2]);
+  return base.depth(corners[3]) - base.depth(corners[0]);
+}
+
+/// The voxels that a tetrahedron may hold the centres of, of those in a range.
+inline VoxelRange voxels_around(const FineCorners& corners, const VoxelRange& within) {
+  VoxelRange result = within;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto [low, high] = std::minmax({corners[0][a], corners[1][a], corners[2][a], corners[3][a]});
+    result.first[a] = std::max(result.first[a], (low + one_voxel - 1) >> 20);
+    result.last[a] = std::min(result.last[a], high >> 20);
+  }
+  return result;
+}
+
+/// A tetrahedron among the voxels; it has a volume, and its corners may be in any order.
 class TetAmongVoxels {
  public:
-  /// None of a tetrahedron without a volume; the order of its corners does not matter.
-  static std::optional<TetAmongVoxels> of(std::array<FinePoint, 4> corners) {
-    const HalfSpace base(corners[0], corners[1], corners[2]);
-    const WideProduct depth = base.depth(corners[3]) - base.depth(corners[0]);
-    if (depth == 0) return std::nullopt;
-    if (depth < 0) std::swap(corners[0], corners[1]);
-    return TetAmongVoxels(corners);
-  }
-
-  /// The voxels that it may hold the centres of, of those in a box.
-  [[nodiscard]] VoxelRange box(const VoxelRange& within) const {
-    VoxelRange result = within;
-    for (std::size_t a = 0; a < 3; ++a) {
-      const auto [low, high] = std::minmax({corners_[0][a], corners_[1][a], corners_[2][a], corners_[3][a]});
-      result.first[a] = std::max(result.first[a], (low + one_voxel - 1) >> 20);
-      result.last[a] = std::min(result.last[a], high >> 20);
-    }
-    return result;
-  }
+  explicit TetAmongVoxels(const FineCorners& corners) : TetAmongVoxels(corners, volume(corners) < 0) {}
 
   /// Calls take(i, j, k) for every voxel of a box whose centre it holds.
   template <class Take>
@@ -93,12 +92,12 @@ class TetAmongVoxels {
   }
 
  private:
-  /// Of a positive volume.
-  explicit TetAmongVoxels(const std::array<FinePoint, 4>& p)
-      : corners_(p), sides_{HalfSpace(p[0], p[1], p[2]), HalfSpace(p[0], p[3], p[1]),
-                            HalfSpace(p[0], p[2], p[3]), HalfSpace(p[1], p[3], p[2])} {}
+  TetAmongVoxels(const FineCorners& p, bool turned)
+      : sides_{HalfSpace(p[0], p[turned ? 2 : 1], p[turned ? 1 : 2]),
+               HalfSpace(p[0], p[turned ? 1 : 3], p[turned ? 3 : 1]),
+               HalfSpace(p[0], p[turned ? 3 : 2], p[turned ? 2 : 3]),
+               HalfSpace(p[1], p[turned ? 2 : 3], p[turned ? 3 : 2])} {}
 
-  std::array<FinePoint, 4> corners_;
   std::array<HalfSpace, 4> sides_;
 };
 

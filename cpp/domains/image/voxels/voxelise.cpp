@@ -65,30 +65,30 @@ class TetsByLayers {
     return std::span(tets_.data(), tets_.size()).subspan(starts_[slab], starts_[slab + 1] - starts_[slab]);
   }
 
-  [[nodiscard]] std::optional<TetAmongVoxels> tet(std::size_t number) const {
-    std::array<FinePoint, 4> corners{};
+  [[nodiscard]] FineCorners corners(std::size_t number) const {
+    FineCorners corners{};
     for (std::size_t c = 0; c < 4; ++c) {
       const std::optional<FinePoint> fine = frame_.fine(point(mesh_, mesh_.tets[number][c]));
       if (!fine)
         refuse_point("a point is not finite, or 262,144 voxels away from the first voxel");
       corners[c] = *fine;
     }
-    return TetAmongVoxels::of(corners);
+    return corners;
   }
 
  private:
-  /// Calls visit(slab, tet) for all, tetrahedra ascending.
+  /// Calls visit(slab, tet) for all that may hold a centre, tetrahedra ascending.
   template <class Visit>
   void for_each(const Context& context, const Visit& visit) {
     flat_ = 0;
     for (std::size_t number = 0; number < mesh_.tets.size(); ++number) {
       if (number % tets_at_once == 0) stop_if_cancelled(context);
-      const std::optional<TetAmongVoxels> found = tet(number);
-      if (!found) {
+      const FineCorners at = corners(number);
+      if (volume(at) == 0) {
         ++flat_;
         continue;
       }
-      const VoxelRange box = found->box(whole_);
+      const VoxelRange box = voxels_around(at, whole_);
       if (box.empty()) continue;
       for (std::int64_t slab = box.first[2] / layers_at_once; slab <= box.last[2] / layers_at_once;
            ++slab)
@@ -126,8 +126,8 @@ class Layers {
     for (const std::uint64_t number : tets.tets(slab)) {
       if (++done % tets_at_once == 0) stop_if_cancelled(context);
       const std::int32_t label = mesh.labels.empty() ? 1 : mesh.labels[number];
-      const std::optional<TetAmongVoxels> tet = tets.tet(number);
-      tet->held(tet->box(box), [&](std::int64_t i, std::int64_t j, std::int64_t k) {
+      const FineCorners corners = tets.corners(number);
+      TetAmongVoxels(corners).held(voxels_around(corners, box), [&](std::int64_t i, std::int64_t j, std::int64_t k) {
         const std::int64_t at = i + j * width_ + k * layer_;
         std::uint8_t& count = times[static_cast<std::size_t>(at - begin)];
         if (count == 0) labels_[static_cast<std::size_t>(at)] = label;
