@@ -42,15 +42,16 @@ std::vector<Side> sides_of(const std::vector<SurfaceTriangle>& triangles,
   return sides;
 }
 
-/// The axis that is normal to a triangle, if one is: then it lies in a face of a box.
+/// The axis that is normal to a triangle, if one is: then it lies in a face of a box along the
+/// lattice.  Bisection leaves its points a few steps off that face.
 std::optional<std::size_t> axis_of(const Vector& normal) {
-  std::optional<std::size_t> axis;
-  for (std::size_t a = 0; a < 3; ++a)
-    if (normal[a] != 0) {
-      if (axis) return std::nullopt;
-      axis = a;
-    }
-  return axis;
+  constexpr std::int64_t flat = 1 << 10;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::int64_t aside =
+        std::max(std::abs(normal[(a + 1) % 3]), std::abs(normal[(a + 2) % 3]));
+    if (aside < std::abs(normal[a]) / flat) return a;
+  }
+  return std::nullopt;
 }
 
 /// What the triangles around an edge say of it.  On a rim, where the surface meets a face of a
