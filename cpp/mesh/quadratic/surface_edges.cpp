@@ -75,9 +75,10 @@ class EdgeView {
     if (!first_) return std::nullopt;
     const Coord3 a = points_.at(side.a), b = points_.at(side.b);
     const Vector along = to_vector(a, b);
-    SurfaceEdge edge{side.node, {}, normal_, 0, first_->labels[0], first_->outer, seam_};
+    SurfaceEdge edge{side.node, {}, normal_, {inward_[0], inward_[1], inward_[2]},
+                     0,         first_->labels[0], first_->outer, seam_};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (held_[axis]) edge.normal[axis] = 0;
+      if (inward_[axis] != 0) edge.normal[axis] = 0;
       edge.length = std::max(edge.length, static_cast<std::int32_t>(std::abs(along[axis])));
     }
     edge.middle2 = {std::int64_t{a.x} + b.x, std::int64_t{a.y} + b.y, std::int64_t{a.z} + b.z};
@@ -86,7 +87,9 @@ class EdgeView {
 
  private:
   void add_border(const Vector& normal) {
-    if (const auto axis = axis_of(normal)) held_[*axis] = true;
+    // What bisection found may be a step beyond the face, where all is outside.
+    constexpr std::int32_t within = 4;
+    if (const auto axis = axis_of(normal)) inward_[*axis] = normal[*axis] > 0 ? -within : within;
     else seam_ = true;
   }
 
@@ -94,7 +97,7 @@ class EdgeView {
   const SurfacePoints& points_;
   const SurfaceTriangle* first_ = nullptr;
   Vector normal_{};
-  std::array<bool, 3> held_{};
+  std::array<std::int32_t, 3> inward_{};  ///< along axes on which it may not move
   bool seam_ = false;
 };
 
