@@ -12,6 +12,10 @@
 namespace certet::formats {
 namespace {
 
+/// Abaqus has numbers of at most so many characters, and CalculiX drops what is behind them: an
+/// exponent, too.
+constexpr std::size_t field = 20;
+
 /// Abaqus' number of the face of a C3D4 or C3D10 that does not have a corner.
 constexpr std::array<int, 4> face_number{3, 4, 2, 1};
 
@@ -38,7 +42,9 @@ class AbaqusWriter final : public StreamedWriter {
   void put_points(std::uint64_t first, std::span<const Point3> points) override {
     for (const Point3& p : points)
       text_.append_all(
-          (Line() << ++first << ", " << p[0] << ", " << p[1] << ", " << p[2] << '\n').text());
+          (Line() << ++first << ", " << Field{p[0], field} << ", " << Field{p[1], field} << ", "
+                  << Field{p[2], field} << '\n')
+              .text());
   }
 
   void open_tets() override {

@@ -19,6 +19,13 @@ struct Padded {
   std::size_t width;
 };
 
+/// A number in a field that programs read no more of than so many characters: where its shortest
+/// form is longer, it has as many digits as fit.  At least 8.
+struct Field {
+  double number;
+  std::size_t width;
+};
+
 /// How many characters a whole number has.
 inline std::size_t digits_of(std::integral auto number) { return std::to_string(number).size(); }
 
@@ -41,6 +48,15 @@ class Line {
     const auto count = static_cast<std::size_t>(stop - digits.data());
     for (std::size_t i = count; i < padded.width; ++i) *end_++ = ' ';
     end_ = std::copy_n(digits.data(), count, end_);
+    return *this;
+  }
+  Line& operator<<(Field field) {
+    char* const begin = end_;
+    *this << field.number;
+    for (int digits = 17; static_cast<std::size_t>(end_ - begin) > field.width; --digits)
+      end_ = std::to_chars(begin, text_.data() + text_.size(), field.number,
+                           std::chars_format::general, digits)
+                 .ptr;
     return *this;
   }
   template <class Number>

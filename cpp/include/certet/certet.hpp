@@ -22,7 +22,7 @@
 ///     count_pieces(mesh, context)   its pieces, and where its surface is no manifold
 ///     examine(points, tets, labels, context)   all that, and each region and interface
 ///     middle_nodes(mesh)        a node in the middle of each edge, for tetrahedra of ten
-///     curve(nodes, mesh, survey, domain, context)   puts those of the surface on it
+///     curve(nodes, mesh, domain)   puts those of the surface on it
 ///     write(mesh, nodes, path)  with them
 ///     find_losses(shape, mesh, context)   what it has not kept of its shape, and a size that does
 ///

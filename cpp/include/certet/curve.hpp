@@ -38,6 +38,11 @@ struct CurveFigures {
 /// edges, whose surface is none to be put on); what the domain throws.
 CurveFigures curve(MiddleNodes& middles, const Mesh& mesh, const Survey& found,
                    const Domain& domain, Context& context);
+/// The same, of a mesh that is surveyed for it.
+inline CurveFigures curve(MiddleNodes& middles, const Mesh& mesh, const Domain& domain) {
+  Context context;
+  return curve(middles, mesh, survey(mesh, context), domain, context);
+}
 /// The same of a mesh that is counted but not written; holds the elements at its surface.
 CurveFigures curve(MiddleNodes& middles, const Stuffing& stuffing, const Survey& found,
                    const Domain& domain, Context& context);

@@ -80,7 +80,7 @@ struct MeshSize {
 /// where the format's numbers cannot hold the mesh: .stl has single precision, in which
 /// points must stay distinct and triangles keep an area and, but for 4.5 degrees, their
 /// normals.  All other formats have doubles, those of text in the shortest form that
-/// reads back the same.
+/// reads back the same, but for .inp, whose numbers have at most 20 characters.
 class MeshWriter {
  public:
   virtual ~MeshWriter() = default;

@@ -32,7 +32,7 @@ class Path {
   [[nodiscard]] const SurfaceEdge& edge() const { return *edge_; }
   [[nodiscard]] bool is_open() const { return !done_; }
   /// Where the domain is to be asked next.
-  [[nodiscard]] Coord3 position() const { return at(next_); }
+  [[nodiscard]] Coord3 position() const { return at(next_) + edge_->inward; }
 
   void take(Side side);
   [[nodiscard]] Crossing result() const;

@@ -42,15 +42,16 @@ std::vector<Side> sides_of(const std::vector<SurfaceTriangle>& triangles,
   return sides;
 }
 
-/// The axis that is normal to a triangle, if one is: then it lies in a face of a box.
+/// The axis that is normal to a triangle, if one is: then it lies in a face of a box along the
+/// lattice.  Bisection leaves its points a few steps off that face.
 std::optional<std::size_t> axis_of(const Vector& normal) {
-  std::optional<std::size_t> axis;
-  for (std::size_t a = 0; a < 3; ++a)
-    if (normal[a] != 0) {
-      if (axis) return std::nullopt;
-      axis = a;
-    }
-  return axis;
+  constexpr std::int64_t flat = 1 << 10;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::int64_t aside =
+        std::max(std::abs(normal[(a + 1) % 3]), std::abs(normal[(a + 2) % 3]));
+    if (aside < std::abs(normal[a]) / flat) return a;
+  }
+  return std::nullopt;
 }
 
 /// What the triangles around an edge say of it.  On a rim, where the surface meets a face of a
@@ -74,9 +75,10 @@ class EdgeView {
     if (!first_) return std::nullopt;
     const Coord3 a = points_.at(side.a), b = points_.at(side.b);
     const Vector along = to_vector(a, b);
-    SurfaceEdge edge{side.node, {}, normal_, 0, first_->labels[0], first_->outer, seam_};
+    SurfaceEdge edge{side.node, {}, normal_, {inward_[0], inward_[1], inward_[2]},
+                     0,         first_->labels[0], first_->outer, seam_};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (held_[axis]) edge.normal[axis] = 0;
+      if (inward_[axis] != 0) edge.normal[axis] = 0;
       edge.length = std::max(edge.length, static_cast<std::int32_t>(std::abs(along[axis])));
     }
     edge.middle2 = {std::int64_t{a.x} + b.x, std::int64_t{a.y} + b.y, std::int64_t{a.z} + b.z};
@@ -85,7 +87,9 @@ class EdgeView {
 
  private:
   void add_border(const Vector& normal) {
-    if (const auto axis = axis_of(normal)) held_[*axis] = true;
+    // What bisection found may be a step beyond the face, where all is outside.
+    constexpr std::int32_t within = 4;
+    if (const auto axis = axis_of(normal)) inward_[*axis] = normal[*axis] > 0 ? -within : within;
     else seam_ = true;
   }
 
@@ -93,7 +97,7 @@ class EdgeView {
   const SurfacePoints& points_;
   const SurfaceTriangle* first_ = nullptr;
   Vector normal_{};
-  std::array<bool, 3> held_{};
+  std::array<std::int32_t, 3> inward_{};  ///< along axes on which it may not move
   bool seam_ = false;
 };
 

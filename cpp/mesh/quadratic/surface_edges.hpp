@@ -33,6 +33,7 @@ struct SurfaceEdge {
   std::uint64_t node;
   std::array<std::int64_t, 3> middle2;  ///< twice its middle, in steps
   std::array<std::int64_t, 3> normal;   ///< outward; of any length, 0: none
+  Coord3 inward;                        ///< from a face that cuts the shape off, a few steps
   std::int32_t length;                  ///< the greatest of its three extents, in steps
   std::int32_t label;                   ///< within
   bool outer;                           ///< of the boundary

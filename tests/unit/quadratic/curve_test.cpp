@@ -63,6 +63,27 @@ TEST(Curve, TheVolumeOfABallIsNearerByAnOrder) {
   EXPECT_EQ(middles.bends().size(), figures.moved);
 }
 
+/// Where bounds cut a ball off, the flat side stays flat; the straight mesh has not all of the rim
+/// itself, so that some edges there are far from the surface.
+TEST(Curve, ARimStaysInItsPlane) {
+  const BoundedFunction half([](Point3 p) { return std::hypot(p[0], p[1], p[2]) - 1; },
+                             {{-1.2, -1.2, 0}, {1.2, 1.2, 1.2}}, 0.2);
+  Context context;
+  const Mesh made = mesh(half);
+  MiddleNodes middles = middle_nodes(made);
+  const double exact = 2 * std::acos(-1.0) / 3;
+  const double straight = std::fabs(volume_of(made, middles) / exact - 1);
+  const CurveFigures figures = curve(middles, made, half);
+  const double curved = std::fabs(volume_of(made, middles) / exact - 1);
+  std::cout << "half a ball: " << straight << " straight, " << curved << " curved; "
+            << figures.moved << " of " << figures.edges << " moved, " << figures.guarded
+            << " guarded, " << figures.far << " far, " << figures.seams << " seams\n";
+  EXPECT_EQ(figures.seams, 0u);
+  EXPECT_LT(curved, straight / 2);
+  EXPECT_LT(figures.far, figures.edges / 10);
+  for (const Point3& node : middle_points(made, middles)) EXPECT_GT(node[2], -1e-4);
+}
+
 TEST(Curve, ACountedMeshGivesTheSameForAnyNumberOfThreads) {
   Context context;
   const Mesh made = mesh(ball());
