@@ -177,7 +177,7 @@ class InsideAndSubtract(MixedTest):
         volume, report = self.volume("ball.stl", "--subtract", "cylinder:1,6", "--subtract",
                                      "box:9,9,1", "--size", "0.15")
         self.assertLess(volume, 0.8 * left)
-        self.assertEqual(report["mesh"]["pieces"], 2)
+        self.assertEqual(report["mesh"]["pieces"]["by_faces"], 2)
 
     def test_a_gyroid_in_a_surface(self):
         """It needs no --bounds, and fills the box as the shape fills its own."""
@@ -195,7 +195,7 @@ class InsideAndSubtract(MixedTest):
                                        "--size", "0.1")
         self.assertAlmostEqual(volumes["core"], BALL - math.pi * (0.5 - 0.25**3 * 2 / 3),
                                delta=0.08)
-        self.assertEqual(report["mesh"]["pieces"], 2)
+        self.assertEqual(report["mesh"]["pieces"]["by_faces"], 2)
 
     def test_refusals(self):
         self.ball("ball.stl", (90, 0, 0), 2)

@@ -33,14 +33,6 @@ struct Scan {
   Point3 centre{};
 
   explicit Scan(double angle, Point3 spacing = {1, 1, 1}) {
-    Image image;
-    image.name = "scan";
-    image.size = {16, 16, 16};
-    image.spacing = spacing;
-    image.origin = {3, -4, 5};
-    image.axes = {{{std::cos(angle), -std::sin(angle), 0},
-                   {std::sin(angle), std::cos(angle), 0},
-                   {0, 0, 1}}};
     Buffer<std::uint8_t> labelled(4096);
     Buffer<float> values(4096);
     for (std::size_t v = 0; v < 4096; ++v) {
@@ -49,14 +41,26 @@ struct Scan {
       labelled[v] = r > 6 ? 0 : at[0] + at[1] < 0.3 ? 2 : 5;
       values[v] = static_cast<float>(6 - r);
     }
-    image.voxels = std::move(labelled);
-    labels = std::make_shared<const Image>(image);
-    image.voxels = std::move(values);
-    gray = std::make_shared<const Image>(std::move(image));
+    labels = image_of(angle, spacing, std::move(labelled));
+    gray = image_of(angle, spacing, std::move(values));
     for (std::size_t r = 0; r < 3; ++r) {
       centre[r] = gray->origin[r];
       for (std::size_t a = 0; a < 3; ++a) centre[r] += gray->axes[r][a] * spacing[a] * 7.5;
     }
+  }
+
+ private:
+  static std::shared_ptr<const Image> image_of(double angle, Point3 spacing, Voxels voxels) {
+    Image image;
+    image.name = "scan";
+    image.size = {16, 16, 16};
+    image.spacing = spacing;
+    image.origin = {3, -4, 5};
+    image.axes = {{{std::cos(angle), -std::sin(angle), 0},
+                   {std::sin(angle), std::cos(angle), 0},
+                   {0, 0, 1}}};
+    image.voxels = std::move(voxels);
+    return std::make_shared<const Image>(std::move(image));
   }
 };
 
