@@ -7,16 +7,9 @@
     [make extract] runs this file and writes the result to [extracted/]. *)
 
 From Coq Require Import Extraction ExtrOcamlBasic.
-From Certet Require Import Lattice.Coord3 Lattice.Direction.
-From Certet Require Import Lattice.StructuredTet Stencil.UnstructuredTet.
-From Certet Require Import Warp.Cut Warp.Warp.
-From Certet Require Import Stuffing.Stuffing Stuffing.Domain.
-From Certet Require Import Angles.AnglesSpec Embedding.EmbeddingSpec.
-From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule.
-From Certet Require Import Embedding.DiskTables Embedding.Settle.
-From Certet Require Import Topology.VoxelSpec.
-From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-From Certet Require Import Material.MaterialShape Material.SettleMaterials.
+From Certet Require Import Topology.Definitions Material.Definitions.
+From Certet Require Import Embedding.DiskTables Material.MaterialShape
+  Material.SettleMaterials.
 
 Extraction Language OCaml.
 

@@ -2,15 +2,12 @@
 
     Closed under the global context. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Angles.Definitions.
 From Certet Require Import Angles.Forms.CheckerProof Angles.Cases.Configurations
   Angles.Cases.SymmetryProof Angles.Cases.ReductionProof
   Angles.Cases.AdmissibleProof Angles.Jobs.AnglesFewSurface
   Angles.Jobs.AnglesManySurface Angles.Jobs.EmbeddingFewSurface
   Angles.Jobs.EmbeddingManySurface Angles.Jobs.MidpointFixed.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** The product's stencils. *)

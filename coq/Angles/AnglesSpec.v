@@ -6,11 +6,8 @@
     those of the lattice; a placement says where the corners went and where
     the remaining cuts are, all in [Steps]. *)
 
-From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions.
+From Certet Require Import Stuffing.Definitions.
 From Certet Require Import Angles.Geometry.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** The four lattice points of a structured tetrahedron. *)

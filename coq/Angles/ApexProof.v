@@ -1,10 +1,6 @@
 (** * The two tetrahedra at a face lie on its two sides: proof *)
 
-From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Definitions Stuffing.Definitions
-  Angles.Definitions.
-From Certet Require Import Lattice.FaceProof.
-Import ListNotations.
+From Certet Require Import Angles.Definitions.
 Open Scope Z_scope.
 
 Lemma VolumeMoves s a b c d :

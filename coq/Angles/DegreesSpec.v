@@ -3,9 +3,8 @@
     The one place where real numbers appear: the angle of two faces as anyone
     would define it, so that the integer bounds can be read in degrees. *)
 
-From Coq Require Import ZArith Reals List.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Angles.Definitions.
+From Coq Require Import Reals.
+From Certet Require Import Angles.Definitions.
 Open Scope R_scope.
 
 (** The angle between the faces [abc] and [abd] of a tetrahedron, in degrees. *)

@@ -2,13 +2,9 @@
 
     The theorems that ask for [CutsOnEdges], without asking. *)
 
-From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions.
-From Certet Require Import Warp.CutProof Angles.Cases.AdmissibleProof
-  Angles.AngleTheorems Angles.LatticeProof Stuffing.NameProof
-  Stuffing.VerticesProof.
-Import ListNotations.
+From Certet Require Import Angles.Definitions.
+From Certet Require Import Warp.CutProof Angles.AngleTheorems
+  Angles.LatticeProof Stuffing.NameProof Stuffing.VerticesProof.
 Open Scope Z_scope.
 
 Local Strategy 1000 [Warp Bisect BisectFrom].

@@ -10,10 +10,7 @@
     square of the bound's cotangent is known to lie on the right side of a
     fraction. *)
 
-From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Definitions Stencil.Definitions.
-From Certet Require Export Stencil.StencilSet.
-Import ListNotations.
+From Certet Require Import Stencil.Definitions.
 Open Scope Z_scope.
 
 Definition Dot (u v : Coord3) : Z :=

@@ -4,15 +4,11 @@
     ends of the corners' ranges; none is negative there, the unwarped
     tetrahedron's is positive, and no corner reaches the far end. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Angles.Definitions.
 From Certet Require Import Angles.Forms.BoxFormProof Angles.Forms.EdgeProof
   Angles.Forms.CheckerProof Angles.Cases.SymmetryProof
   Angles.Cases.Configurations Angles.Cases.Isometry Angles.Cases.ReductionProof
-  Angles.Cases.AdmissibleProof Angles.AngleTheorems
-  Angles.Jobs.LatticeKeepsVolume.
-Import ListNotations.
+  Angles.Cases.AdmissibleProof Angles.Jobs.LatticeKeepsVolume.
 Open Scope Z_scope.
 
 (** [x] lies between its start and a place, and is not at the place. *)

@@ -4,8 +4,8 @@
     such steps, forth and back along four diagonals, lead into the eight octants,
     so that one of them leads nearer to any point that is not near already. *)
 
-From Coq Require Import ZArith Lia Wf_nat.
-From Certet Require Import Lattice.Definitions Embedding.Definitions.
+From Coq Require Import Wf_nat.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Embedding.Rounding Embedding.LatticeEmbedsProof.
 Open Scope Z_scope.
 

@@ -4,16 +4,12 @@
     a corner, where both sides have the same triangles; and so along every edge
     from + to +. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Stencil.CompatibilityChecker Stencil.TriangleChecker
   Stencil.TriangleCheckerProof Stuffing.NameProof Stuffing.MeshProof
-  Angles.AngleTheorems Embedding.EdgeRank Embedding.GreedyProof
-  Embedding.MeshApartProof Embedding.LeavingProof Embedding.StarProof.
-Import ListNotations.
+  Angles.AngleTheorems Embedding.EdgeRank Embedding.MeshApartProof
+  Embedding.LeavingProof Embedding.StarProof.
 Open Scope Z_scope.
 
 (** ** The stencils *)

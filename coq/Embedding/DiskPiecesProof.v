@@ -1,13 +1,9 @@
 (** * The mesh of the strict disk has the pieces of the samples: proof *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Embedding.GreedyProof Embedding.LeavingProof
   Embedding.LinkProof Embedding.DiskRuleProof Embedding.PiecesProof
   Embedding.RuledMeshProof.
-Import ListNotations.
 
 (** Checking a proof needs its name, never what it is. *)
 Local Strategy 1000 [WarpVertex].
@@ -41,7 +37,7 @@ Qed.
 
 Theorem DiskMakesNoWall th sign cut limit : (forall v, sign v <> OnSurface) ->
   NoWall sign (RuledWarping th sign cut (DiskRule th sign cut) limit).
-Proof. intros D. apply DiskNoWall; [exact D|apply TurnsDiffer]. Qed.
+Proof. intros D. apply DiskNoWall; [exact D|exact (TurnsDiffer th sign cut)]. Qed.
 
 (** The pieces of the mesh by faces are the pieces of the samples by edges, *)
 Theorem DiskPiecesKept th sign cut limit all p q t u :
@@ -105,14 +101,7 @@ Theorem OneMeshHasItAll sign cut all :
   let place := PlacedPosition warping (ClampedCut th cut) in
   (forall tid t, In t (WarpOrClamp th sign cut stays limit tid) ->
      WellShaped WidestAngles t) /\
-  (forall tid tid' t t', InLattice tid -> InLattice tid' ->
-     In t (PlacedNames sign warping tid) -> In t' (PlacedNames sign warping tid') ->
-     Overlap (MapTet place t) (MapTet place t') -> tid = tid' /\ t = t') /\
-  (forall p q t u,
-     PlusAfter sign warping p -> PlusAfter sign warping q ->
-     MadeAt sign warping p t -> MadeAt sign warping q u ->
-     Joined (InMesh sign warping) ShareFace t u <->
-     Joined (PlusBefore sign) Adjacent p q).
+  NoneOverlap sign warping place /\ SamePieces sign warping.
 Proof.
   intros C D B th stays limit warping place. split; [|split].
   - intros tid t. apply RuledBounds, C.

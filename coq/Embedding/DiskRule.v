@@ -8,10 +8,7 @@
     turns one after the other; those of one turn are not adjacent, so that they
     may be decided together. *)
 
-From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions.
-Import ListNotations.
+From Certet Require Import Stuffing.Definitions.
 
 (** ** The link *)
 

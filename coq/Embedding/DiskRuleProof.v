@@ -1,24 +1,25 @@
 (** * The rule of the strict disk, turn by turn *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
-From Certet Require Import Angles.Cases.Isometry Embedding.GreedyProof
-  Embedding.LeavingProof Embedding.LinkProof Embedding.DiskStepProof.
-Import ListNotations.
+From Certet Require Import Embedding.Definitions.
+From Certet Require Import Embedding.GreedyProof Embedding.LeavingProof
+  Embedding.LinkProof Embedding.DiskStepProof.
 
 (** Checking a proof needs their names, never what they are. *)
 Local Strategy 1000 [WarpVertex Settled StrictDisk].
+
+(** No two neighbours that are violated have the same turn. *)
+Definition TakeTurns (th : Thresholds) (sign : SignField) (cut : CutField)
+  (turn : Coord3 -> nat) : Prop :=
+  forall v d, let u := Translate v (Offset d) in
+    Violated th sign cut v = true -> Violated th sign cut u = true ->
+    turn v <> turn u.
 
 Section Rule.
   Variables (th : Thresholds) (sign : SignField) (cut : CutField).
   Variable turn : Coord3 -> nat.
 
   Hypothesis Decided : forall v, sign v <> OnSurface.
-  Hypothesis Turns : forall v d, let u := Translate v (Offset d) in
-    Violated th sign cut v = true -> Violated th sign cut u = true ->
-    turn v <> turn u.
+  Hypothesis Turns : TakeTurns th sign cut turn.
 
   Local Notation settled := (Settled th sign cut turn).
   Local Notation now := (SignNow th sign cut turn).
@@ -61,6 +62,25 @@ Section Rule.
     destruct (SettledMeans n u U U') as (Tu & Vu & _).
     destruct (SettledMeans n _ V V') as (Tv & Vv & _).
     apply (Turns u d Vu Vv). congruence.
+  Qed.
+
+  (** Who changes becomes 0 in that turn. *)
+  Lemma NowStep n v : now (S n) v = now n v \/
+    now (S n) v = OnSurface /\ now n v <> OnSurface /\
+    settled (S n) v = true /\ settled n v = false.
+  Proof.
+    destruct (settled n v) eqn:N; [left|destruct (settled (S n) v) eqn:S'; [right|left]].
+    - unfold SignNow. rewrite (SettledStays n v N), N. reflexivity.
+    - split; [apply NowZero, S'|]. split; [rewrite NowZero; congruence|auto].
+    - unfold SignNow. rewrite S', N. reflexivity.
+  Qed.
+
+  Lemma ChangesApart n u v : now (S n) u <> now n u -> now (S n) v <> now n v ->
+    ~ Adjacent u v.
+  Proof.
+    intros U V. destruct (NowStep n u) as [|(_ & _ & U' & Nu)]; [contradiction|].
+    destruct (NowStep n v) as [|(_ & _ & V' & Nv)]; [contradiction|].
+    exact (NotAdjacent n u v U' Nu V' Nv).
   Qed.
 
   (** ** No walls *)

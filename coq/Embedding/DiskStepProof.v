@@ -1,12 +1,8 @@
 (** * What a vertex finds when its link is a strict disk *)
 
-From Coq Require Import List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Angles.Cases.Isometry Embedding.LeavingProof
   Embedding.LinkProof Embedding.EdgeRank Embedding.GreedyProof.
-Import ListNotations.
 
 (** No face of the lattice that is 0 has + on both sides. *)
 Definition NoWallIn (now : SignField) : Prop :=

@@ -3,10 +3,9 @@
     [StrictDisk] of [DiskRule] as it runs: what depends on the lattice alone is
     laid out once, what depends on the + of a link once for all its 0. *)
 
-From Coq Require Import List Bool Arith.
-From Certet Require Import Lattice.Definitions Stencil.Definitions.
+From Coq Require Import Arith.
+From Certet Require Import Stencil.Definitions.
 From Certet Require Import Embedding.DiskRule.
-Import ListNotations.
 
 (** ** One thing for each of the fourteen neighbours *)
 

@@ -1,11 +1,9 @@
 (** * The strict disk by tables is the strict disk *)
 
-From Coq Require Import List Bool Arith Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Embedding.Definitions.
+From Coq Require Import Arith.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Angles.Cases.Isometry Embedding.DiskTables
   Embedding.LinkProof.
-Import ListNotations.
 
 Lemma AtGather {A} (f : Direction -> A) d : At (Gather f) d = f d.
 Proof. destruct d; reflexivity. Qed.

@@ -11,14 +11,10 @@
     without looking at each other.  The Parity Rule is the second rank before
     the third. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Stencil.CompatibilityChecker Stuffing.NameProof.
 From Certet Require Angles.Cases.SymmetryProof.
-Import ListNotations.
 Open Scope Z_scope.
 
 Definition EdgeRank (a b : Coord3) : Z :=

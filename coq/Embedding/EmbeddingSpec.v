@@ -6,10 +6,7 @@
     vertices.  Integer weights of one total do for every rational point, so
     that nothing is rounded here. *)
 
-From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions.
-Import ListNotations.
+From Certet Require Import Angles.Definitions.
 Open Scope Z_scope.
 
 Definition SixVolumeOf (t : UnstructuredTet Coord3) : Z :=

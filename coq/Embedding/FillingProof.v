@@ -3,9 +3,7 @@
     The converse of [LatticeWeighs]; and one more count moves a rounded point
     along one placed short edge. *)
 
-From Coq Require Import ZArith Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Embedding.Rounding Embedding.LatticeEmbedsProof.
 Open Scope Z_scope.
 

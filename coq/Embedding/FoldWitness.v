@@ -6,12 +6,8 @@
     below overlap.  At 73/256 this shows that a rule is needed, at 65/256 that
     64/256 cannot be improved without one. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Angles.Degrees.Witnesses.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** - at the corners of [WitnessTet]. *)

@@ -8,10 +8,7 @@
     [bm].  If [bm] comes before [am], the same holds at [b] with the two
     tetrahedra exchanged. *)
 
-From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Embedding.Measure Embedding.EdgeRank.
 Open Scope Z_scope.
 

@@ -5,16 +5,12 @@
     unit of volume, since its coordinates are integers like those of the
     corners, and the parts are more than that. *)
 
-From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
-From Certet Require Import Angles.Cases.AdmissibleProof Embedding.Rounding
+From Certet Require Import Embedding.Definitions.
+From Certet Require Import Angles.Cases.AdmissibleProof
   Embedding.LatticeEmbedsProof Embedding.EdgeRank Embedding.WarpedLatticeProof
   Embedding.MeshEmbedsProof Embedding.GreedyProof Embedding.LevelProof
   Embedding.LatticeVolumeProof Embedding.StarProof Embedding.FillingProof
   Embedding.ApproachProof.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** ** Inside a tetrahedron *)

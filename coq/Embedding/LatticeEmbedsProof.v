@@ -8,9 +8,7 @@
     has three coordinates, each of which rises along two of the diagonals and
     falls along the others: this is what it means that short edges are kept. *)
 
-From Coq Require Import ZArith Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Embedding.Rounding.
 Open Scope Z_scope.
 

@@ -4,9 +4,7 @@
     along each diagonal of a cube; the volume is the determinant of three of
     them, and their sum is the fourth one's opposite. *)
 
-From Coq Require Import ZArith Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Angles.Definitions Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Embedding.StarProof.
 Open Scope Z_scope.
 

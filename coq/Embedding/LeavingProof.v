@@ -1,6 +1,5 @@
 (** * Whoever leaves so, no piece is lost, cut or joined to another: proof *)
 
-From Coq Require Import List.
 From Certet Require Import Embedding.Definitions.
 
 Section Joined.

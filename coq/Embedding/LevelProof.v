@@ -5,13 +5,9 @@
     is inside two tetrahedra stays inside both when their vertices are moved by
     little enough, if their volumes are positive; so there was none. *)
 
-From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
-From Certet Require Import Embedding.LatticeEmbedsProof
-  Embedding.WarpedLatticeProof Embedding.GreedyProof Embedding.MeshEmbedsProof
-  Embedding.MeshApartProof.
+From Certet Require Import Embedding.Definitions.
+From Certet Require Import Embedding.WarpedLatticeProof Embedding.GreedyProof
+  Embedding.MeshEmbedsProof Embedding.MeshApartProof.
 Open Scope Z_scope.
 
 (** ** A point's weights from volumes *)

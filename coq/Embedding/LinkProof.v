@@ -1,9 +1,8 @@
 (** * The link of a vertex: what its checks tell *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Embedding.Definitions.
-From Certet Require Import Angles.Cases.Isometry Embedding.LeavingProof.
-Import ListNotations.
+From Certet Require Import Embedding.Definitions.
+From Certet Require Import Lattice.DirectionProof Angles.Cases.Isometry
+  Embedding.LeavingProof.
 
 Lemma NeverAdjacent v : ~ Adjacent v v.
 Proof.
@@ -16,15 +15,7 @@ Proof. destruct d; reflexivity. Qed.
 
 Lemma AdjacentMutual u v : Adjacent u v -> Adjacent v u.
 Proof.
-  intros [d ->]. exists (match d with
-    | Dir_p00 => Dir_m00 | Dir_m00 => Dir_p00
-    | Dir_0p0 => Dir_0m0 | Dir_0m0 => Dir_0p0
-    | Dir_00p => Dir_00m | Dir_00m => Dir_00p
-    | Dir_ppp => Dir_mmm | Dir_mmm => Dir_ppp
-    | Dir_ppm => Dir_mmp | Dir_mmp => Dir_ppm
-    | Dir_pmp => Dir_mpm | Dir_mpm => Dir_pmp
-    | Dir_mpp => Dir_pmm | Dir_pmm => Dir_mpp end).
-  destruct u, d; cbn [Translate Offset]; f_equal; ring.
+  intros [d ->]. exists (Backward d). symmetry. apply ThereAndBack.
 Qed.
 
 Lemma SameDirectionMeans d e : SameDirection d e = true -> d = e.

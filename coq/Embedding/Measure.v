@@ -4,9 +4,7 @@
     both; and where a quantity balances, a vertex that is heavier on one side is
     made good by another that is lighter. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Stencil.Definitions Embedding.Definitions.
-Import ListNotations.
+From Certet Require Import Embedding.Definitions.
 Open Scope Z_scope.
 
 Section Measure.

@@ -5,16 +5,13 @@
     tetrahedron, which tell it; and within it no two output tetrahedra have the
     same vertices. *)
 
-From Coq Require Import ZArith List Bool Permutation Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Coq Require Import Permutation.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Lattice.StructuredTetProof Stencil.Symbol
   Stencil.SymbolProof Stencil.CompatibilityChecker Stencil.TriangleChecker
   Stencil.TriangleCheckerProof Stuffing.NameProof Embedding.LatticeEmbedsProof
-  Embedding.WarpedLatticeProof Embedding.Measure Embedding.EdgeRank
-  Embedding.GreedyProof Embedding.MeshEmbedsProof.
-Import ListNotations.
+  Embedding.Measure Embedding.EdgeRank Embedding.GreedyProof
+  Embedding.MeshEmbedsProof.
 Open Scope Z_scope.
 
 (** ** The corners tell the structured tetrahedron *)

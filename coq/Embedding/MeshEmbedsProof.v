@@ -6,14 +6,10 @@
     from both sides, because the lattice embeds; and a structured tetrahedron is
     filled in one way. *)
 
-From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Angles.Cases.AdmissibleProof
   Embedding.LatticeEmbedsProof Embedding.WarpedLatticeProof Embedding.EdgeRank
   Embedding.GreedyProof.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** ** Blending weights *)

@@ -4,18 +4,48 @@
     [AroundProof].  Conversely a common face has a + end in both structured
     tetrahedra, or is a wall. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
-From Certet Require Import Stencil.Symbol Stencil.SymbolProof
-  Stencil.CompatibilityChecker Stencil.TriangleChecker
-  Stencil.TriangleCheckerProof Stuffing.NameProof Stuffing.MeshProof
-  Angles.AngleTheorems Embedding.EdgeRank Embedding.GreedyProof
-  Embedding.MeshApartProof Embedding.LeavingProof Embedding.LinkProof
-  Embedding.StarProof Embedding.AroundProof.
-Import ListNotations.
+From Certet Require Import Embedding.Definitions.
+From Certet Require Import Stuffing.MeshProof Embedding.EdgeRank
+  Embedding.GreedyProof Embedding.MeshApartProof Embedding.LeavingProof
+  Embedding.LinkProof Embedding.StarProof Embedding.AroundProof.
 Open Scope Z_scope.
+
+(** ** What a warp may keep *)
+
+Section Kept.
+  Variables (sign : SignField) (warping : Coord3 -> Warping).
+
+  (** No point is inside two tetrahedra; *)
+  Definition NoneOverlap (place : MeshVertex -> Coord3) : Prop :=
+    forall tid tid' t t', InLattice tid -> InLattice tid' ->
+      In t (PlacedNames sign warping tid) -> In t' (PlacedNames sign warping tid') ->
+      Overlap (MapTet place t) (MapTet place t') -> tid = tid' /\ t = t'.
+
+  (** the pieces by faces are those of the samples by edges; *)
+  Definition SamePieces : Prop :=
+    forall p q t u, PlusAfter sign warping p -> PlusAfter sign warping q ->
+      MadeAt sign warping p t -> MadeAt sign warping q u ->
+      Joined (InMesh sign warping) ShareFace t u <->
+      Joined (PlusBefore sign) Adjacent p q.
+
+  (** none is lost; *)
+  Definition NoneLost : Prop :=
+    forall p, PlusBefore sign p -> (exists tid, InLattice tid /\ In p (Corners tid)) ->
+      exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
+        Joined (PlusBefore sign) Adjacent p q.
+
+  (** those of the outside are the same; *)
+  Definition SameOutside : Prop :=
+    forall p q, ~ PlusBefore sign p -> ~ PlusBefore sign q ->
+      Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q <->
+      Joined (fun v => ~ PlusBefore sign v) Adjacent p q.
+
+  (** and none of these is new. *)
+  Definition NoCavity : Prop :=
+    forall p, ~ PlusAfter sign warping p ->
+      exists q, ~ PlusBefore sign q /\
+        Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q.
+End Kept.
 
 Section Mesh.
   Variables (before : SignField) (warping : Coord3 -> Warping).

@@ -4,11 +4,8 @@
     points with the sign + by edges of the lattice, tetrahedra of the mesh by
     common faces. *)
 
-From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Angles.Definitions.
 From Certet Require Import Embedding.EmbeddingSpec.
-Import ListNotations.
 
 (** Joined by steps, all of them inside. *)
 Inductive Joined {V : Type} (inside : V -> Prop) (next : V -> V -> Prop)

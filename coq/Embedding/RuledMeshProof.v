@@ -1,9 +1,6 @@
 (** * The mesh of a rule: it embeds if no short edge is crossed *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Angles.Cases.Isometry Angles.AngleTheorems
   Embedding.MeshEmbedsProof Embedding.LevelProof Embedding.WarpOrClampProof.
 Open Scope Z_scope.

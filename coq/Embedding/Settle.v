@@ -30,12 +30,10 @@
 
     All of it is integers. *)
 
-From Coq Require Import ZArith List Bool FMapPositive.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Coq Require Import FMapPositive.
+From Certet Require Import Angles.Definitions.
 From Certet Require Import Embedding.WarpOrClamp Embedding.DiskRule
   Embedding.DiskTables.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** ** Samples that are neither + nor - *)

@@ -1,13 +1,9 @@
 (** * The order: each violated vertex has a turn, and those of a colour are free *)
 
-From Coq Require Import ZArith List Bool Permutation Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Coq Require Import Permutation.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Angles.Cases.AdmissibleProof Embedding.DiskTables
-  Embedding.GreedyProof Embedding.DiskStepProof Embedding.DiskPiecesProof
-  Embedding.SettleProof.
-Import ListNotations.
+  Embedding.GreedyProof Embedding.DiskPiecesProof Embedding.SettleProof.
 
 (** Checking a proof needs their names, never what they are. *)
 Local Strategy 1000 [WarpVertex IsDisk PlaceIn].

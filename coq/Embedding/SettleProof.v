@@ -1,13 +1,10 @@
 (** * One sweep over a list of vertices: what it leaves *)
 
-From Coq Require Import ZArith List Bool Lia FMapPositive.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Coq Require Import FMapPositive.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Angles.Cases.Isometry Angles.Cases.AdmissibleProof
   Embedding.DiskTables Embedding.GreedyProof Embedding.LinkProof
-  Embedding.DiskTablesProof Embedding.DiskStepProof.
-Import ListNotations.
+  Embedding.DiskTablesProof.
 Open Scope Z_scope.
 
 (** Checking a proof needs their names, never what they are. *)

@@ -4,9 +4,7 @@
     chooses the vertices: signs that follow from those of the samples by such
     steps.  Where the vertices then lie does not matter here. *)
 
-From Coq Require Import ZArith.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Stuffing.Definitions.
+From Certet Require Import Stuffing.Definitions.
 From Certet Require Import Embedding.PiecesSpec Embedding.DiskRule.
 
 (** ** What a strict disk is *)

@@ -1,14 +1,10 @@
 (** * The mesh of one sweep: it embeds, and has the pieces of the samples *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Angles.AngleTheorems Embedding.GreedyProof
   Embedding.MeshEmbedsProof Embedding.LevelProof Embedding.WarpOrClampProof
   Embedding.RuledMeshProof Embedding.LeavingProof Embedding.LinkProof
   Embedding.PiecesProof Embedding.DiskStepProof Embedding.SettleProof.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** Checking a proof needs their names, never what they are. *)
@@ -141,36 +137,24 @@ Section Pieces.
     exact (NoWallEver sign D _ (SettledByDisks th sign cut gap vs)).
   Qed.
 
-  Theorem SettledPiecesKept p q t u : (forall v, sign v <> OnSurface) ->
-    PlusAfter sign warping p -> PlusAfter sign warping q ->
-    MadeAt sign warping p t -> MadeAt sign warping q u ->
-    Joined (InMesh sign warping) ShareFace t u <->
-    Joined (PlusBefore sign) Adjacent p q.
+  Theorem SettledPiecesKept :
+    (forall v, sign v <> OnSurface) -> SamePieces sign warping.
   Proof.
-    intros D. apply PiecesKept; [exact SettledLeaves|].
+    intros D p q t u. apply PiecesKept; [exact SettledLeaves|].
     apply SettledMakesNoWall, D.
   Qed.
 
-  Theorem SettledNoPieceLost p :
-    PlusBefore sign p -> (exists tid, InLattice tid /\ In p (Corners tid)) ->
-    exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
-      Joined (PlusBefore sign) Adjacent p q.
-  Proof. apply NoPieceLost. exact SettledLeaves. Qed.
+  Theorem SettledNoPieceLost : NoneLost sign warping.
+  Proof. intros p. apply NoPieceLost. exact SettledLeaves. Qed.
 
-  Theorem SettledOutsideKept p q : ~ PlusBefore sign p -> ~ PlusBefore sign q ->
-    Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q <->
-    Joined (fun v => ~ PlusBefore sign v) Adjacent p q.
+  Theorem SettledOutsideKept : SameOutside sign warping.
   Proof.
-    intros P Q. exact (KeepsPieces _ _ SamePoint3 AdjacentMutual _ _
-      SettledOutsideLeaves p q P Q).
+    exact (KeepsPieces _ _ SamePoint3 AdjacentMutual _ _ SettledOutsideLeaves).
   Qed.
 
-  Theorem SettledMakesNoCavity p : ~ PlusAfter sign warping p ->
-    exists q, ~ PlusBefore sign q /\
-      Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q.
+  Theorem SettledMakesNoCavity : NoCavity sign warping.
   Proof.
-    intros P. exact (LosesNoPiece _ _ SamePoint3 AdjacentMutual _ _
-      SettledOutsideLeaves p P).
+    exact (LosesNoPiece _ _ SamePoint3 AdjacentMutual _ _ SettledOutsideLeaves).
   Qed.
 End Pieces.
 
@@ -190,23 +174,11 @@ Theorem SettledMeshHasItAll sample cut vs : CutsOnEdges sample cut ->
   let place := PlacedPosition warping (ClampedCut th cuts) in
   (forall tids t, In t (SettledMesh th sign cuts LevelGap vs tids) ->
      WellShaped WidestAngles t) /\
-  (forall tid tid' t t', InLattice tid -> InLattice tid' ->
-     In t (PlacedNames sign warping tid) -> In t' (PlacedNames sign warping tid') ->
-     Overlap (MapTet place t) (MapTet place t') -> tid = tid' /\ t = t') /\
-  (forall p q t u,
-     PlusAfter sign warping p -> PlusAfter sign warping q ->
-     MadeAt sign warping p t -> MadeAt sign warping q u ->
-     Joined (InMesh sign warping) ShareFace t u <->
-     Joined (PlusBefore sign) Adjacent p q) /\
-  (forall p, PlusBefore sign p -> (exists tid, InLattice tid /\ In p (Corners tid)) ->
-     exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
-       Joined (PlusBefore sign) Adjacent p q) /\
-  (forall p q, ~ PlusBefore sign p -> ~ PlusBefore sign q ->
-     Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q <->
-     Joined (fun v => ~ PlusBefore sign v) Adjacent p q) /\
-  (forall p, ~ PlusAfter sign warping p ->
-     exists q, ~ PlusBefore sign q /\
-       Joined (fun v => ~ PlusAfter sign warping v) Adjacent p q).
+  NoneOverlap sign warping place /\
+  SamePieces sign warping /\
+  NoneLost sign warping /\
+  SameOutside sign warping /\
+  NoCavity sign warping.
 Proof.
   intros C th sign cuts warping place. pose proof (OpenCutsOnEdges sample cut C) as O.
   split; [|split; [|split; [|split; [|split]]]].
@@ -216,8 +188,7 @@ Proof.
   - intros tid tid' t t'.
     exact (SettledInteriorsApart sign cuts LevelGap vs O LevelGapSmall tid tid' t t'
       LevelGapAtLeast0).
-  - intros p q t u.
-    exact (SettledPiecesKept th sign cuts LevelGap vs p q t u (OpenDecided sample)).
+  - exact (SettledPiecesKept th sign cuts LevelGap vs (OpenDecided sample)).
   - exact (SettledNoPieceLost th sign cuts LevelGap vs).
   - exact (SettledOutsideKept th sign cuts LevelGap vs).
   - exact (SettledMakesNoCavity th sign cuts LevelGap vs).

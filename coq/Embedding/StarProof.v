@@ -4,12 +4,9 @@
     a corner; and every edge of the point is in one of them.  Both are looked up
     around the few points near the origin and moved. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stuffing.Definitions
-  Angles.Definitions Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Lattice.FaceProof Angles.Cases.Isometry
   Embedding.EdgeRank.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** From one to the next across a face with corner [p]. *)

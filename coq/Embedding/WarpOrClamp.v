@@ -6,9 +6,7 @@
     the rule is free to look after other things than angles: that the mesh does
     not fold, and that the shape stays in one piece. *)
 
-From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Angles.Definitions.
 Open Scope Z_scope.
 
 (** The kind of the edge from [a] to [b]. *)

@@ -1,12 +1,8 @@
 (** * Any subset stays: proof *)
 
-From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Stencil.SymbolProof Angles.Cases.AdmissibleProof
-  Embedding.EdgeRank Embedding.GreedyProof Embedding.MeshEmbedsProof.
-Import ListNotations.
+  Embedding.EdgeRank.
 Open Scope Z_scope.
 
 Lemma KindOfDirection v d : KindBetween v (Translate v (Offset d)) = DirectionKind d.

@@ -3,10 +3,7 @@
     Looked at along one axis: a short edge is one unit long, and its ends move
     towards each other by less than that. *)
 
-From Coq Require Import ZArith Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Angles.Cases.AdmissibleProof
   Embedding.LatticeEmbedsProof.
 Open Scope Z_scope.

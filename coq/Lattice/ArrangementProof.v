@@ -1,10 +1,8 @@
 (** * Face neighbours stand in one of the six arrangements *)
 
-From Coq Require Import List.
 From Certet Require Import Lattice.Definitions.
 From Certet Require Import Lattice.Tiling Lattice.TilingProof
   Lattice.Arrangement.
-Import ListNotations.
 
 Definition AllDistinct (a b c d : Coord3) : Prop :=
   a <> b /\ a <> c /\ a <> d /\ b <> c /\ b <> d /\ c <> d.

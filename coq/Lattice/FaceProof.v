@@ -5,9 +5,7 @@
     If these are even they are 0 or 2 apart along each axis: 27 cases, and each
     is a computation. *)
 
-From Coq Require Import ZArith List Bool Lia.
 From Certet Require Import Lattice.Definitions.
-Import ListNotations.
 Open Scope Z_scope.
 
 Definition Origin : Coord3 := C3 0 0 0.

@@ -2,7 +2,6 @@
 
     What [TilingFacesCorrect] says for every place, written out for four. *)
 
-From Coq Require Import ZArith List Lia.
 From Certet Require Import Lattice.Definitions.
 From Certet Require Import Lattice.Tiling Lattice.TilingProof.
 Open Scope Z_scope.

@@ -5,9 +5,7 @@
     said here once, for every place; of the lattice it is said in the paper's
     words in [PaperCertificate]. *)
 
-From Coq Require Import List.
 From Certet Require Import Lattice.Definitions.
-Import ListNotations.
 
 Record Tiling := MakeTiling {
   (** Names of the tetrahedra, *)

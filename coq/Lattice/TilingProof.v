@@ -3,10 +3,8 @@
     Each case is one small piece of integer arithmetic, since all points stand
     at fixed offsets from the reference point. *)
 
-From Coq Require Import ZArith List Lia.
 From Certet Require Import Lattice.Definitions.
 From Certet Require Import Lattice.Tiling.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** Two points at fixed offsets are equal, or differ in some coordinate. *)

@@ -8,12 +8,8 @@
     no material, and was tested as it is.  Cuts are kept alpha away from both
     ends of their edges. *)
 
-From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
-  Material.Definitions.
+From Certet Require Import Material.Definitions.
 From Certet Require Import Material.MaterialShape.
-Import ListNotations.
 Open Scope Z_scope.
 
 Section Demotion.

@@ -4,17 +4,14 @@
     eight configurations, of three corners that move around towards each other,
     and the fill. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Material.Definitions.
-From Certet Require Import Angles.Forms.CheckerProof Angles.Cases.Configurations
-  Angles.Cases.SymmetryProof Angles.Cases.ReductionProof
-  Angles.Cases.AdmissibleProof Angles.LatticeProof Angles.Jobs.AnglesFewSurface
-  Angles.Jobs.AnglesManySurface Angles.Jobs.EmbeddingFewSurface
-  Angles.Jobs.EmbeddingManySurface Angles.Jobs.MidpointFixed
-  Material.MaterialConfigurations Material.MaterialReductionProof
-  Material.MaterialWithinProof.
-Import ListNotations.
+From Certet Require Import Material.Definitions.
+From Certet Require Import Lattice.DirectionProof Angles.Forms.CheckerProof
+  Angles.Cases.Configurations Angles.Cases.SymmetryProof
+  Angles.Cases.ReductionProof Angles.Cases.AdmissibleProof Angles.LatticeProof
+  Angles.Jobs.AnglesFewSurface Angles.Jobs.AnglesManySurface
+  Angles.Jobs.EmbeddingFewSurface Angles.Jobs.EmbeddingManySurface
+  Angles.Jobs.MidpointFixed Material.MaterialConfigurations
+  Material.MaterialReductionProof Material.MaterialWithinProof.
 Open Scope Z_scope.
 
 Local Notation CheckSigns := (Configurations.CheckSigns GetUnstructuredTets).
@@ -52,17 +49,8 @@ Lemma SomeWayBack v d : exists e,
   Translate (Translate v (Offset d)) (Offset e) = v /\
   DirectionKind e = DirectionKind d.
 Proof.
-  assert (B : exists e, Translate (Translate v (Offset d)) (Offset e) = v).
-  { exists (match d with
-      | Dir_p00 => Dir_m00 | Dir_m00 => Dir_p00
-      | Dir_0p0 => Dir_0m0 | Dir_0m0 => Dir_0p0
-      | Dir_00p => Dir_00m | Dir_00m => Dir_00p
-      | Dir_ppp => Dir_mmm | Dir_mmm => Dir_ppp
-      | Dir_ppm => Dir_mmp | Dir_mmp => Dir_ppm
-      | Dir_pmp => Dir_mpm | Dir_mpm => Dir_pmp
-      | Dir_mpp => Dir_pmm | Dir_pmm => Dir_mpp end).
-    destruct v, d; cbn [Translate Offset]; f_equal; ring. }
-  destruct B as [e B]. exists e. split; [exact B|]. exact (OppositeDirection v d e B).
+  exists (Backward d). pose proof (ThereAndBack v d) as B.
+  split; [exact B|]. exact (OppositeDirection v d _ B).
 Qed.
 
 Section Admissible.

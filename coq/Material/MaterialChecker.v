@@ -5,10 +5,8 @@
     which vertices share one, so that each vertex names the first that has the
     same: 203 patterns of five vertices, 52 of four. *)
 
-From Coq Require Import ZArith List Bool.
-From Certet Require Import Stencil.Definitions Material.Definitions.
+From Certet Require Import Material.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.TriangleChecker.
-Import ListNotations.
 Open Scope Z_scope.
 
 Definition FiveLabels : list Label := [F1; F2; F3; P; Q].

@@ -4,11 +4,8 @@
     towards a third material: any, but for two corners along one edge.  To their
     tetrahedra comes the fill. *)
 
-From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Angles.Definitions Material.Definitions.
+From Certet Require Import Material.Definitions.
 From Certet Require Import Angles.Forms.Checker Angles.Cases.Configurations.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** ** Moves towards a third material *)

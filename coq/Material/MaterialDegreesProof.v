@@ -1,8 +1,7 @@
 (** * The angles of several materials, in degrees *)
 
-From Coq Require Import ZArith Reals List Lra.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Material.Definitions.
+From Coq Require Import Reals.
+From Certet Require Import Material.Definitions.
 From Certet Require Import Angles.DegreesSpec Angles.Degrees.DegreesProof
   Material.Demotion Material.MaterialBoundsProof Material.MaterialWarpProof
   Material.SettleMaterials Material.SettleMaterialsProof.
@@ -15,8 +14,7 @@ Theorem MaterialDihedralBoundsInDegrees : forall before warping cut shared tid m
   WithinDegrees (1077 / 100) (16476 / 100) t.
 Proof.
   intros before warping cut shared tid m t A W I.
-  replace (16476 / 100)%R with (180 - 1524 / 100)%R by lra.
-  exact (DegreesBounds _ _ _ _ _ Cotangent10_77 Cotangent15_24
+  exact (WidestInDegrees t
            (MaterialDihedralBounds before warping cut shared tid A W m t I)).
 Qed.
 
@@ -29,8 +27,7 @@ Theorem SettledMaterialBoundsInDegrees : forall material cut turns tid m t,
   WithinDegrees (1077 / 100) (16476 / 100) t.
 Proof.
   intros material cut turns tid m t C E N I.
-  replace (16476 / 100)%R with (180 - 1524 / 100)%R by lra.
-  exact (DegreesBounds _ _ _ _ _ Cotangent10_77 Cotangent15_24
+  exact (WidestInDegrees t
            (SettledMaterialBounds material cut turns tid m t C E N I)).
 Qed.
 
@@ -40,8 +37,7 @@ Theorem DemotedBoundsInDegrees : forall material cut shared tid m t,
   WithinDegrees (1077 / 100) (16476 / 100) t.
 Proof.
   intros material cut shared tid m t C E N I.
-  replace (16476 / 100)%R with (180 - 1524 / 100)%R by lra.
-  exact (DegreesBounds _ _ _ _ _ Cotangent10_77 Cotangent15_24
+  exact (WidestInDegrees t
            (DemotedBounds material cut shared tid m t C E N I)).
 Qed.
 
@@ -51,7 +47,6 @@ Theorem MaterialMidpointBoundsInDegrees :
                  MidpointCuts shared tid) ->
     WithinDegrees 30 135 t.
 Proof.
-  intros material shared tid m t I. replace 135%R with (180 - 45)%R by lra.
-  exact (DegreesBounds _ _ _ _ _ Cotangent30 Cotangent45
-           (MaterialMidpointBounds material shared tid m t I)).
+  intros material shared tid m t I.
+  exact (MidpointInDegrees t (MaterialMidpointBounds material shared tid m t I)).
 Qed.

@@ -4,15 +4,11 @@
     are not zero, the volumes are polynomials in the places of the six cuts; for
     each pattern of materials their sum is that of the whole. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
-  Material.Definitions.
+From Certet Require Import Material.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.TriangleChecker
   Stuffing.NameProof Stuffing.MeshProof Angles.Cases.Isometry
   Angles.Cases.SymmetryProof Material.MaterialProof Material.MaterialChecker
   Material.MaterialNameProof.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** ** On symbols *)

@@ -4,10 +4,7 @@
     of its sign: what becomes of a vertex, the tetrahedra that fill one
     structured tetrahedron, and their positions. *)
 
-From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Material.MaterialTet.
 Open Scope Z_scope.
 

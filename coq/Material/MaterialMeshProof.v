@@ -3,14 +3,11 @@
     The checker's verdict on symbols, carried over to [MaterialNames] for every
     structured tetrahedron of the lattice. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Stuffing.Definitions Material.Definitions.
+From Certet Require Import Material.Definitions.
 From Certet Require Import Lattice.ArrangementProof Stencil.Symbol
-  Stencil.SymbolProof Stencil.TriangleChecker Stencil.TriangleCheckerProof
-  Stuffing.NameProof Stuffing.MeshProof Material.MaterialChecker
-  Material.MaterialProof Material.MaterialNameProof.
-Import ListNotations.
+  Stencil.TriangleChecker Stencil.TriangleCheckerProof Stuffing.NameProof
+  Stuffing.MeshProof Material.MaterialChecker Material.MaterialProof
+  Material.MaterialNameProof.
 Open Scope Z_scope.
 
 (** ** What the checker finds *)

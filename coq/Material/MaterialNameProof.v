@@ -3,13 +3,10 @@
     As in [NameProof]: what holds of the tetrahedra on symbols, for each pattern
     of materials, holds of [MaterialNames]. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Stuffing.Definitions Material.Definitions.
+From Certet Require Import Material.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.SymbolProof
-  Stencil.TriangleChecker Stencil.TriangleCheckerProof Stuffing.NameProof
-  Material.MaterialProof Material.MaterialChecker.
-Import ListNotations.
+  Stencil.TriangleChecker Stuffing.NameProof Material.MaterialProof
+  Material.MaterialChecker.
 Open Scope Z_scope.
 
 (** ** Every field of materials has a pattern *)

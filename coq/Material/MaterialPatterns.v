@@ -6,9 +6,7 @@
     seven, or four if the fourth corner lies on an interface.  In all other
     patterns there are two materials or one, and no fill. *)
 
-From Coq Require Import ZArith List.
-From Certet Require Import Stencil.Definitions Material.Definitions.
-Import ListNotations.
+From Certet Require Import Material.Definitions.
 Open Scope Z_scope.
 
 Section MaterialPatterns.

@@ -1,10 +1,8 @@
 (** * Three or four materials in full: proof *)
 
-From Coq Require Import ZArith List Bool.
-From Certet Require Import Stencil.Definitions Material.Definitions.
+From Certet Require Import Material.Definitions.
 From Certet Require Import Stencil.Symbol Material.MaterialPatterns
   Material.MaterialChecker Material.MaterialNameProof.
-Import ListNotations.
 Open Scope Z_scope.
 
 Definition AmongFour {V} (v1 v2 v3 v4 : V) (l : Label) : V :=

@@ -3,10 +3,7 @@
     At its vertices through their materials alone, and at those only by telling
     them apart; the cuts that it asks for lie between different materials. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Material.Definitions.
-Import ListNotations.
+From Certet Require Import Material.Definitions.
 Open Scope Z_scope.
 
 Definition Hand (tid : StructuredTetId) : Handedness :=
@@ -200,6 +197,10 @@ Section Rename.
       exact (SameCut v w m n I J P E (not_eq_sym N)).
   Qed.
 
+  Ltac of_pair same v w I J :=
+    pose proof (fun m n => RenamedEqual v w m n I J);
+    pose proof (fun m n => same v w m n I J).
+
   (** The fill, with any cuts that agree. *)
   Lemma FillRenamed (CA : A -> A -> A) (CB : B -> B -> B) :
     (forall v w m n, In v corners -> In w corners ->
@@ -213,18 +214,8 @@ Section Rename.
     assert (I3 : In v3 corners) by (cbn; tauto).
     assert (I4 : In v4 corners) by (cbn; tauto).
     unfold MaterialFill. rewrite !SameMaterial by assumption.
-    pose proof (fun m n => RenamedEqual v1 v2 m n I1 I2) as R12.
-    pose proof (fun m n => Same v1 v2 m n I1 I2) as C12.
-    pose proof (fun m n => RenamedEqual v1 v3 m n I1 I3) as R13.
-    pose proof (fun m n => Same v1 v3 m n I1 I3) as C13.
-    pose proof (fun m n => RenamedEqual v1 v4 m n I1 I4) as R14.
-    pose proof (fun m n => Same v1 v4 m n I1 I4) as C14.
-    pose proof (fun m n => RenamedEqual v2 v3 m n I2 I3) as R23.
-    pose proof (fun m n => Same v2 v3 m n I2 I3) as C23.
-    pose proof (fun m n => RenamedEqual v2 v4 m n I2 I4) as R24.
-    pose proof (fun m n => Same v2 v4 m n I2 I4) as C24.
-    pose proof (fun m n => RenamedEqual v3 v4 m n I3 I4) as R34.
-    pose proof (fun m n => Same v3 v4 m n I3 I4) as C34.
+    of_pair Same v1 v2 I1 I2. of_pair Same v1 v3 I1 I3. of_pair Same v1 v4 I1 I4.
+    of_pair Same v2 v3 I2 I3. of_pair Same v2 v4 I2 I4. of_pair Same v3 v4 I3 I4.
     clear SameMaterial Apart SameCut Same I1 I2 I3 I4.
     destruct (GA v1) as [m1|], (GA v2) as [m2|], (GA v3) as [m3|],
       (GA v4) as [m4|]; cbn [option_map]; try reflexivity;

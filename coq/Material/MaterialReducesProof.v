@@ -1,11 +1,8 @@
 (** * One material and the outside: today's stencils; and bad sets refused *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Material.Definitions.
+From Certet Require Import Material.Definitions.
 From Certet Require Import Material.OtherMaterials Material.MaterialProof
   Material.MaterialChecker.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** ** What a warp depends on *)

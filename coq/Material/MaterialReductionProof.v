@@ -3,15 +3,10 @@
     A tetrahedron of a material comes from the stencils, and is then one of the
     placement of that material against the rest; or from the fill. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Material.Definitions.
-From Certet Require Import Angles.Forms.Checker Angles.Forms.EdgeProof
-  Angles.Forms.CheckerProof Angles.Cases.Configurations Angles.Cases.Isometry
-  Angles.Cases.SymmetryProof Angles.Cases.ReductionProof
-  Angles.Cases.AdmissibleProof Material.MaterialProof
+From Certet Require Import Material.Definitions.
+From Certet Require Import Angles.Cases.Configurations
+  Angles.Cases.SymmetryProof Angles.Cases.ReductionProof Material.MaterialProof
   Material.MaterialConfigurations.
-Import ListNotations.
 Open Scope Z_scope.
 
 Local Notation SymbolTets := (Configurations.SymbolTets GetUnstructuredTets).

@@ -1,9 +1,6 @@
 (** * Whether a tetrahedron is well shaped, and which ones are at a point *)
 
-From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Angles.Definitions.
-Import ListNotations.
+From Certet Require Import Angles.Definitions.
 Open Scope Z_scope.
 
 (** ** The test *)

@@ -1,11 +1,7 @@
 (** * What is meant by a mesh of materials that fits, fills, and is well shaped *)
 
-From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Material.MaterialTet Material.MaterialMesh.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** ** One material and the outside *)

@@ -9,9 +9,7 @@
     at; it is taken from the higher to the lower material, from the inside to
     the outside in particular. *)
 
-From Coq Require Import ZArith List Bool.
 From Certet Require Import Stencil.Definitions.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** Materials are numbers, of which the lowest is the outside. *)

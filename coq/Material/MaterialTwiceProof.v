@@ -3,14 +3,11 @@
     Or to one, if it lies on a face of the structured tetrahedron: the other
     side of that face then has the second, by [MaterialFacesAgree]. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Stuffing.Definitions Material.Definitions.
-From Certet Require Import Stencil.Symbol Stencil.SymbolProof
-  Stencil.TriangleChecker Stencil.TriangleCheckerProof Stuffing.NameProof
-  Stuffing.MeshProof Material.MaterialChecker Material.MaterialNameProof
+From Certet Require Import Material.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.TriangleChecker
+  Stencil.TriangleCheckerProof Stuffing.NameProof Stuffing.MeshProof
+  Material.MaterialChecker Material.MaterialNameProof
   Material.MaterialMeshProof.
-Import ListNotations.
 Open Scope Z_scope.
 
 Section Names.

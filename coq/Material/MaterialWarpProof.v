@@ -1,14 +1,10 @@
 (** * What warping leaves of several materials: proofs *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
-  Material.Definitions.
+From Certet Require Import Material.Definitions.
 From Certet Require Import Warp.WarpProof Angles.Cases.AdmissibleProof
   Angles.AngleTheorems Embedding.WarpOrClampProof Embedding.SettledMeshProof
   Material.MaterialProof Material.MaterialBoundsProof
   Material.MaterialReducesProof Material.MaterialShape Material.Demotion.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** Checking a proof needs [Warp]'s name, never its steps. *)

@@ -1,13 +1,10 @@
 (** * Every tetrahedron of every material is within bounds, if the checker says so *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Material.Definitions.
-From Certet Require Import Angles.Forms.Checker Angles.Forms.EdgeProof
-  Angles.Forms.CheckerProof Angles.Cases.Configurations Angles.Cases.Isometry
-  Angles.Cases.SymmetryProof Angles.Cases.ReductionProof Material.MaterialProof
+From Certet Require Import Material.Definitions.
+From Certet Require Import Angles.Forms.EdgeProof Angles.Forms.CheckerProof
+  Angles.Cases.Configurations Angles.Cases.Isometry Angles.Cases.SymmetryProof
+  Angles.Cases.ReductionProof Material.MaterialProof
   Material.MaterialConfigurations Material.MaterialReductionProof.
-Import ListNotations.
 Open Scope Z_scope.
 
 Local Notation CheckSigns := (Configurations.CheckSigns GetUnstructuredTets).

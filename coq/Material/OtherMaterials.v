@@ -3,9 +3,7 @@
     They show that the checkers of [MaterialFacesAgree] and [MaterialTriangleTwice]
     can say no. *)
 
-From Coq Require Import ZArith List.
-From Certet Require Import Stencil.Definitions Material.Definitions.
-Import ListNotations.
+From Certet Require Import Material.Definitions.
 Open Scope Z_scope.
 
 Section OtherMaterials.

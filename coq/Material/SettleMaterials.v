@@ -25,12 +25,9 @@
        [GetMaterialTets] fills what there is; a tetrahedron with four corners that
        moved is of their lower material. *)
 
-From Coq Require Import ZArith List Bool FMapPositive.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
-  Material.Definitions.
+From Coq Require Import FMapPositive.
+From Certet Require Import Material.Definitions.
 From Certet Require Import Embedding.DiskTables Material.MaterialShape.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** ** Links *)

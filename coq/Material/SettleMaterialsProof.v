@@ -1,14 +1,11 @@
 (** * The warp that keeps the shape, of several materials: proofs *)
 
-From Coq Require Import ZArith List Bool Lia FMapPositive.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
-  Material.Definitions.
+From Coq Require Import FMapPositive.
+From Certet Require Import Material.Definitions.
 From Certet Require Import Angles.AngleTheorems Embedding.GreedyProof
   Embedding.DiskTables Embedding.SettleProof Embedding.SettledMeshProof
   Material.MaterialShape Material.MaterialBoundsProof Material.MaterialWarpProof
   Material.SettleMaterials.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** Checking a proof needs their names, never what they are. *)

@@ -2,10 +2,8 @@
 
     The angles are theorems of their own; the rest holds of any placement. *)
 
-From Coq Require Import ZArith Reals List Lra Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Coq Require Import Reals Lra.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Angles.DegreesSpec Angles.AngleTheorems
   Angles.DomainProof Angles.Degrees.DegreesProof
   Angles.Degrees.DomainDegreesProof Embedding.WarpOrClampProof
@@ -30,11 +28,7 @@ Lemma StuffedCertified th sign cut (least greatest : Z) :
   (forall tid t, In t (StuffedTets th sign cut tid) ->
      WithinDegrees (IZR least / 100) (IZR greatest / 100) t) ->
   th = AngleThresholds \/ th = EmbeddingThresholds \/ th = NoWarpThresholds ->
-  TetsPositive mesh /\
-  AnglesBetween mesh least greatest /\
-  FacesConform mesh /\
-  BoundaryIsSurface mesh /\
-  NothingOverflows mesh th.
+  Certified mesh least greatest th.
 Proof.
   intros mesh half on within. unfold mesh. rewrite StuffedIsPlaced.
   apply PlacedCertified; [exact within|].
@@ -63,11 +57,7 @@ Qed.
 Theorem CertifiedRuledMesh :
   forall sign cut stays limit, CutsOnEdges sign cut ->
     let mesh := RuledMesh AngleThresholds sign cut stays limit in
-    TetsPositive mesh /\
-    AnglesBetween mesh 1077 16476 /\
-    FacesConform mesh /\
-    BoundaryIsSurface mesh /\
-    NothingOverflows mesh AngleThresholds.
+    Certified mesh 1077 16476 AngleThresholds.
 Proof.
   intros sign cut stays limit on.
   apply PlacedCertified; [| intros tid; apply RuledModerate, on | tauto].
@@ -92,11 +82,7 @@ Qed.
 
 Lemma SweptCertified sample cut turns : CutsOnEdges sample cut ->
   let mesh := SweptMesh (OpenSigns sample) (OpenCuts sample cut) turns in
-  TetsPositive mesh /\
-  AnglesBetween mesh 1077 16476 /\
-  FacesConform mesh /\
-  BoundaryIsSurface mesh /\
-  NothingOverflows mesh AngleThresholds.
+  Certified mesh 1077 16476 AngleThresholds.
 Proof.
   intros on. apply PlacedCertified; [| intros tid; apply SweptModerate, on | tauto].
   intros tid t I.
@@ -110,11 +96,8 @@ Qed.
 Theorem CertifiedMesh :
   forall (method : Method) (sign : SignField) (domain : PositionSigns),
     let mesh := MeshOf method sign domain in
-    TetsPositive mesh /\
-    AnglesBetween mesh (LeastAngle method) (GreatestAngle method) /\
-    FacesConform mesh /\
-    BoundaryIsSurface mesh /\
-    NothingOverflows mesh (MethodThresholds method).
+    Certified mesh (LeastAngle method) (GreatestAngle method)
+      (MethodThresholds method).
 Proof.
   intros [| | | turns] sign domain.
   - apply StuffedCertified; [apply AngleThresholdsAtMostHalf | apply BisectedOnEdges

@@ -2,9 +2,8 @@
 
     One definition for each part of [CertifiedMesh]. *)
 
-From Coq Require Import ZArith Reals List.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Coq Require Import Reals.
+From Certet Require Import Angles.Definitions.
 From Certet Require Import Angles.DegreesSpec Range.RangeSpec Mesh.Method.
 Open Scope Z_scope.
 

@@ -4,10 +4,7 @@
     which vertices are warped; what it promises are the angles.  Another method
     is another case of each definition here. *)
 
-From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 Open Scope Z_scope.
 
 (** Cuts found by bisection, and the widest angles; cuts found by bisection, and

@@ -4,14 +4,11 @@
     conform, the boundary is on the surface, and if nothing moves too far
     nothing overflows.  A method has its angles to prove, and no more. *)
 
-From Coq Require Import ZArith Reals List Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Coq Require Import Reals.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Stuffing.MeshProof Angles.DegreesSpec
   Embedding.AroundProof Range.RangeSpec Range.RangeProof Mesh.Method
   Mesh.CertifiedSpec.
-Import ListNotations.
 Open Scope Z_scope.
 
 Local Strategy 1000 [WarpVertex].
@@ -109,17 +106,21 @@ Qed.
 
 (** ** Together *)
 
+(** What [CertifiedMesh] says of a mesh. *)
+Definition Certified (mesh : Mesh) (least greatest : Z) (th : Thresholds) : Prop :=
+  TetsPositive mesh /\
+  AnglesBetween mesh least greatest /\
+  FacesConform mesh /\
+  BoundaryIsSurface mesh /\
+  NothingOverflows mesh th.
+
 Theorem PlacedCertified before warping cut th (least greatest : Z) :
   let mesh := PlacedMesh before warping cut in
   (forall tid t, In t (PlacedWithin mesh tid) ->
      WithinDegrees (IZR least / 100) (IZR greatest / 100) t) ->
   (forall tid, Moderate before warping cut (Corners tid)) ->
   th = AngleThresholds \/ th = EmbeddingThresholds \/ th = NoWarpThresholds ->
-  TetsPositive mesh /\
-  AnglesBetween mesh least greatest /\
-  FacesConform mesh /\
-  BoundaryIsSurface mesh /\
-  NothingOverflows mesh th.
+  Certified mesh least greatest th.
 Proof.
   intros mesh within sane known.
   split; [exact (DegreesPositive mesh _ _ within)|].

@@ -1,13 +1,9 @@
 (** * Machine integers suffice: proof *)
 
-From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Lattice.Tiling Lattice.FaceProof Stuffing.NameProof
   Stuffing.VerticesProof Angles.Cases.AdmissibleProof Angles.DomainProof
-  Range.RangeSpec.
-Import ListNotations.
+  Embedding.MeshEmbedsProof Range.RangeSpec.
 Open Scope Z_scope.
 
 Local Strategy 1000 [Warp].
@@ -276,13 +272,6 @@ Proof.
     as [(v & K & ->) | (p & q & P & Q & Sp & Sq & ->)]; cbn [OfCorners]; auto.
 Qed.
 
-Lemma StuffedByName th sign cut tid :
-  StuffTet th sign cut tid = PlacedNames sign (WarpVertex th sign cut) tid.
-Proof.
-  unfold StuffTet, PlacedNames. destruct tid as [anchor c].
-  destruct (GetStructuredTet (STId anchor c)). reflexivity.
-Qed.
-
 Lemma StuffedModerate th sign cut corners : AtMostHalf th -> CutsOnEdges sign cut ->
   Moderate sign (WarpVertex th sign cut) cut corners.
 Proof.
@@ -294,15 +283,19 @@ Proof.
     apply on; eapply (SignBefore th sign cut); eassumption || discriminate.
 Qed.
 
+(** What [VolumesFit] asks of a tetrahedron. *)
+Definition IsNarrow (t : UnstructuredTet Coord3) : Prop :=
+  match t with
+    UT _ a b c d =>
+      Bounded (4 * Steps) (Difference a b) /\
+      Bounded (4 * Steps) (Difference a c) /\
+      Bounded (4 * Steps) (Difference a d)
+  end.
+
 Theorem TetsNarrow th sign cut : AtMostHalf th -> CutsOnEdges sign cut ->
   forall tid t,
     t = WarpedTet th sign cut tid \/ In t (StuffedTets th sign cut tid) ->
-    match t with
-      UT _ a b c d =>
-        Bounded (4 * Steps) (Difference a b) /\
-        Bounded (4 * Steps) (Difference a c) /\
-        Bounded (4 * Steps) (Difference a d)
-    end.
+    IsNarrow t.
 Proof.
   intros half on tid t.
   pose proof (PlacedNarrow sign (WarpVertex th sign cut) cut 2 (Corners tid)
@@ -310,12 +303,12 @@ Proof.
   intros [-> | I].
   - revert N. unfold WarpedTet, Corners. destruct tid as [anchor c].
     destruct (GetStructuredTet (STId anchor c)) as [v1 v2 v3 v4 n1 n2 n3 n4].
-    intros N. destruct (CaseHandedness c); cbn [Orient MapTet];
+    intros N. destruct (CaseHandedness c); cbn [Orient MapTet IsNarrow];
       repeat split; apply (N (Corner _) (Corner _)); cbn [OfCorners In]; tauto.
   - unfold StuffedTets in I. apply in_map_iff in I. destruct I as (u & <- & I).
     rewrite StuffedByName in I.
     pose proof (fun m => PlacedOfCorners _ _ tid u m I) as M.
-    destruct u as [a b c d]. cbn [MapTet].
+    destruct u as [a b c d]. cbn [MapTet IsNarrow].
     repeat split; apply N; apply M; cbn [In TetCorners]; tauto.
 Qed.
 
@@ -323,12 +316,7 @@ Theorem BisectedTetsNarrow th sign domain : AtMostHalf th ->
   forall tid t,
     t = WarpedTet th sign (BisectedCuts domain) tid \/
     In t (StuffedTets th sign (BisectedCuts domain) tid) ->
-    match t with
-      UT _ a b c d =>
-        Bounded (4 * Steps) (Difference a b) /\
-        Bounded (4 * Steps) (Difference a c) /\
-        Bounded (4 * Steps) (Difference a d)
-    end.
+    IsNarrow t.
 Proof.
   intros half tid t. exact (TetsNarrow _ _ _ half (BisectedOnEdges _ _) tid t).
 Qed.
@@ -336,12 +324,7 @@ Qed.
 Theorem MidpointTetsNarrow sign tid t :
   t = WarpedTet NoWarpThresholds (Decided sign) MidpointCuts tid \/
   In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts tid) ->
-  match t with
-    UT _ a b c d =>
-      Bounded (4 * Steps) (Difference a b) /\
-      Bounded (4 * Steps) (Difference a c) /\
-      Bounded (4 * Steps) (Difference a d)
-  end.
+  IsNarrow t.
 Proof.
   assert (half : AtMostHalf NoWarpThresholds) by (intros []; vm_compute; discriminate).
   exact (TetsNarrow _ _ _ half (MidpointOnEdges _) tid t).

@@ -5,9 +5,7 @@
     that a formula fits means that not only its value but every intermediate
     value lies in its type, so that nothing overflows. *)
 
-From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Angles.Definitions.
 From Certet Require Import Lattice.Tiling.
 Open Scope Z_scope.
 

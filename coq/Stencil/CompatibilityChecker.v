@@ -4,10 +4,8 @@
     and over all sign assignments.  That a positive answer can be relied upon is
     proved in [CompatibilityCheckerProof]. *)
 
-From Coq Require Import List Bool.
 From Certet Require Import Stencil.Definitions.
 From Certet Require Import Stencil.Symbol.
-Import ListNotations.
 Open Scope bool_scope.
 
 (** ** Barycentric coordinates *)

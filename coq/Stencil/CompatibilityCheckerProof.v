@@ -4,11 +4,9 @@
     answers yes on symbols, the proposition of [CompatibilitySpec] holds of the
     vertices that the symbols stand for. *)
 
-From Coq Require Import List Bool.
 From Certet Require Import Stencil.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.CompatibilityChecker
   Stencil.SymbolProof.
-Import ListNotations.
 
 (** Takes hypotheses [a || b = true] and [a && b = true] apart. *)
 Ltac take_apart :=

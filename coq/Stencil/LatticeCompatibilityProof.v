@@ -4,7 +4,7 @@
     neighbours stand in the six arrangements any compatible set of stencils
     fits; that the paper's fit the lattice is written out for the four faces. *)
 
-From Certet Require Import Lattice.Definitions Stencil.Definitions.
+From Certet Require Import Stencil.Definitions.
 From Certet Require Import Lattice.Arrangement Lattice.Tiling
   Lattice.TilingProof Lattice.ArrangementProof Stencil.TilingSpec
   Stencil.CompatibilityProof.

@@ -3,9 +3,7 @@
     They show that the verification depends on no particular stencils, that it
     can say no, and what it does not ask. *)
 
-From Coq Require Import List.
 From Certet Require Import Stencil.Definitions.
-Import ListNotations.
 
 (** The Parity Rule mirrored.  Exchanging [v1] and [v2] keeps long edges long,
     and turns the diagonal of every face with two short cut edges. *)

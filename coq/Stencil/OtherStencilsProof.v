@@ -3,12 +3,10 @@
     Each verdict is one line.  For the bad set the compatibility statement
     itself is shown to be false, so that the checker's no was no false alarm. *)
 
-From Coq Require Import List.
 From Certet Require Import Stencil.Definitions.
 From Certet Require Import Stencil.OtherStencils Stencil.Symbol
   Stencil.CompatibilityChecker Stencil.SymbolProof
   Stencil.CompatibilityCheckerProof.
-Import ListNotations.
 
 Lemma MirroredStencilsNatural : Natural MirroredStencils.
 Proof.

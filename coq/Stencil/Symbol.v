@@ -5,9 +5,7 @@
     a cut between two of them; [Interpret] turns it into the vertex meant.
     Symbols can be compared and enumerated, which vertices cannot. *)
 
-From Coq Require Import List Bool.
 From Certet Require Import Stencil.Definitions.
-Import ListNotations.
 
 (** The three vertices of the shared face and the one on either side. *)
 Inductive Label := F1 | F2 | F3 | P | Q.

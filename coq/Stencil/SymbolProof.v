@@ -4,10 +4,8 @@
     natural, so that running a natural stencil set on symbols tells what it
     does on any vertices. *)
 
-From Coq Require Import List Bool.
 From Certet Require Import Stencil.Definitions.
 From Certet Require Import Stencil.Symbol.
-Import ListNotations.
 
 Lemma SameLabelEqual (a b : Label) : SameLabel a b = true <-> a = b.
 Proof. split; [destruct a, b; easy | intros ->; now destruct b]. Qed.

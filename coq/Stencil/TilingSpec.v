@@ -3,7 +3,7 @@
     Any set of stencils in any tiling: no two edges of the stencils on the two
     sides of a face cross. *)
 
-From Certet Require Import Lattice.Definitions Stencil.Definitions.
+From Certet Require Import Stencil.Definitions.
 From Certet Require Import Lattice.Tiling.
 
 Definition CompatibleInTiling (S : StencilSet) (T : Tiling) : Prop :=

@@ -5,10 +5,8 @@
     for any stencil set; that a positive answer can be relied upon is proved in
     [TriangleCheckerProof]. *)
 
-From Coq Require Import List Bool.
 From Certet Require Import Stencil.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.CompatibilityChecker.
-Import ListNotations.
 Open Scope bool_scope.
 
 Definition SymbolicTet : Type := UnstructuredTet Symbol.

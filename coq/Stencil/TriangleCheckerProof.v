@@ -2,11 +2,9 @@
 
     Still on symbols: from boolean functions to propositions. *)
 
-From Coq Require Import List Bool.
 From Certet Require Import Stencil.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Stencil.CompatibilityChecker Stencil.TriangleChecker.
-Import ListNotations.
 
 (** ** Comparing *)
 

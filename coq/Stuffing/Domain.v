@@ -4,8 +4,7 @@
     in steps.  One that is cut in the middle is known at the lattice points
     alone, and its surface counts as inside. *)
 
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions.
+From Certet Require Import Warp.Definitions.
 From Certet Require Import Stuffing.Stuffing.
 
 Definition PositionSigns : Type := Coord3 -> Sign.

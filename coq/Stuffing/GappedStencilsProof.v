@@ -1,11 +1,8 @@
 (** * What compatible edges do not tell: proofs *)
 
-From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Stuffing.Definitions.
+From Certet Require Import Stuffing.Definitions.
 From Certet Require Import Stencil.OtherStencils Stencil.TriangleChecker
   Stencil.CompatibilityProof.
-Import ListNotations.
 Open Scope Z_scope.
 
 Theorem OverlapCompatible :

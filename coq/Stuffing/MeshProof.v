@@ -3,13 +3,10 @@
     The triangle checker's verdict on symbols, carried over to [StuffTet] for
     every structured tetrahedron of the lattice. *)
 
-From Coq Require Import List Bool.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions.
+From Certet Require Import Stuffing.Definitions.
 From Certet Require Import Lattice.StructuredTetProof Lattice.Arrangement
-  Lattice.ArrangementProof Stencil.Symbol Stencil.CompatibilityChecker
-  Stencil.TriangleChecker Stencil.TriangleCheckerProof Stuffing.NameProof.
-Import ListNotations.
+  Lattice.ArrangementProof Stencil.Symbol Stencil.TriangleChecker
+  Stencil.TriangleCheckerProof Stuffing.NameProof.
 
 Local Opaque WarpVertex.
 

@@ -4,8 +4,7 @@
     or the cut of a lattice edge.  What is said of the mesh is said of names,
     so nothing depends on where exactly the cuts lie. *)
 
-From Coq Require Import List.
-From Certet Require Import Lattice.Definitions Stencil.Definitions.
+From Certet Require Import Stencil.Definitions.
 From Certet Require Import Stuffing.Stuffing.
 
 (** The vertex belongs to the lattice face with these corners: it is one of

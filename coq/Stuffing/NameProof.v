@@ -4,12 +4,9 @@
     symbols and the mesh vertices they stand for correspond one to one, and what
     holds of the stencils on symbols holds of [StuffTet]. *)
 
-From Coq Require Import List Bool.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions.
+From Certet Require Import Stuffing.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Stencil.CompatibilityChecker Stencil.TriangleChecker.
-Import ListNotations.
 
 (** How a vertex is warped plays no part, and is costly to look into. *)
 Local Opaque WarpVertex.

@@ -4,14 +4,11 @@
     symbols; of two structured tetrahedra because what they have in common lies
     in a face, and no tetrahedron of the output does. *)
 
-From Coq Require Import List Bool.
 From Coq Require Logic.FinFun.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions.
+From Certet Require Import Stuffing.Definitions.
 From Certet Require Import Lattice.FaceProof Stencil.Symbol Stencil.SymbolProof
-  Stencil.CompatibilityChecker Stencil.TriangleChecker
-  Stencil.CompatibilityCheckerProof Stuffing.NameProof Stuffing.MeshProof.
-Import ListNotations.
+  Stencil.CompatibilityChecker Stencil.TriangleChecker Stuffing.NameProof
+  Stuffing.MeshProof.
 
 Local Opaque WarpVertex.
 

@@ -4,9 +4,7 @@
     lattice vertices and the cuts of the lattice edges, the tetrahedra that
     fill one structured tetrahedron, with their positions. *)
 
-From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions.
+From Certet Require Import Warp.Definitions.
 Open Scope Z_scope.
 
 (** A domain as the mesher sees it: the sign of each lattice vertex, and for

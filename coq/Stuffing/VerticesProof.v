@@ -1,9 +1,6 @@
 (** * What the vertices of the output are made of *)
 
-From Coq Require Import List.
-From Certet Require Import Stencil.Definitions Warp.Definitions
-  Stuffing.Definitions.
-Import ListNotations.
+From Certet Require Import Stuffing.Definitions.
 
 Local Opaque WarpVertex.
 

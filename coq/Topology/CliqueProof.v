@@ -4,13 +4,9 @@
     of a structured tetrahedron; and to three of them exactly two points are
     adjacent. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Lattice.FaceProof Angles.Cases.Isometry
-  Embedding.EdgeRank Embedding.GreedyProof Embedding.MeshApartProof
-  Embedding.LinkProof Embedding.StarProof.
-Import ListNotations.
+  Embedding.EdgeRank Embedding.LinkProof Embedding.StarProof.
 Open Scope Z_scope.
 
 Definition LatticePoint (v : Coord3) : Prop :=

@@ -1,11 +1,7 @@
 (** * The corners of a structured tetrahedron *)
 
-From Coq Require Import ZArith List Lia.
-From Certet Require Import Lattice.Definitions Angles.Definitions
-  Embedding.Definitions.
-From Certet Require Import Angles.Cases.Isometry Embedding.EdgeRank
-  Embedding.GreedyProof Embedding.MeshApartProof Topology.CliqueProof.
-Import ListNotations.
+From Certet Require Import Embedding.Definitions.
+From Certet Require Import Embedding.MeshApartProof Topology.CliqueProof.
 
 Lemma FourApart {A} (a b c d : A) : NoDup [a; b; c; d] <->
   a <> b /\ a <> c /\ a <> d /\ b <> c /\ b <> d /\ c <> d.

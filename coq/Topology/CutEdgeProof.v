@@ -3,20 +3,15 @@
     It lies in a face of the lattice, and each side of the face has one triangle
     there; or it leads across a structured tetrahedron, which has two. *)
 
-From Coq Require Import ZArith List Bool Arith Lia.
+From Coq Require Import Arith.
 From Coq Require Logic.FinFun.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
-  Topology.Definitions.
-From Certet Require Import Angles.Cases.Isometry Embedding.EdgeRank
-  Embedding.GreedyProof Embedding.MeshApartProof Embedding.LinkProof
-  Topology.CliqueProof Topology.CornersProof Topology.LocalSurfaceProof
-  Topology.SurfaceProof Topology.RingProof.
-Import ListNotations.
+From Certet Require Import Topology.Definitions.
+From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof
+  Embedding.MeshApartProof Embedding.LinkProof Topology.CliqueProof
+  Topology.CornersProof Topology.LocalSurfaceProof Topology.SurfaceProof.
 
 Section Mesh.
   Variables (before : SignField) (warping : Coord3 -> Warping).
-  Local Notation after := (SignAfter before warping).
   Local Notation on_it := (OnIt before warping).
   Local Notation triangle := (LocalTriangle before warping).
   Local Notation surface := (SurfaceTriangle before warping).
@@ -60,7 +55,7 @@ Section Mesh.
     { intros a m v [(A & M & Sa & Sm) _] V D Oc Ov.
       assert (Am : a <> m) by (intros ->; congruence).
       cbn [Ends In] in Oc. destruct v as [b|b n].
-      - destruct V as [[Ib _] Sb]. fold (after b) in Sb.
+      - destruct V as [[Ib _] Sb]. fold (SignAfter before warping b) in Sb.
         exists b. cbn [Ends In].
         split; [|split; [auto|intros f [<-|[]]; auto]].
         apply ThreeApart. unfold SignAfter in *. repeat split; congruence.

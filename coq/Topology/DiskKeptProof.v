@@ -1,12 +1,8 @@
 (** * Who becomes 0 by a strict disk leaves the others their strict disks *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Stuffing.Definitions Embedding.Definitions Topology.Definitions.
+From Certet Require Import Topology.Definitions.
 From Certet Require Import Angles.Cases.Isometry Embedding.GreedyProof
-  Embedding.LeavingProof Embedding.LinkProof Topology.CliqueProof
-  Topology.DiskPointProof.
-Import ListNotations.
+  Embedding.LeavingProof Embedding.LinkProof Topology.DiskPointProof.
 
 (** The last step of a walk to [v]. *)
 Lemma LastStep {V} (inside : V -> Prop) next (u v : V) : Joined inside next u v ->

@@ -1,9 +1,6 @@
 (** * The rule of the strict disk gives a manifold: proof *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
-  Topology.Definitions.
+From Certet Require Import Topology.Definitions.
 From Certet Require Import Angles.AngleTheorems Embedding.DiskRuleProof
   Embedding.DiskPiecesProof Topology.LocalSurfaceProof Topology.SurfaceProof
   Topology.EdgeProof Topology.FanProof Topology.CutEdgeProof
@@ -24,63 +21,46 @@ Proof. intros N z Z. destruct (N z Z). Qed.
 
 (** ** Turn by turn *)
 
-Section Rule.
-  Variables (th : Thresholds) (sign : SignField) (cut : CutField).
-  Variable turn : Coord3 -> nat.
+Lemma DisksAroundNow th sign cut turn n : (forall v, sign v <> OnSurface) ->
+  TakeTurns th sign cut turn -> DisksAround (SignNow th sign cut turn n).
+Proof.
+  intros Decided Turns. induction n as [|n IH].
+  - apply NoZeroDisksAround. intros v. exact (Decided v).
+  - apply (DisksAroundKept (SignNow th sign cut turn n)); [exact IH| |].
+    + intros v. destruct (NowStep th sign cut turn Decided n v) as [E|(Z & N & S & S')];
+        [left; exact E|right].
+      split; [exact Z|]. split; [exact N|].
+      apply (SettledMeans th sign cut turn n v S S').
+    + intros u v. exact (ChangesApart th sign cut turn Decided Turns n u v).
+Qed.
 
-  Hypothesis Decided : forall v, sign v <> OnSurface.
-  Hypothesis Turns : forall v d, let u := Translate v (Offset d) in
-    Violated th sign cut v = true -> Violated th sign cut u = true ->
-    turn v <> turn u.
-
-  Local Notation settled := (Settled th sign cut turn).
-  Local Notation now := (SignNow th sign cut turn).
-
-  Lemma NowChanges n v : now (S n) v <> now n v ->
-    settled (S n) v = true /\ settled n v = false.
-  Proof.
-    unfold SignNow. intros N. pose proof (SettledStays th sign cut turn n v) as S.
-    destruct (settled n v); [rewrite S in N by reflexivity; congruence|].
-    destruct (settled (Datatypes.S n) v); [auto|congruence].
-  Qed.
-
-  Lemma DisksAroundNow n : DisksAround (now n).
-  Proof.
-    induction n as [|n IH].
-    - apply NoZeroDisksAround. intros v. exact (Decided v).
-    - apply (DisksAroundKept (now n)); [exact IH| |].
-      + intros v. destruct (settled (S n) v) eqn:S.
-        * destruct (settled n v) eqn:S'.
-          -- left. unfold SignNow. rewrite S, S'. reflexivity.
-          -- right. split; [apply (NowZero th sign cut turn Decided), S|].
-             split; [rewrite (NowZero th sign cut turn Decided); congruence|].
-             apply (SettledMeans th sign cut turn n v S S').
-        * left. unfold SignNow. rewrite S.
-          destruct (settled n v) eqn:S'; [|reflexivity].
-          rewrite (SettledStays th sign cut turn n v S') in S. discriminate S.
-      + intros u v U V. apply NowChanges in U, V. destruct U as [U U'], V as [V V'].
-        exact (NotAdjacent th sign cut turn Turns n u v U U' V V').
-  Qed.
-
-  Lemma DisksAroundAfter turns limit : DisksAround (SignAfter sign
+Lemma DisksAroundAfter th sign cut turn turns limit : (forall v, sign v <> OnSurface) ->
+  TakeTurns th sign cut turn -> DisksAround (SignAfter sign
     (RuledWarping th sign cut (DiskStays th sign cut turn turns) limit)).
-  Proof.
-    apply (DisksAroundSame (now turns)); [|apply DisksAroundNow].
-    intros v. apply AfterDisk.
-  Qed.
-End Rule.
+Proof.
+  intros Decided Turns.
+  apply (DisksAroundSame (SignNow th sign cut turn turns));
+    [|exact (DisksAroundNow th sign cut turn turns Decided Turns)].
+  intros v. apply AfterDisk.
+Qed.
 
 (** ** The mesh *)
 
 Theorem DiskRuleLinks th sign cut limit : (forall v, sign v <> OnSurface) ->
   DisksAround (SignAfter sign (RuledWarping th sign cut (DiskRule th sign cut) limit)).
-Proof. intros D. apply DisksAroundAfter; [exact D|apply TurnsDiffer]. Qed.
+Proof. intros D. apply DisksAroundAfter; [exact D|exact (TurnsDiffer th sign cut)]. Qed.
 
-Theorem SurfaceManifold before warping a b c :
-  DisksAround (SignAfter before warping) -> SurfaceTriangle before warping a b c ->
+(** The edge of a triangle is in one other, and the triangles at its end are one
+    fan. *)
+Definition ManifoldAt (before : SignField) (warping : Coord3 -> Warping)
+  (a b c : MeshVertex) : Prop :=
+  SurfaceTriangle before warping a b c ->
   (exists d, d <> c /\ SurfaceTriangle before warping a b d /\
      forall e, SurfaceTriangle before warping a b e -> e = c \/ e = d) /\
   (forall x, InFan before warping a x -> JoinedInFan before warping a b x).
+
+Theorem SurfaceManifold before warping a b c :
+  DisksAround (SignAfter before warping) -> ManifoldAt before warping a b c.
 Proof.
   intros D T. split; [exact (EdgesInTwo before warping a b c D T)|].
   intros x X. apply OneFan; [exact D|exists c; exact T|exact X].
@@ -88,10 +68,7 @@ Qed.
 
 Theorem DiskSurfaceManifold th sign cut limit a b c :
   let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
-  (forall v, sign v <> OnSurface) -> SurfaceTriangle sign warping a b c ->
-  (exists d, d <> c /\ SurfaceTriangle sign warping a b d /\
-     forall e, SurfaceTriangle sign warping a b e -> e = c \/ e = d) /\
-  (forall x, InFan sign warping a x -> JoinedInFan sign warping a b x).
+  (forall v, sign v <> OnSurface) -> ManifoldAt sign warping a b c.
 Proof.
   intros warping D. apply SurfaceManifold, DiskRuleLinks, D.
 Qed.
@@ -100,10 +77,7 @@ Qed.
 Theorem MidpointSurfaceManifold sign a b c :
   let decided v := InOrOut (sign v) in
   let warping := WarpVertex NoWarpThresholds decided (fun _ _ => MidpointCut) in
-  SurfaceTriangle decided warping a b c ->
-  (exists d, d <> c /\ SurfaceTriangle decided warping a b d /\
-     forall e, SurfaceTriangle decided warping a b e -> e = c \/ e = d) /\
-  (forall x, InFan decided warping a x -> JoinedInFan decided warping a b x).
+  ManifoldAt decided warping a b c.
 Proof.
   intros decided warping. apply SurfaceManifold. apply NoZeroDisksAround.
   intros v. unfold SignAfter, warping. cbn [PlacedSign].
@@ -114,11 +88,7 @@ Qed.
 
 (** Nor at a cut. *)
 Theorem CutsManifold before warping p m b c :
-  SurfaceTriangle before warping (Cut p m) b c ->
-  (exists d, d <> c /\ SurfaceTriangle before warping (Cut p m) b d /\
-     forall e, SurfaceTriangle before warping (Cut p m) b e -> e = c \/ e = d) /\
-  (forall x, InFan before warping (Cut p m) x ->
-     JoinedInFan before warping (Cut p m) b x).
+  ManifoldAt before warping (Cut p m) b c.
 Proof.
   intros T. split.
   - apply CutEdge; [exact T|]. intros x y E. discriminate E.

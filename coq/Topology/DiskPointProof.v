@@ -3,13 +3,11 @@
     [StrictDisk] computes in directions from one vertex.  Here it is said without
     them, so that the same edge can be seen from both its ends. *)
 
-From Coq Require Import ZArith List Bool Arith Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Stuffing.Definitions Embedding.Definitions.
+From Coq Require Import Arith.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Angles.Cases.Isometry Embedding.LeavingProof
   Embedding.LinkProof Topology.CliqueProof Topology.RingProof
   Topology.SeparationProof.
-Import ListNotations.
 Open Scope bool_scope.
 
 (** ** What [OnePiece] does not reach is not joined *)

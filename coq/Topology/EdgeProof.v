@@ -3,21 +3,16 @@
     Two at a cut, as [CutEdgeProof] says.  At an edge between two 0 corners the
     ring around it is decisive: a triangle for each place where + begins or ends. *)
 
-From Coq Require Import ZArith List Bool Arith Lia.
+From Coq Require Import Arith.
 From Coq Require Logic.FinFun.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
-  Topology.Definitions.
-From Certet Require Import Angles.Cases.Isometry Embedding.EdgeRank
-  Embedding.GreedyProof Embedding.MeshApartProof Embedding.LinkProof
+From Certet Require Import Topology.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.LinkProof
   Topology.CliqueProof Topology.LocalSurfaceProof Topology.SurfaceProof
   Topology.RingProof Topology.CornersProof Topology.CutEdgeProof.
-Import ListNotations.
 
 Section Mesh.
   Variables (before : SignField) (warping : Coord3 -> Warping).
   Local Notation after := (SignAfter before warping).
-  Local Notation on_it := (OnIt before warping).
   Local Notation triangle := (LocalTriangle before warping).
   Local Notation surface := (SurfaceTriangle before warping).
 

@@ -4,16 +4,10 @@
     its strict disk: what parts + from the rest is in one piece, and each of its
     edges is met by the surface in one vertex. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
-  Topology.Definitions.
-From Certet Require Import Angles.Cases.Isometry Embedding.EdgeRank
-  Embedding.GreedyProof Embedding.LeavingProof Embedding.LinkProof
-  Topology.CliqueProof Topology.LocalSurfaceProof Topology.SurfaceProof
-  Topology.RingProof Topology.EdgeProof Topology.CornersProof
-  Topology.SeparationProof.
-Import ListNotations.
+From Certet Require Import Topology.Definitions.
+From Certet Require Import Angles.Cases.Isometry Embedding.LeavingProof
+  Embedding.LinkProof Topology.CliqueProof Topology.LocalSurfaceProof
+  Topology.SurfaceProof Topology.CornersProof Topology.SeparationProof.
 
 Lemma RingsWhole : forallb (fun d => OnePiece (NextInLink d)) AllDirections = true.
 Proof. vm_compute. reflexivity. Qed.

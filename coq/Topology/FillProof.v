@@ -5,14 +5,10 @@
     much as there is.  Then no + and - corner both keep something, and what carries
     weight fits one tetrahedron of the stencils, or of those for the other side. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Stencil.Definitions Embedding.Definitions
-  Topology.Definitions.
+From Certet Require Import Topology.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Stencil.CompatibilityChecker Stencil.TriangleChecker Embedding.Measure
-  Embedding.EdgeRank Topology.StencilSurface Topology.EdgeProof
-  Topology.CornersProof.
-Import ListNotations.
+  Embedding.EdgeRank Topology.StencilSurface Topology.CornersProof.
 Open Scope Z_scope.
 
 Lemma SameSym (s r : Symbol) : {s = r} + {s <> r}.

@@ -4,16 +4,11 @@
     triangles of the mesh are seen as symbols.  What then holds of the mesh is in
     [SurfaceViewProof]. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
-  Topology.Definitions.
+From Certet Require Import Topology.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Stencil.CompatibilityChecker Stencil.TriangleChecker
   Stencil.TriangleCheckerProof Stuffing.NameProof Embedding.EdgeRank
-  Embedding.MeshApartProof Embedding.LeavingProof Topology.StencilSurface
-  Topology.StencilSurfaceProof.
-Import ListNotations.
+  Embedding.MeshApartProof Topology.StencilSurface Topology.StencilSurfaceProof.
 
 (** ** In points *)
 

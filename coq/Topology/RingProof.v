@@ -3,12 +3,10 @@
     The points next to both ends of an edge are a ring of four or six.  Going
     around it, + begins as often as it ends. *)
 
-From Coq Require Import ZArith List Bool Arith Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Embedding.Definitions.
+From Coq Require Import Arith.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Angles.Cases.Isometry Embedding.LinkProof.
-Import ListNotations.
 Open Scope bool_scope.
 
 Definition Ring (d : Direction) : list Direction := filter (NextInLink d) AllDirections.

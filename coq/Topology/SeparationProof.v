@@ -7,12 +7,10 @@
     vertices changes, because the link has no holes; and that function is the same
     all over + and all over the rest. *)
 
-From Coq Require Import ZArith List Bool Arith Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Embedding.Definitions.
+From Coq Require Import Arith.
+From Certet Require Import Embedding.Definitions.
 From Certet Require Import Angles.Cases.Isometry Embedding.LeavingProof
-  Embedding.LinkProof Topology.CliqueProof Topology.RingProof.
-Import ListNotations.
+  Embedding.LinkProof Topology.CliqueProof.
 Open Scope bool_scope.
 
 (** ** What is reached in a finite graph *)

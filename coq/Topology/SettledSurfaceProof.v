@@ -1,12 +1,8 @@
 (** * The surface of the mesh that keeps the shape: proof *)
 
-From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Embedding.Definitions
-  Topology.Definitions.
-From Certet Require Import Angles.Cases.Isometry Embedding.GreedyProof
-  Embedding.LeavingProof Embedding.LinkProof Embedding.SettleProof
-  Embedding.SettledMeshProof Topology.CliqueProof Topology.DiskPointProof
+From Certet Require Import Topology.Definitions.
+From Certet Require Import Embedding.GreedyProof Embedding.LinkProof
+  Embedding.SettleProof Embedding.SettledMeshProof Topology.DiskPointProof
   Topology.DiskKeptProof Topology.DiskManifoldProof.
 
 (** Checking a proof needs their names, never what they are. *)
@@ -81,10 +77,7 @@ Qed.
 Theorem SettledSurfaceManifold th sample cut gap vs a b c :
   let sign := OpenSigns sample in
   let warping := PlaceIn (Settle th sign cut gap vs) in
-  SurfaceTriangle sign warping a b c ->
-  (exists d, d <> c /\ SurfaceTriangle sign warping a b d /\
-     forall e, SurfaceTriangle sign warping a b e -> e = c \/ e = d) /\
-  (forall x, InFan sign warping a x -> JoinedInFan sign warping a b x).
+  ManifoldAt sign warping a b c.
 Proof.
   intros sign warping. apply SurfaceManifold.
   apply (DisksAroundSame (SignAmong sign (Settle th sign cut gap vs)));

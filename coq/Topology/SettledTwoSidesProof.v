@@ -1,9 +1,6 @@
 (** * Inside and outside of the warp that keeps the shape: proof *)
 
-From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
-  Topology.Definitions.
+From Certet Require Import Topology.Definitions.
 From Certet Require Import Angles.AngleTheorems Embedding.SettleProof
   Embedding.SettledMeshProof Topology.TwoSidesFillProof
   Topology.TwoSidesMeetProof.

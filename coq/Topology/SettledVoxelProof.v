@@ -1,9 +1,6 @@
 (** * The pieces of a label image and of the mesh that keeps the shape: proof *)
 
-From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
-  Topology.Definitions.
+From Certet Require Import Topology.Definitions.
 From Certet Require Import Embedding.LeavingProof Embedding.SettledMeshProof
   Topology.VoxelProof Topology.VoxelMeshProof.
 Open Scope Z_scope.
@@ -43,7 +40,7 @@ Theorem SettledVoxelPieces grid image th cut gap vs p q t u :
 Proof.
   intros sign warping F P Q T U.
   etransitivity;
-    [exact (SettledPiecesKept th sign cut gap vs p q t u (OpenDecided _) P Q T U)|].
+    [exact (SettledPiecesKept th sign cut gap vs (OpenDecided _) p q t u P Q T U)|].
   etransitivity; [apply OpenJoined|].
   apply (VoxelPiecesKept grid image p q F);
     [exact (MadeOfLattice _ _ p t T)|exact (MadeOfLattice _ _ q u U)| |];

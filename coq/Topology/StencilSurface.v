@@ -4,11 +4,10 @@
     surface: 0 corners, and cuts.  That it holds of the mesh is proved in
     [SurfaceViewProof]. *)
 
-From Coq Require Import List Bool Arith.
+From Coq Require Import Arith.
 From Certet Require Import Stencil.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.CompatibilityChecker
   Stencil.TriangleChecker Embedding.EdgeRank Embedding.MeshApartProof.
-Import ListNotations.
 Open Scope bool_scope.
 
 Definition Four : list Label := [F1; F2; F3; P].

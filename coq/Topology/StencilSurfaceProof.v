@@ -1,10 +1,8 @@
 (** * The surface within one structured tetrahedron, on symbols: what its checks tell *)
 
-From Coq Require Import List Bool.
-From Certet Require Import Stencil.Definitions Stencil.Symbol Stencil.SymbolProof
-  Stencil.CompatibilityChecker Stencil.TriangleChecker
+From Certet Require Import Stencil.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Stencil.TriangleCheckerProof Topology.StencilSurface.
-Import ListNotations.
 
 (** ** What checks of lists tell *)
 

@@ -4,23 +4,16 @@
     tetrahedron, and the faces of the lattice with three 0 corners that have + on
     exactly one side. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
-  Topology.Definitions.
-From Certet Require Import Stuffing.MeshProof Embedding.EdgeRank
-  Embedding.GreedyProof Embedding.MeshApartProof Embedding.LinkProof
+From Certet Require Import Topology.Definitions.
+From Certet Require Import Stuffing.MeshProof Embedding.MeshApartProof
   Embedding.AroundProof Topology.CliqueProof Topology.LocalSurfaceProof
   Topology.SurfaceViewProof.
-Import ListNotations.
 
 (** ** One structured tetrahedron *)
 
 Section Local.
   Variables (before : SignField) (warping : Coord3 -> Warping).
   Local Notation after := (SignAfter before warping).
-  Local Notation names := (PlacedNames before warping).
-  Local Notation placed := (PlacedSign before warping).
   Local Notation on_it := (OnIt before warping).
   Local Notation triangle := (LocalTriangle before warping).
   Local Notation surface := (SurfaceTriangle before warping).
@@ -28,9 +21,10 @@ Section Local.
   Section One.
     Variable tid : StructuredTetId.
 
-    Lemma LocalShape x y z t : In t (names tid) -> HasTriangle t x y z ->
+    Lemma LocalShape x y z t :
+      In t (PlacedNames before warping tid) -> HasTriangle t x y z ->
       on_it tid x -> on_it tid y -> on_it tid z ->
-      (forall u, In u (names tid) -> HasTriangle u x y z -> u = t) /\
+      (forall u, In u (PlacedNames before warping tid) -> HasTriangle u x y z -> u = t) /\
       (Reach (Corners tid) [x; y; z] \/
        exists a b c e, x = Corner a /\ y = Corner b /\ z = Corner c /\
          In e (Corners tid) /\ after e = Plus /\
@@ -162,7 +156,9 @@ Section Local.
   Qed.
 
   Lemma SurfaceZero x y z : surface x y z ->
-    placed x = OnSurface /\ placed y = OnSurface /\ placed z = OnSurface.
+    PlacedSign before warping x = OnSurface /\
+    PlacedSign before warping y = OnSurface /\
+    PlacedSign before warping z = OnSurface.
   Proof.
     intros (t & (tid & E & I) & H & U).
     rewrite !(SignAsStuffed before warping). rewrite NamesAsStuffed in I.

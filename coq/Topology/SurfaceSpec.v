@@ -5,10 +5,8 @@
     triangles at a vertex are one fan: since each of their edges at the vertex
     lies in two, they are a single cycle as soon as they hang together. *)
 
-From Coq Require Import List Arith.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions
-  Embedding.Definitions.
+From Coq Require Import Arith.
+From Certet Require Import Embedding.Definitions.
 
 (** ** The surface *)
 

@@ -2,21 +2,16 @@
 
     What [CheckSurface] checked on symbols, in a view on them ([Viewed]). *)
 
-From Coq Require Import List Bool.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
-  Topology.Definitions Stencil.Symbol Stencil.SymbolProof
+From Certet Require Import Topology.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Stencil.CompatibilityChecker Stencil.TriangleChecker
-  Stencil.TriangleCheckerProof Stuffing.NameProof Embedding.EdgeRank
-  Embedding.MeshApartProof Topology.StencilSurface Topology.StencilSurfaceProof
-  Topology.LocalSurfaceProof.
-Import ListNotations.
+  Stencil.TriangleCheckerProof Stuffing.NameProof Topology.StencilSurface
+  Topology.StencilSurfaceProof Topology.LocalSurfaceProof.
 
 Section View.
   Variables (before : SignField) (warping : Coord3 -> Warping).
 
   Local Notation after := (SignAfter before warping).
-  Local Notation names := (PlacedNames before warping).
   Local Notation OnIt := (OnIt before warping).
   Local Notation LocalTriangle := (LocalTriangle before warping).
 
@@ -30,7 +25,8 @@ Section View.
   Hypothesis Apart : NoDup [f1; f2; f3; p; q].
   Hypothesis Points : Corners tid = [f1; f2; f3; p].
   Hypothesis Signs : forall l, In l Four -> after (at_ l) = sign l.
-  Hypothesis Named : names tid = map (fun s => Orient h (MapTet name s)) ts.
+  Hypothesis Named :
+    PlacedNames before warping tid = map (fun s => Orient h (MapTet name s)) ts.
   Hypothesis Fits : CheckSurface sign ts = true.
 
   Let AtInjective := AtInjective f1 f2 f3 p q Apart.
@@ -47,9 +43,10 @@ Section View.
   Let CrossingValid := CrossingValid sign.
   Let ThirdValid := ThirdValid sign.
 
-  Lemma ViewTriangle x y z t : In t (names tid) -> HasTriangle t x y z ->
+  Lemma ViewTriangle x y z t :
+    In t (PlacedNames before warping tid) -> HasTriangle t x y z ->
     OnIt tid x -> OnIt tid y -> OnIt tid z ->
-    (forall u, In u (names tid) -> HasTriangle u x y z -> u = t) /\
+    (forall u, In u (PlacedNames before warping tid) -> HasTriangle u x y z -> u = t) /\
     (Reach (Corners tid) [x; y; z] \/
      exists a b c e, x = Corner a /\ y = Corner b /\ z = Corner c /\
        In e (Corners tid) /\ after e = Plus /\

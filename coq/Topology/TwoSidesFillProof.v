@@ -1,16 +1,11 @@
 (** * The meshes of both sides leave no gaps: proof *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
-  Topology.Definitions.
+From Certet Require Import Topology.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.SymbolProof
-  Stencil.CompatibilityChecker Stencil.TriangleChecker Stuffing.NameProof
-  Angles.Cases.AdmissibleProof Embedding.LatticeEmbedsProof
-  Embedding.WarpedLatticeProof Embedding.EdgeRank Embedding.GreedyProof
+  Stencil.CompatibilityChecker Stuffing.NameProof Angles.Cases.AdmissibleProof
+  Embedding.LatticeEmbedsProof Embedding.WarpedLatticeProof Embedding.EdgeRank
   Embedding.MeshEmbedsProof Embedding.LatticeCoversProof Topology.StencilSurface
   Topology.FillProof.
-Import ListNotations.
 Open Scope Z_scope.
 
 Lemma WeighMap {U V} (f : U -> V) g w t :

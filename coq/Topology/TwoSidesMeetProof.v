@@ -7,16 +7,12 @@
     corners have two cuts on opposite edges in either.  But the greedy rule joins
     only one of the two pairs. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
-  Topology.Definitions.
+From Certet Require Import Topology.Definitions.
 From Certet Require Import Embedding.LatticeEmbedsProof
   Embedding.WarpedLatticeProof Embedding.Measure Embedding.EdgeRank
   Embedding.GreedyProof Embedding.MeshEmbedsProof Embedding.MeshApartProof
-  Embedding.LinkProof Topology.EdgeProof Topology.CliqueProof
-  Topology.CornersProof Topology.TwoSidesFillProof.
-Import ListNotations.
+  Embedding.LinkProof Topology.CliqueProof Topology.CornersProof
+  Topology.TwoSidesFillProof.
 Open Scope Z_scope.
 
 Lemma RankMutual tid a b : InLattice tid -> In a (Corners tid) -> In b (Corners tid) ->

@@ -4,9 +4,7 @@
     then counted from its other end; by its name in the mesh of the inside the two
     can be compared. *)
 
-From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Embedding.Definitions.
+From Certet Require Import Embedding.Definitions.
 Open Scope Z_scope.
 
 Definition Negate (s : Sign) : Sign :=

@@ -1,12 +1,7 @@
 (** * The pieces of a label image and of its mesh: proof *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions Embedding.Definitions
-  Topology.Definitions.
-From Certet Require Import Embedding.LeavingProof Embedding.DiskPiecesProof
-  Topology.VoxelProof.
-Import ListNotations.
+From Certet Require Import Topology.Definitions.
+From Certet Require Import Embedding.DiskPiecesProof Topology.VoxelProof.
 Open Scope Z_scope.
 
 Local Strategy 1000 [WarpVertex Settled StrictDisk].

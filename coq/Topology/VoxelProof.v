@@ -3,12 +3,9 @@
     Even points are joined by long edges just as their voxels are by faces.  An odd
     point has an even one of its own voxel next to it, and joins no two groups. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Stuffing.Definitions Embedding.Definitions Topology.Definitions.
+From Certet Require Import Topology.Definitions.
 From Certet Require Import Angles.Cases.Isometry Embedding.LeavingProof
   Embedding.LinkProof.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** ** Along one axis *)
@@ -275,34 +272,42 @@ Section Voxels.
 
   Let near (i j : Z) : Prop := j = i \/ j = i + 1 \/ j = i - 1.
 
+  Lemma Along (line : Z -> Coord3) (f : Z -> Z) (full : Z -> Prop) n m :
+    (forall k, Adjacent (line k) (line (k + 1))) -> (forall x y, x <= y -> f x <= f y) ->
+    (forall k, sign (line k) = Plus <-> full (f (2 * k))) ->
+    near (f (2 * n)) (f (2 * m)) ->
+    sign (line n) = Plus -> sign (line m) = Plus -> samples (line n) (line m).
+  Proof.
+    intros Next R F N P Q. apply (LineJoined _ line); [exact Next|].
+    intros k K. apply F. apply F in P, Q.
+    destruct (Between f n m k R N K) as [E|E]; rewrite E; assumption.
+  Qed.
+
   Lemma AlongX a a' b c : near (ix (2 * a)) (ix (2 * a')) ->
     sign (EvenPoint a b c) = Plus -> sign (EvenPoint a' b c) = Plus ->
     samples (EvenPoint a b c) (EvenPoint a' b c).
   Proof.
-    intros N P Q. apply (LineJoined _ (fun a => EvenPoint a b c)); [intros n; apply NextX|].
-    intros k K. apply EvenPointPlus. apply EvenPointPlus in P, Q.
-    destruct (Between ix a a' k (IndexRises half sx ox Half FineX) N K) as [E|E];
-      rewrite E; assumption.
+    exact (Along (fun a => EvenPoint a b c) ix
+      (fun i => inside (C3 i (iy (2 * b)) (iz (2 * c)))) a a' (fun a => NextX a b c)
+      (IndexRises half sx ox Half FineX) (fun a => EvenPointPlus a b c)).
   Qed.
 
   Lemma AlongY a b b' c : near (iy (2 * b)) (iy (2 * b')) ->
     sign (EvenPoint a b c) = Plus -> sign (EvenPoint a b' c) = Plus ->
     samples (EvenPoint a b c) (EvenPoint a b' c).
   Proof.
-    intros N P Q. apply (LineJoined _ (fun b => EvenPoint a b c)); [intros n; apply NextY|].
-    intros k K. apply EvenPointPlus. apply EvenPointPlus in P, Q.
-    destruct (Between iy b b' k (IndexRises half sy oy Half FineY) N K) as [E|E];
-      rewrite E; assumption.
+    exact (Along (fun b => EvenPoint a b c) iy
+      (fun j => inside (C3 (ix (2 * a)) j (iz (2 * c)))) b b' (fun b => NextY a b c)
+      (IndexRises half sy oy Half FineY) (fun b => EvenPointPlus a b c)).
   Qed.
 
   Lemma AlongZ a b c c' : near (iz (2 * c)) (iz (2 * c')) ->
     sign (EvenPoint a b c) = Plus -> sign (EvenPoint a b c') = Plus ->
     samples (EvenPoint a b c) (EvenPoint a b c').
   Proof.
-    intros N P Q. apply (LineJoined _ (fun c => EvenPoint a b c)); [intros n; apply NextZ|].
-    intros k K. apply EvenPointPlus. apply EvenPointPlus in P, Q.
-    destruct (Between iz c c' k (IndexRises half sz oz Half FineZ) N K) as [E|E];
-      rewrite E; assumption.
+    exact (Along (fun c => EvenPoint a b c) iz
+      (fun k => inside (C3 (ix (2 * a)) (iy (2 * b)) k)) c c' (fun c => NextZ a b c)
+      (IndexRises half sz oz Half FineZ) (fun c => EvenPointPlus a b c)).
   Qed.
 
   Lemma OwnerOfEven a b c :

@@ -5,10 +5,7 @@
     there it is taken as outside, so that the samples do not join what no faces
     join. *)
 
-From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Stuffing.Definitions Embedding.Definitions.
-Import ListNotations.
+From Certet Require Import Embedding.Definitions.
 Open Scope Z_scope.
 
 (** ** Voxels *)

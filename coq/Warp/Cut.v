@@ -4,8 +4,7 @@
     of steps counted from the inner (+) end.  [StepBits] stands here and nowhere
     else. *)
 
-From Coq Require Import ZArith.
-From Certet Require Import Lattice.Definitions Stencil.Definitions.
+From Certet Require Import Stencil.Definitions.
 Open Scope Z_scope.
 
 Definition StepBits : nat := 16.

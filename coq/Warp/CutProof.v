@@ -1,7 +1,6 @@
 (** * Bisection finds the surface: proofs *)
 
-From Coq Require Import ZArith Lia.
-From Certet Require Import Stencil.Definitions Warp.Definitions.
+From Certet Require Import Warp.Definitions.
 Open Scope Z_scope.
 
 Lemma HalfTwice r : 2 ^ Z.of_nat (S r) = 2 * 2 ^ Z.of_nat r.

@@ -8,8 +8,7 @@
     the same distance the one whose direction comes first in [AllDirections]
     wins. *)
 
-From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Definitions Stencil.Definitions.
+From Certet Require Import Stencil.Definitions.
 From Certet Require Import Warp.Cut.
 Open Scope Z_scope.
 

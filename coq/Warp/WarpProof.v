@@ -1,9 +1,6 @@
 (** * [Warp] keeps its promise: proof *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions.
-Import ListNotations.
+From Certet Require Import Warp.Definitions.
 Open Scope Z_scope.
 
 Lemma DirectionListed d : In d AllDirections.

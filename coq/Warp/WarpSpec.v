@@ -4,7 +4,6 @@
     Section 2 of Labelle and Shewchuk's algorithm, as the paper uses it; the
     order is this product's own. *)
 
-From Coq Require Import ZArith List.
 From Certet Require Import Lattice.Definitions.
 From Certet Require Import Warp.Warp.
 Open Scope Z_scope.

@@ -6,7 +6,7 @@ what is compiled carries proofs cut short, as an attacker would.
 
 import re
 
-PROOF, SPEC = "Stencil/OtherStencilsProof.v", "Range/RangeSpec.v"
+PROOF, SPEC, LIST = "Stencil/OtherStencilsProof.v", "Range/RangeSpec.v", "Lattice/Definitions.v"
 PAPER, PAGE = "PaperCertificate.v", "Certificate.v"
 
 
@@ -242,6 +242,11 @@ LEFTOVERS = [(what, "leftovers", plant) for what, plant in [
     ("a library of somebody else", said("From Other Require Import Axioms.")),
     ("a file required without From", said("Require Import Certet.Range.RangeSpec.")),
     ("an export past the pages", said("From Certet Require Export Range.RangeProof.")),
+    ("an export of a proof among definitions", said("From Certet Require Export Range.RangeProof.", LIST)),
+    ("an export of more of Coq there", said("From Coq Require Export Reals.", LIST)),
+    ("an export of Coq elsewhere", said("From Coq Require Export Lia.")),
+    ("a definition where others are passed on", said("Definition planted := True.", LIST)),
+    ("notations passed on by a proof", said("Export ListNotations.")),
     ("an extraction of its own", said('Extract Constant Nat.add => "fun _ _ -> 0".')),
     ("letters that look like others", said("Definition Pos\u0456tive := True.")),
     ("a dot that ends no sentence", said("Definition planted := 1.Axiom idle : False.")),
@@ -308,7 +313,7 @@ EXTRACTION = [(what, "extraction", plant) for what, plant in [
     ("the same, inlined", said('Extract Inlined Constant Steps => "1".', "Extraction.v")),
     ("another type in OCaml", said('Extract Inductive Sign => "int" [ "1" "0" "2" ].', "Extraction.v")),
     ("integers that overflow", edited("Extraction.v", "ExtrOcamlBasic", "ExtrOcamlBasic ExtrOcamlZInt")),
-    ("a function of a proof", edited("Extraction.v", "Warp.Cut", "Warp.Cut Range.RangeProof")),
+    ("a function of a proof", edited("Extraction.v", "Embedding.DiskTables", "Embedding.DiskTables Range.RangeProof")),
     ("a definition more", said("Definition StuffTet := 0.", "Extraction.v")),
     ("a list of functions more", said('Extraction "certified.ml" Steps.', "Extraction.v")),
     ("functions without their types", said("Set Extraction Optimize.", "Extraction.v")),

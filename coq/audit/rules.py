@@ -1,7 +1,8 @@
 """What a source file may say.  Whatever is not named here is refused.
 
-Four kinds of files: the pages, those in PAGES, state; the files that they export define (and those
-named *Spec.v are some of them); Extraction.v lists what runs; all others prove.
+Five kinds of files: the pages, those in PAGES, state; the files that they export define (and those
+named *Spec.v are some of them); each Definitions.v passes on some of these; Extraction.v lists what
+runs; all others prove.
 """
 
 import re
@@ -12,11 +13,13 @@ PAGES = ("PaperCertificate.v", "MaterialCertificate.v", "Certificate.v")
 DEFINING = {"From", "Import", "Open", "Section", "End", "Variable", "Variables",
             "Definition", "Fixpoint", "Inductive", "Record", "Arguments"}
 PROVING = DEFINING | {"Theorem", "Lemma", "Corollary", "Let", "Hypothesis", "Hypotheses", "Ltac", "Local"}
+PASSING_ON = {"From", "Export"}
 STARTING_PROOF = {"Theorem", "Lemma", "Corollary"}
 OF_SECTIONS = {"Variable", "Variables", "Hypothesis", "Hypotheses", "Let"}
 LOCAL = {"Notation", "Infix", "Ltac", "Opaque", "Strategy"}  # after the word Local, in proofs
 SCOPES = {"Z_scope", "R_scope", "nat_scope", "bool_scope", "list_scope", "positive_scope", "N_scope"}
 IMPORTS = {"ListNotations"}
+LIBRARIES = {"ZArith", "List", "Bool", "Lia"}  # what a Definitions.v may pass on of Coq's
 
 # Tactics that leave a proof open, and the one that trusts a second compiler.
 OPEN_TACTICS = {"admit", "give_up", "native_compute", "native_cast_no_check"}
@@ -42,14 +45,24 @@ def read(root, file):
         raise Refused(f"{file}: {problem}\nit cannot be told what this file says.") from problem
 
 
+def passes_on(file):
+    return file.endswith("/Definitions.v")
+
+
+def exports(root, file):
+    """The files that a file exports."""
+    return [module.replace(".", "/") + ".v" for sentence in read(root, file)
+            if sentence.tokens[:4] == ("From", "Certet", "Require", "Export") for module in sentence.tokens[4:]]
+
+
 def exported_files(root):
-    """The files that the pages export, in order, but for the pages themselves."""
-    found = []
-    for page in PAGES:
-        for sentence in read(root, page):
-            if sentence.tokens[:4] == ("From", "Certet", "Require", "Export"):
-                found += [module.replace(".", "/") + ".v" for module in sentence.tokens[4:]]
-    return [file for file in dict.fromkeys(found) if file not in PAGES]
+    """The files that the pages export, in order, but for the pages themselves; then each Definitions.v
+    that exports nothing but these."""
+    found = [file for page in PAGES for file in exports(root, page) if file not in PAGES]
+    lists = [str(p.relative_to(root)) for p in sorted(root.glob("*/Definitions.v"))]
+    while plain := [file for file in lists if file not in found and set(exports(root, file)) <= set(found)]:
+        found += plain
+    return list(dict.fromkeys(found))
 
 
 def headlines(root):
@@ -76,7 +89,9 @@ def check_import(file, sentence, exported=(), others=()):
     if not plain or not modules or not all(m[0].isalpha() for m in modules):
         refuse(file, sentence, "a file is required in an unusual way.")
     onward = {module.replace(".", "/") + ".v" for module in words[4:]}
-    if words[3:4] == ("Export",) and (words[1] != "Certet" or not onward <= {*exported, *PAGES}):
+    ours = words[1] == "Certet" and onward <= {*exported, *PAGES}
+    basic = words[1] == "Coq" and passes_on(file) and set(words[4:]) <= LIBRARIES
+    if words[3:4] == ("Export",) and not (ours or basic):
         refuse(file, sentence, "the pages do not export this, so no other file may.")
 
 
@@ -87,7 +102,7 @@ def check_command(file, sentence, allowed, depth, exported, others):
         refuse(file, sentence, "no file, or no file of this kind, may say this.")
     if command == "From":
         check_import(file, sentence, exported, others)
-    if command == "Import" and not set(words[1:]) <= IMPORTS:
+    if command in ("Import", "Export") and not set(words[1:]) <= IMPORTS:
         refuse(file, sentence, "only notations of lists are imported.")
     if command == "Open" and (words[1] != "Scope" or len(words) != 3 or words[2] not in SCOPES):
         refuse(file, sentence, "only a scope of numbers or lists is opened.")
@@ -101,6 +116,7 @@ def check_command(file, sentence, allowed, depth, exported, others):
 
 def check_file(root, file, allowed, exported, others=()):
     """Every command is allowed, every proof is between Proof and Qed, every section ends."""
+    allowed = PASSING_ON if passes_on(file) else allowed
     open_sections, in_proof = [], False
     for sentence in read(root, file):
         words = sentence.words

@@ -2,11 +2,10 @@
 
 #include <numeric>
 
-#include "lattice/cell_tables.hpp"
+#include "cell_word.hpp"
 #include "layer_loop.hpp"
 #include "material_cells.hpp"
 #include "row_ranks.hpp"
-#include "stencil_counts.hpp"
 
 namespace certet::core {
 namespace {
@@ -15,16 +14,10 @@ std::uint64_t count_tets(const SignPlanes& planes, int j, int k) {
   const SignRows signs(planes, j, k);
   std::uint64_t count = 0;
   for (int w = 0; w < planes.words(); ++w) {
-    std::array<SignWord, cell_vertex_count> vertex;
-    std::uint64_t any_plus = 0;
-    for (std::size_t v = 0; v < cell_vertex_count; ++v) {
-      vertex[v] = signs.at(cell.vertices[v], w);
-      any_plus |= vertex[v].plus;
-    }
-    if (any_plus == 0) continue;
+    const CellWord word(signs, w);
+    if (word.any_plus == 0) continue;
     for (const auto& corner : cell.corner) {
-      const StencilCounts counts = stencil_counts(
-          {vertex[corner[0]], vertex[corner[1]], vertex[corner[2]], vertex[corner[3]]});
+      const StencilCounts counts = word.counts(corner);
       count += static_cast<std::uint64_t>(std::popcount(counts.one) + std::popcount(counts.two) +
                                           std::popcount(counts.three));
     }

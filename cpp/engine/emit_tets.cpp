@@ -1,6 +1,6 @@
 #include <limits>
 
-#include "lattice/cell_tables.hpp"
+#include "cell_word.hpp"
 #include "emit.hpp"
 #include "emit_loop.hpp"
 #include "material_cells.hpp"
@@ -41,21 +41,16 @@ class TetEmitter {
   /// bits of `any_plus`, runs of the latter need neither signs nor stencils; what is
   /// left are the cells around the surface.
   void emit_word(const SignRows& signs, int w) {
-    std::uint64_t any_plus = 0;
-    std::uint64_t all_plus = ~std::uint64_t{0};
-    for (std::size_t v = 0; v < cell_vertex_count; ++v) {
-      vertex_[v] = signs.at(cell.vertices[v], w);
-      any_plus |= vertex_[v].plus;
-      all_plus &= vertex_[v].plus;
-    }
+    const CellWord word(signs, w);
+    std::uint64_t any_plus = word.any_plus;
     while (any_plus != 0) {
       const int b = std::countr_zero(any_plus);
-      if ((all_plus >> b & 1) != 0) {
-        const int length = std::countr_one(all_plus >> b);
+      if ((word.all_plus >> b & 1) != 0) {
+        const int length = std::countr_one(word.all_plus >> b);
         emit_interior(w, b, length);
         any_plus = b + length == 64 ? 0 : any_plus & ~below(b + length);
       } else {
-        emit_cell(w, b);
+        emit_cell(word, w, b);
         any_plus &= any_plus - 1;
       }
     }
@@ -104,11 +99,8 @@ class TetEmitter {
 
   /// A cell with the surface in or near it: case by case, by the stencils
   /// (cpp/docs/pictures/stencils.svg).
-  void emit_cell(int w, int b) {
-    std::array<Sign, cell_vertex_count> sign;
-    for (std::size_t v = 0; v < cell_vertex_count; ++v)
-      sign[v] = sign_of_bits(static_cast<int>(vertex_[v].plus >> b & 1),
-                             static_cast<int>(vertex_[v].zero >> b & 1));
+  void emit_cell(const CellWord& word, int w, int b) {
+    const std::array<Sign, cell_vertex_count> sign = word.signs(b);
     for (std::size_t c = 0; c < cell_tet_count; ++c) {
       const auto& corner = cell.corner[c];
       const auto pattern = static_cast<std::size_t>(pattern_index(
@@ -137,7 +129,6 @@ class TetEmitter {
   int j_, k_;
   RowWindow window_;  ///< rows j..j+1 of layers k..k+1
   std::array<std::array<Index, 2>, 2> first_point_{};
-  std::array<SignWord, cell_vertex_count> vertex_{};
   Tet<Index>* out_;
 };
 

@@ -5,9 +5,9 @@
 #include <atomic>
 #include <bit>
 
+#include "cell_word.hpp"
 #include "layer_loop.hpp"
 #include "material_cells.hpp"
-#include "stencil_counts.hpp"
 
 namespace certet::core {
 namespace {
@@ -50,20 +50,14 @@ class PieceTets {
 
  private:
   void add_word(const SignRows& signs, const std::vector<RunCursor>& cursors, int w) {
-    std::array<SignWord, cell_vertex_count> vertex;
-    std::uint64_t any_plus = 0;
-    for (std::size_t v = 0; v < cell_vertex_count; ++v) {
-      vertex[v] = signs.at(cell.vertices[v], w);
-      any_plus |= vertex[v].plus;
-    }
-    if (any_plus == 0) return;
+    const CellWord word(signs, w);
+    if (word.any_plus == 0) return;
     for (const auto& corner : cell.corner) {
-      const StencilCounts counts = stencil_counts(
-          {vertex[corner[0]], vertex[corner[1]], vertex[corner[2]], vertex[corner[3]]});
+      const StencilCounts counts = word.counts(corner);
       std::uint64_t left = counts.one;
       for (const std::size_t v : corner) {
-        add_runs(left & vertex[v].plus, counts, cursors[v]);
-        left &= ~vertex[v].plus;
+        add_runs(left & word.vertex[v].plus, counts, cursors[v]);
+        left &= ~word.vertex[v].plus;
       }
     }
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cell_word.hpp"
 #include "row_ranks.hpp"
 
 namespace certet::core {
@@ -109,11 +110,7 @@ LayerTets::LayerTets(const SignPlanes& planes, int k)
 }
 
 LayerTets::SurfaceCell LayerTets::surface_cell(
-    const std::array<SignWord, cell_vertex_count>& vertex, int b) {
-  std::array<Sign, cell_vertex_count> sign;
-  for (std::size_t v = 0; v < cell_vertex_count; ++v)
-    sign[v] = sign_of_bits(static_cast<int>(vertex[v].plus >> b & 1),
-                           static_cast<int>(vertex[v].zero >> b & 1));
+    const std::array<Sign, cell_vertex_count>& sign) {
   SurfaceCell found;
   std::uint8_t tets = 0;
   for (std::size_t c = 0; c < cell_tet_count; ++c) {
@@ -132,24 +129,17 @@ void LayerTets::add_row(const SignPlanes& planes, int j, int k) {
   const SignRows signs(planes, j, k);
   Cell* const row = &cells_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_)];
   for (int w = 0; w < planes.words(); ++w) {
-    std::array<SignWord, cell_vertex_count> vertex;
-    std::uint64_t any_plus = 0;
-    std::uint64_t all_plus = ~std::uint64_t{0};
-    for (std::size_t v = 0; v < cell_vertex_count; ++v) {
-      vertex[v] = signs.at(cell.vertices[v], w);
-      any_plus |= vertex[v].plus;
-      all_plus &= vertex[v].plus;
-    }
-    for_each_bit(any_plus, [&](int b) {
+    const CellWord word(signs, w);
+    for_each_bit(word.any_plus, [&](int b) {
       Cell& own = row[64 * w + b];
       own.begin = next_;
-      if ((all_plus >> b & 1) != 0) {
+      if ((word.all_plus >> b & 1) != 0) {
         own.surface = inside;
         next_ += cell_tet_count;
         return;
       }
       own.surface = static_cast<std::uint32_t>(surface_.size());
-      surface_.push_back(surface_cell(vertex, b));
+      surface_.push_back(surface_cell(word.signs(b)));
     });
   }
 }

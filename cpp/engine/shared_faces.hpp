@@ -41,7 +41,7 @@ class LayerTets {
   };
 
   void add_row(const SignPlanes& planes, int j, int k);
-  SurfaceCell surface_cell(const std::array<SignWord, cell_vertex_count>& vertex, int b);
+  SurfaceCell surface_cell(const std::array<Sign, cell_vertex_count>& sign);
   [[nodiscard]] const Cell& cell_at(int i, int j) const {
     return cells_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) +
                   static_cast<std::size_t>(i)];

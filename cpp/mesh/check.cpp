@@ -6,6 +6,7 @@
 #include "certet/placed_quality.hpp"
 #include "faces.hpp"
 #include "judge.hpp"
+#include "ranges.hpp"
 
 namespace certet {
 namespace core {
@@ -143,16 +144,9 @@ Quality Check<Index>::measure(std::size_t begin, std::size_t end) const {
 
 template <class Index>
 Quality Check<Index>::measure_all() const {
-  constexpr std::size_t tets_per_task = 1 << 16;
-  std::vector<Quality> parts((tets_.size() + tets_per_task - 1) / tets_per_task);
-  core::parallel_for(context_, Stage::count, static_cast<std::int64_t>(parts.size()),
-                     [&](std::int64_t task) {
-                       const auto part = static_cast<std::size_t>(task);
-                       const std::size_t begin = part * tets_per_task;
-                       parts[part] =
-                           measure(begin, std::min(begin + tets_per_task, tets_.size()));
-                     });
-  // In order, so that sums of rounded numbers are always the same.
+  const auto parts =
+      core::in_ranges(tets_.size(), core::tets_per_task, context_,
+                      [&](std::size_t begin, std::size_t end) { return measure(begin, end); });
   Quality quality;
   for (const Quality& part : parts) quality += part;
   return quality;

@@ -7,6 +7,7 @@
 
 #include "judge.hpp"
 #include "mesh_faces.hpp"
+#include "ranges.hpp"
 #include "surface_faults.hpp"
 
 namespace certet {
@@ -41,17 +42,11 @@ Qualities measure(std::span<const Point3> points, std::span<const Tet<Index>> te
 template <class Index>
 Qualities measure_all(std::span<const Point3> points, std::span<const Tet<Index>> tets,
                       std::span<const std::int32_t> labels, Context& context) {
-  constexpr std::size_t tets_per_task = 1 << 16;
-  std::vector<Qualities> parts((tets.size() + tets_per_task - 1) / tets_per_task);
-  core::parallel_for(context, Stage::count, static_cast<std::int64_t>(parts.size()),
-                     [&](std::int64_t task) {
-                       const auto part = static_cast<std::size_t>(task);
-                       const std::size_t begin = part * tets_per_task;
-                       const std::size_t count = std::min(tets_per_task, tets.size() - begin);
-                       parts[part] = measure(points, tets.subspan(begin, count),
-                                             labels.empty() ? labels : labels.subspan(begin, count));
-                     });
-  // In order, so that sums of rounded numbers are always the same.
+  const auto parts = core::in_ranges(
+      tets.size(), core::tets_per_task, context, [&](std::size_t begin, std::size_t end) {
+        return measure(points, tets.subspan(begin, end - begin),
+                       labels.empty() ? labels : labels.subspan(begin, end - begin));
+      });
   Qualities all;
   for (const Qualities& part : parts)
     for (const auto& [label, quality] : part) all[label] += quality;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/parallel.hpp"
 #include "faces.hpp"
 #include "fans.hpp"
+#include "ranges.hpp"
 
 namespace certet::core {
 namespace {
@@ -142,13 +142,9 @@ SheetFaults& SheetFaults::operator+=(const SheetFaults& other) {
 AllSheetFaults find_sheet_faults(const Survey& survey, std::span<const FacePoints> misoriented,
                                  std::span<const Point3> points, Context& context) {
   Surfaces surfaces(survey, misoriented, points);
-  std::vector<Found> parts((points.size() + vertices_per_task - 1) / vertices_per_task);
-  parallel_for(context, Stage::count, static_cast<std::int64_t>(parts.size()),
-               [&](std::int64_t task) {
-                 const std::size_t begin = static_cast<std::size_t>(task) * vertices_per_task;
-                 parts[static_cast<std::size_t>(task)] = surfaces.look_around(
-                     begin, std::min(begin + vertices_per_task, points.size()));
-               });
+  const std::vector<Found> parts = in_ranges(
+      points.size(), vertices_per_task, context,
+      [&](std::size_t begin, std::size_t end) { return surfaces.look_around(begin, end); });
   std::vector<SheetFaults> all(surfaces.sheets());
   AllSheetFaults found;
   for (const Found& part : parts) {

@@ -1,22 +1,20 @@
 """What a mesh loses of a solid, and the size that is named for it."""
 
 import math
-import os
 import re
-import subprocess
 import unittest
 
 import images
 import surface_defects as defects
 import surfaces
 from program import ProgramTest
+from volumes import WithVolumes
 
 EMPTY = 4
 BOX = "-1.5,-1.5,-1.5,1.5,1.5,1.5"
 # By the paper's rule thin parts vanish, where the default keeps them.
 PAPER = ("--method", "paper")
 SHELL = "abs(sqrt(x^2+y^2+z^2)-1)-0.02"
-WRITE_VOLUMES = os.environ.get("CERTET_WRITE_VOLUMES", "")
 
 
 def plate(thickness):
@@ -147,12 +145,7 @@ class Surfaces(LossTest):
         self.assert_told(0.02, "a.obj", "--size", "0.025", *PAPER)
 
 
-@unittest.skipUnless(WRITE_VOLUMES, "without OpenVDB")
-class Volumes(LossTest):
-    def setUp(self):
-        super().setUp()
-        subprocess.run([WRITE_VOLUMES, self.folder], check=True)
-
+class Volumes(WithVolumes, LossTest):
     def test_ball(self):
         """Told of a lattice hardly finer than the ball; the default is the voxels'."""
         report = self.mesh("ball.vdb", "-o", "a.vtu")
@@ -285,10 +278,8 @@ class PiecesOfFormulas(Pieces):
                              "--size", size)
 
 
-@unittest.skipUnless(WRITE_VOLUMES, "without OpenVDB")
-class PiecesOfVolumes(Pieces):
+class PiecesOfVolumes(WithVolumes, Pieces):
     def test_small_ball_beside_a_large_one(self):
-        subprocess.run([WRITE_VOLUMES, self.folder], check=True)
         self.assertEqual(self.mesh("balls.vdb", "-o", "a.vtu")["warnings"], [])
         self.assert_pieces(1, 2, "balls.vdb", "--size", "1.3")
 

@@ -1,17 +1,15 @@
 """Several surfaces, formulas and shapes as the materials of one mesh."""
 
 import math
-import os
 import struct
-import subprocess
 import unittest
 
 import surfaces
 import vtu
 from surface_program import SurfaceProgramTest
+from volumes import WithVolumes
 
 USAGE, BAD_INPUT = 2, 3
-WRITE_VOLUMES = os.environ.get("CERTET_WRITE_VOLUMES", "")
 
 
 def read_stl(data):
@@ -152,13 +150,8 @@ class Overlap(MaterialsTest):
         self.assertEqual(report["regions"][0]["name"], "ball")
 
 
-@unittest.skipUnless(WRITE_VOLUMES, "without OpenVDB")
-class Volumes(MaterialsTest):
+class Volumes(WithVolumes, MaterialsTest):
     """A ball of radius 2 around (3, 4, 5), as a level set and as fog."""
-
-    def setUp(self):
-        super().setUp()
-        subprocess.run([WRITE_VOLUMES, self.folder], check=True)
 
     def test_a_volume_and_a_surface(self):
         self.surface("half.stl", surfaces.cube((0, 0, 0), (3, 9, 9)))

@@ -1,15 +1,13 @@
 """What `certet mesh` makes of surfaces and volumes."""
 
 import math
-import os
-import subprocess
 import unittest
 
 import surfaces
 from surface_program import SurfaceProgramTest
+from volumes import WithVolumes
 
 USAGE, BAD_INPUT, EMPTY = 2, 3, 4
-WRITE_VOLUMES = os.environ.get("CERTET_WRITE_VOLUMES", "")
 
 
 class SurfaceTest(SurfaceProgramTest):
@@ -171,12 +169,7 @@ class Hostile(SurfaceTest):
             self.assert_fails(USAGE, [option[0]], "mesh", "a.obj", "-o", "a.vtu", *option)
 
 
-@unittest.skipUnless(WRITE_VOLUMES, "without OpenVDB")
-class Volumes(SurfaceProgramTest):
-    def setUp(self):
-        super().setUp()
-        subprocess.run([WRITE_VOLUMES, self.folder], check=True)
-
+class Volumes(WithVolumes, SurfaceProgramTest):
     def test_level_set(self):
         report = self.mesh("ball.vdb", "-o", "a.vtu")
         self.assertEqual(report["input"]["kind"], "volume")

@@ -8,9 +8,8 @@
 #include "certified.hpp"
 #include "differences.hpp"
 #include "domains.hpp"
-#include "engine/cuts.hpp"
 #include "engine/part_cubes.hpp"
-#include "engine/sample.hpp"
+#include "samples.hpp"
 
 namespace {
 
@@ -116,18 +115,7 @@ Differences compare_samples(const MethodFacts& method) {
     return within(d.x, lattice.cells[0]) && within(d.y, lattice.cells[1]) &&
            within(d.z, lattice.cells[2]) && noise.sign_at(steps * v) == Sign::plus;
   };
-  Context context;
-  const auto planes = core::sample(domain, lattice, core::whole(lattice), method, context);
-  for (const core::Grid g : core::grids)
-    for (int k = 0; k < lattice.cells[2]; ++k)
-      for (int j = 0; j < lattice.cells[1]; ++j)
-        for (int i = 0; i < lattice.cells[0]; ++i) {
-          const bool plus = (planes.plus(g, j, k)[i >> 6] >> (i & 63) & 1) != 0;
-          const Coord3 point = core::lattice_point(lattice, {g, {}}, i, j, k);
-          differences.expect(certified::voxel_sign(one_each, holds, point) ==
-                                 (plus ? Sign::plus : Sign::minus),
-                             [&] { return "seed " + std::to_string(test_seed()); });
-        }
+  expect_samples_of(one_each, holds, domain, lattice, method, differences);
   return differences;
 }
 

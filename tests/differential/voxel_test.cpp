@@ -8,8 +8,7 @@
 #include "certet/image.hpp"
 #include "certified.hpp"
 #include "differences.hpp"
-#include "engine/cuts.hpp"
-#include "engine/sample.hpp"
+#include "samples.hpp"
 #include "seed.hpp"
 
 namespace {
@@ -54,19 +53,7 @@ void compare_image(const RandomImage& image, const MethodFacts& method, Differen
   const auto domain = image.domain(1);
   const certified::VoxelGrid grid = grid_of(*domain, image.spacing);
   const auto holds = [&](Coord3 v) { return image.holds(v); };
-  const Lattice& lattice = domain->lattice();
-  Context context;
-  const auto planes = core::sample(*domain, lattice, core::whole(lattice), method, context);
-  for (const core::Grid g : core::grids)
-    for (int k = 0; k < lattice.cells[2]; ++k)
-      for (int j = 0; j < lattice.cells[1]; ++j)
-        for (int i = 0; i < lattice.cells[0]; ++i) {
-          const Coord3 point = core::lattice_point(lattice, {g, {}}, i, j, k);
-          const bool plus = (planes.plus(g, j, k)[i >> 6] >> (i & 63) & 1) != 0;
-          differences.expect(
-              certified::voxel_sign(grid, holds, point) == (plus ? Sign::plus : Sign::minus),
-              [&] { return "seed " + std::to_string(test_seed()); });
-        }
+  expect_samples_of(grid, holds, *domain, domain->lattice(), method, differences);
 }
 
 /// Where no lattice point lies between two voxels.

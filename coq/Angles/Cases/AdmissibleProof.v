@@ -1,10 +1,7 @@
 (** * What [Warp] leaves behind is admissible: proof *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions.
-From Certet Require Import Warp.WarpProof.
-Import ListNotations.
+From Certet Require Import Angles.Definitions.
+From Certet Require Import Lattice.DirectionProof Warp.WarpProof.
 Open Scope Z_scope.
 
 Lemma OppositeDirection v d e :
@@ -103,16 +100,8 @@ Section Warped.
       destruct (WarpVertex th sign cut v) eqn:Ev; [|discriminate].
       destruct (WarpVertex th sign cut u) eqn:Eu; [|discriminate].
       cbn [WarpedSign]. intros Sv Su.
-      assert (exists e, Translate u (Offset e) = v) as (e & B).
-      { exists (match d with
-          | Dir_p00 => Dir_m00 | Dir_m00 => Dir_p00
-          | Dir_0p0 => Dir_0m0 | Dir_0m0 => Dir_0p0
-          | Dir_00p => Dir_00m | Dir_00m => Dir_00p
-          | Dir_ppp => Dir_mmm | Dir_mmm => Dir_ppp
-          | Dir_ppm => Dir_mmp | Dir_mmp => Dir_ppm
-          | Dir_pmp => Dir_mpm | Dir_mpm => Dir_pmp
-          | Dir_mpp => Dir_pmm | Dir_pmm => Dir_mpp end).
-        unfold u. destruct v, d; cbn [Translate Offset]; f_equal; ring. }
+      assert (exists e, Translate u (Offset e) = v) as (e & B)
+        by (exists (Backward d); apply ThereAndBack).
       assert (O : Opposite (sign v) (neighbor_sign v d) = true)
         by (fold u; rewrite Sv, Su; reflexivity).
       pose proof (KeptMeans v d Ev O) as L.

@@ -6,11 +6,8 @@
     The output tetrahedra are those of any set of stencils, run on symbols; the
     product's is [GetUnstructuredTets]. *)
 
-From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Angles.Definitions.
+From Certet Require Import Angles.Definitions.
 From Certet Require Import Angles.Forms.Checker.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** ** Symbols *)

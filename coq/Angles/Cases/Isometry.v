@@ -4,10 +4,7 @@
     carry the fourteen edges of a vertex to one another and change no dihedral
     angle. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Angles.Definitions.
-Import ListNotations.
+From Certet Require Import Angles.Definitions.
 Open Scope Z_scope.
 
 (** The images of the three unit vectors. *)
@@ -213,6 +210,25 @@ Proof.
   destruct I.
 Qed.
 
+Lemma AnglesMoved acute obtuse m s a b c d :
+  Orthonormal m -> Determinant m ^ 2 = 1 ->
+  let t := UT _ a b c d in
+  (forall p q r u, In (p, q, r, u) (DihedralEdges (MapTet (Move m s) t)) ->
+     AngleAtLeast acute p q r u /\ AngleAtMost obtuse p q r u) ->
+  forall p q r u, In (p, q, r, u) (DihedralEdges t) ->
+    AngleAtLeast acute p q r u /\ AngleAtMost obtuse p q r u.
+Proof.
+  intros Hm Hd t H p q r u J. unfold t in *. cbn [MapTet DihedralEdges In] in *.
+  repeat (destruct J as [J|J]; [injection J as <- <- <- <-;
+    match goal with |- AngleAtLeast _ ?x ?y ?z ?w /\ _ =>
+      destruct (H (Move m s x) (Move m s y) (Move m s z) (Move m s w)
+                  ltac:(tauto)) as [H1 H2]
+    end;
+    split; [apply (BoundsMoved acute m s) | apply (BoundsMoved obtuse m s)];
+    assumption |]).
+  destruct J.
+Qed.
+
 Lemma WellShapedMoved bounds m s a b c d :
   Orthonormal m -> Determinant m = 1 ->
   WellShaped bounds (UT _ (Move m s a) (Move m s b) (Move m s c) (Move m s d)) ->
@@ -220,15 +236,7 @@ Lemma WellShapedMoved bounds m s a b c d :
 Proof.
   intros Hm Hd. destruct bounds as [acute obtuse]. intros [V H].
   rewrite MoveVolume, Hd, Z.mul_1_l in V. split; [exact V|].
-  intros p q r t J. cbn [DihedralEdges In] in *.
-  repeat (destruct J as [J|J]; [injection J as <- <- <- <-;
-    match goal with |- AngleAtLeast _ ?x ?y ?z ?w /\ _ =>
-      destruct (H (Move m s x) (Move m s y) (Move m s z) (Move m s w)
-                  ltac:(tauto)) as [H1 H2]
-    end;
-    split; [apply (BoundsMoved acute m s) | apply (BoundsMoved obtuse m s)];
-    try assumption; rewrite Hd; reflexivity |]).
-  destruct J.
+  apply (AnglesMoved acute obtuse m s); [exact Hm|rewrite Hd; reflexivity|exact H].
 Qed.
 
 Lemma WellShapedMirrored bounds m s a b c d :
@@ -244,15 +252,7 @@ Proof.
   - assert (H' : forall p q r t,
       In (p, q, r, t) (DihedralEdges (UT _ a b c d)) ->
       AngleAtLeast acute p q r t /\ AngleAtMost obtuse p q r t).
-    { intros p q r t J. cbn [DihedralEdges In] in *.
-      repeat (destruct J as [J|J]; [injection J as <- <- <- <-;
-        match goal with |- AngleAtLeast _ ?x ?y ?z ?w /\ _ =>
-          destruct (H (Move m s x) (Move m s y) (Move m s z) (Move m s w)
-                      ltac:(tauto)) as [H1 H2]
-        end;
-        split; [apply (BoundsMoved acute m s) | apply (BoundsMoved obtuse m s)];
-        try assumption; rewrite Hd; reflexivity |]).
-      destruct J. }
+    { apply (AnglesMoved acute obtuse m s); [exact Hm|rewrite Hd; reflexivity|exact H]. }
     assert (M : forall p q r t,
       AngleAtLeast acute p q r t /\ AngleAtMost obtuse p q r t ->
       (AngleAtLeast acute p q t r /\ AngleAtMost obtuse p q t r) /\

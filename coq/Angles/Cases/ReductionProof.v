@@ -3,13 +3,10 @@
     A placement goes with its corners into the canonical frame, where it is one
     of the enumerated configurations. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Angles.Definitions.
 From Certet Require Import Angles.Forms.Checker Angles.Forms.EdgeProof
   Angles.Forms.CheckerProof Angles.Cases.Configurations Angles.Cases.Isometry
   Angles.Cases.SymmetryProof.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** The product's stencils. *)

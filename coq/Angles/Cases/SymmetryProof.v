@@ -4,11 +4,8 @@
     and each of the twelve cases, in each of the four orders of a half turn, is
     an isometric image of the canonical corners. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Certet Require Import Angles.Definitions.
 From Certet Require Import Angles.Cases.Configurations Angles.Cases.Isometry.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** The product's stencils. *)

@@ -2,49 +2,39 @@
 
     The axioms of Coq's real numbers enter here and nowhere else. *)
 
-From Coq Require Import ZArith Reals List Lra Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Coq Require Import Reals Lra.
+From Certet Require Import Angles.Definitions.
 From Certet Require Import Angles.DegreesSpec Angles.Forms.CheckerProof
   Angles.AngleTheorems.
 Open Scope R_scope.
 
 (** ** Numbers *)
 
-Lemma PIUpper : PI <= 31416 / 10000.
+Lemma PIBetween : 31415 / 10000 <= PI <= 31416 / 10000.
 Proof.
-  pose proof (proj2 (PI_2_3_7_ineq 2)) as H.
-  unfold tg_alt, PI_2_3_7_tg, Ratan_seq in H.
+  pose proof (PI_2_3_7_ineq 2) as H. unfold tg_alt, PI_2_3_7_tg, Ratan_seq in H.
   cbn [sum_f_R0 Nat.mul Nat.add pow] in H.
   rewrite !INR_IZR_INZ in H. cbn in H. lra.
 Qed.
 
-Lemma PILower : 31415 / 10000 <= PI.
-Proof.
-  pose proof (proj1 (PI_2_3_7_ineq 2)) as H.
-  unfold tg_alt, PI_2_3_7_tg, Ratan_seq in H.
-  cbn [sum_f_R0 Nat.mul Nat.add pow] in H.
-  rewrite !INR_IZR_INZ in H. cbn in H. lra.
-Qed.
+(** A partial sum of the cosine's series, written out. *)
+Ltac series :=
+  unfold cos_approx, cos_term; cbn [sum_f_R0 Nat.mul Nat.add];
+  rewrite !INR_IZR_INZ; cbn [fact Nat.mul Nat.add];
+  cbn [Z.of_nat Pos.of_succ_nat Pos.succ]; field.
 
 Lemma CosLower a : 0 <= a <= 2 ->
   1 - a ^ 2 / 2 + a ^ 4 / 24 - a ^ 6 / 720 <= cos a.
 Proof.
   intros B. destruct (pre_cos_bound a 1 ltac:(lra) ltac:(lra)) as [L _].
-  unfold cos_approx, cos_term in L. cbn [sum_f_R0 Nat.mul Nat.add] in L.
-  rewrite !INR_IZR_INZ in L. cbn [fact Nat.mul Nat.add] in L.
-  cbn [Z.of_nat Pos.of_succ_nat Pos.succ] in L.
-  refine (Rle_trans _ _ _ _ L). apply Req_le. field.
+  refine (Rle_trans _ _ _ (Req_le _ _ _) L). series.
 Qed.
 
 Lemma CosUpper a : 0 <= a <= 2 ->
   cos a <= 1 - a ^ 2 / 2 + a ^ 4 / 24.
 Proof.
   intros B. destruct (pre_cos_bound a 0 ltac:(lra) ltac:(lra)) as [_ L].
-  unfold cos_approx, cos_term in L. cbn [sum_f_R0 Nat.mul Nat.add] in L.
-  rewrite !INR_IZR_INZ in L. cbn [fact Nat.mul Nat.add] in L.
-  cbn [Z.of_nat Pos.of_succ_nat Pos.succ] in L.
-  refine (Rle_trans _ _ _ L _). apply Req_le. field.
+  refine (Rle_trans _ _ _ L (Req_le _ _ _)). series.
 Qed.
 
 (** ** One angle *)
@@ -61,6 +51,24 @@ Definition Cotangent (k : CotSquared) (degrees : R) : Prop :=
 
 Lemma RadiansBound x : 0 < x < 90 -> 0 < Radians x < PI / 2.
 Proof. intros B. unfold Radians. pose proof PI_RGT_0. split; nra. Qed.
+
+Lemma RadiansRest x : Radians (180 - x) = PI - Radians x.
+Proof. unfold Radians. field. Qed.
+
+(** As [DihedralDegrees] has it. *)
+Lemma DegreesAtLeast degrees x : Radians degrees <= x -> degrees <= x * 180 / PI.
+Proof.
+  unfold Radians. intros L. pose proof PI_RGT_0 as P.
+  apply (Rmult_le_reg_r (PI / 180)); [lra|].
+  replace (x * 180 / PI * (PI / 180)) with x by (field; lra). lra.
+Qed.
+
+Lemma DegreesAtMost degrees x : x <= Radians degrees -> x * 180 / PI <= degrees.
+Proof.
+  unfold Radians. intros L. pose proof PI_RGT_0 as P.
+  apply (Rmult_le_reg_r (PI / 180)); [lra|].
+  replace (x * 180 / PI * (PI / 180)) with x by (field; lra). lra.
+Qed.
 
 Lemma Lagrange a b c d :
   (Dot (Normal a b c) (Normal a b c) * Dot (Normal a b d) (Normal a b d)
@@ -88,11 +96,34 @@ Qed.
 (** The cosine that [DihedralDegrees] takes. *)
 Definition Cosine (N D : R) : R := N / sqrt (N ^ 2 + D).
 
+Lemma CosineOpposite N D : Cosine (- N) D = - Cosine N D.
+Proof.
+  unfold Cosine. replace ((- N) ^ 2) with (N ^ 2) by ring. unfold Rdiv. ring.
+Qed.
+
+(** The denominator. *)
+Lemma Hypotenuse N D : 0 < D -> let s := sqrt (N ^ 2 + D) in
+  0 < N ^ 2 + D /\ 0 < s /\ s * s = N ^ 2 + D.
+Proof.
+  intros P. assert (Q : 0 < N ^ 2 + D) by nra. split; [exact Q|].
+  split; [apply sqrt_lt_R0; exact Q|apply sqrt_sqrt; lra].
+Qed.
+
+Lemma CosineCompared N D c : 0 < D -> let s := sqrt (N ^ 2 + D) in
+  (N <= c * s -> Cosine N D <= c) /\ (c * s <= N -> c <= Cosine N D).
+Proof.
+  intros P s. destruct (Hypotenuse N D P) as (_ & S & _). fold s in S.
+  unfold Cosine. fold s.
+  split; intros H; apply (Rmult_le_reg_r s); try exact S;
+    replace (N / s * s) with N by (field; lra); exact H.
+Qed.
+
+Lemma CosinePositive degrees : 0 < degrees < 90 -> 0 < cos (Radians degrees).
+Proof. intros B. pose proof (RadiansBound degrees B). apply cos_gt_0; lra. Qed.
+
 Lemma CosineBound N D : 0 < D -> -1 <= Cosine N D <= 1.
 Proof.
-  intros P. unfold Cosine.
-  assert (Q : 0 < N ^ 2 + D) by nra.
-  assert (S : 0 < sqrt (N ^ 2 + D)) by (apply sqrt_lt_R0; exact Q).
+  intros P. unfold Cosine. destruct (Hypotenuse N D P) as (Q & S & _).
   assert (A : Rabs N <= sqrt (N ^ 2 + D)).
   { rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr. nra. }
   pose proof (Rle_abs N) as A1. pose proof (Rle_abs (- N)) as A2.
@@ -110,30 +141,21 @@ Lemma CosineAtMost k degrees N D (n d : Z) : k = CotSq n d ->
   Cosine N D <= cos (Radians degrees).
 Proof.
   intros -> (B & Pn & Pd & C) P H.
-  apply IZR_le in Pn. apply IZR_lt in Pd.
-  pose proof (RadiansBound _ B) as R.
-  assert (Pc : 0 < cos (Radians degrees)) by (apply cos_gt_0; lra).
-  assert (Q : 0 < N ^ 2 + D) by nra.
-  assert (S : 0 < sqrt (N ^ 2 + D)) by (apply sqrt_lt_R0; exact Q).
-  assert (E : sqrt (N ^ 2 + D) * sqrt (N ^ 2 + D) = N ^ 2 + D)
-    by (apply sqrt_sqrt; lra).
-  unfold Cosine. set (s := sqrt (N ^ 2 + D)) in *.
-  set (c := cos (Radians degrees)) in *.
-  assert (G : N <= c * s).
-  { destruct H as [H|H]; [nra|].
-    destruct (Rle_dec N 0) as [|T]; [nra|].
-    apply Rnot_le_lt in T.
-    apply Rsqr_incr_0_var; [|nra]. unfold Rsqr.
-    rewrite plus_IZR in C.
-    assert (H1 : (IZR n + IZR d) * N ^ 2 <= IZR n * (N ^ 2 + D)) by nra.
-    assert (H2 : IZR n * (N ^ 2 + D)
-                 <= (IZR n + IZR d) * c ^ 2 * (N ^ 2 + D))
-      by (apply Rmult_le_compat_r; lra).
-    apply (Rmult_le_reg_l (IZR n + IZR d)); [lra|].
-    replace (c * s * (c * s)) with (c ^ 2 * (s * s)) by ring.
-    rewrite E. nra. }
-  apply (Rmult_le_reg_r s); [exact S|].
-  replace (N / s * s) with N by (field; lra). exact G.
+  apply IZR_le in Pn. apply IZR_lt in Pd. apply CosineCompared; [exact P|].
+  destruct (Hypotenuse N D P) as (Q & S & E). pose proof (CosinePositive _ B) as Pc.
+  set (s := sqrt (N ^ 2 + D)) in *. set (c := cos (Radians degrees)) in *.
+  destruct H as [H|H]; [nra|].
+  destruct (Rle_dec N 0) as [|T]; [nra|].
+  apply Rnot_le_lt in T.
+  apply Rsqr_incr_0_var; [|nra]. unfold Rsqr.
+  rewrite plus_IZR in C.
+  assert (H1 : (IZR n + IZR d) * N ^ 2 <= IZR n * (N ^ 2 + D)) by nra.
+  assert (H2 : IZR n * (N ^ 2 + D)
+               <= (IZR n + IZR d) * c ^ 2 * (N ^ 2 + D))
+    by (apply Rmult_le_compat_r; lra).
+  apply (Rmult_le_reg_l (IZR n + IZR d)); [lra|].
+  replace (c * s * (c * s)) with (c ^ 2 * (s * s)) by ring.
+  rewrite E. nra.
 Qed.
 
 Lemma AcosAtLeast x a : -1 <= x <= 1 -> 0 <= a <= PI -> x <= cos a -> a <= acos x.
@@ -160,53 +182,35 @@ Proof.
     + apply IZR_le, DotNonNegative.
 Qed.
 
-Theorem DegreesBounds acute obtuse least rest t :
-  Cotangent acute least -> Cotangent obtuse rest ->
-  WellShaped (AB acute obtuse) t -> WithinDegrees least (180 - rest) t.
+Theorem DegreesBounds acute obtuse least rest greatest t :
+  Cotangent acute least -> Cotangent obtuse rest -> greatest = 180 - rest ->
+  WellShaped (AB acute obtuse) t -> WithinDegrees least greatest t.
 Proof.
-  intros Ca Co. destruct t as [a b c d]. intros [V H]. split; [exact V|].
+  intros Ca Co ->. destruct t as [a b c d]. intros [V H]. split; [exact V|].
   intros p q r s I. destruct (H p q r s I) as [H1 H2].
   rewrite <- (EvenOrders _ _ _ _ _ _ _ _ I) in V.
   destruct (DegreesIsCosine p q r s V) as [PD ->].
   set (D := IZR (SixVolume p q r s ^ 2 * EdgeSquared p q)) in *.
-  pose proof PI_RGT_0 as PP.
   destruct acute as [n k] eqn:Ea, obtuse as [n' k'] eqn:Eo.
   pose proof (RadiansBound least (proj1 Ca)) as Ra.
   pose proof (RadiansBound rest (proj1 Co)) as Ro.
   pose proof (CosineBound (IZR (NormalsProduct p q r s)) D PD) as B.
-  assert (L1 : Radians least <= acos (Cosine (IZR (NormalsProduct p q r s)) D)).
-  { apply AcosAtLeast; [exact B|lra|].
+  split; [apply DegreesAtLeast|apply DegreesAtMost; rewrite RadiansRest].
+  - apply AcosAtLeast; [exact B|lra|].
     apply (CosineAtMost _ _ _ _ _ _ eq_refl Ca PD).
     destruct H1 as [H1|H1]; [left; apply IZR_le in H1; exact H1|right].
     apply IZR_le in H1. rewrite (mult_IZR k), (mult_IZR n) in H1.
-    rewrite pow_IZR. exact H1. }
-  assert (L2 : Radians rest <= PI - acos (Cosine (IZR (NormalsProduct p q r s)) D)).
-  { rewrite <- acos_opp. apply AcosAtLeast; [lra|lra|].
-    replace (- Cosine (IZR (NormalsProduct p q r s)) D)
-      with (Cosine (- IZR (NormalsProduct p q r s)) D).
-    - apply (CosineAtMost _ _ _ _ _ _ eq_refl Co PD).
-      destruct H2 as [H2|H2]; [left; apply IZR_le in H2; lra|right].
-      apply IZR_le in H2. rewrite (mult_IZR k'), (mult_IZR n') in H2.
-      replace ((- IZR (NormalsProduct p q r s)) ^ 2)
-        with (IZR (NormalsProduct p q r s) ^ 2) by ring.
-      rewrite pow_IZR. exact H2.
-    - unfold Cosine.
-      replace ((- IZR (NormalsProduct p q r s)) ^ 2)
-        with (IZR (NormalsProduct p q r s) ^ 2) by ring.
-      unfold Rdiv. ring. }
-  set (x := acos _) in *. unfold Radians in L1, L2.
-  replace (x * 180 / PI) with (x * (180 * / PI)) by (field; lra).
-  assert (K : 0 < 180 * / PI)
-    by (apply Rmult_lt_0_compat; [lra|apply Rinv_0_lt_compat, PP]).
-  split.
-  - apply (Rmult_le_compat_r (180 * / PI)) in L1; [|lra].
-    replace (least * PI / 180 * (180 * / PI)) with least in L1 by (field; lra).
-    exact L1.
-  - apply (Rmult_le_compat_r (180 * / PI)) in L2; [|lra].
-    replace (rest * PI / 180 * (180 * / PI)) with rest in L2 by (field; lra).
-    replace ((PI - x) * (180 * / PI)) with (180 - x * (180 * / PI)) in L2
-      by (field; lra).
-    lra.
+    rewrite pow_IZR. exact H1.
+  - apply Ropp_le_cancel, (Rplus_le_reg_l PI).
+    replace (PI + - (PI - Radians rest)) with (Radians rest) by ring.
+    change (PI + - ?x) with (PI - x). rewrite <- acos_opp, <- CosineOpposite.
+    apply AcosAtLeast; [rewrite CosineOpposite; lra|lra|].
+    apply (CosineAtMost _ _ _ _ _ _ eq_refl Co PD).
+    destruct H2 as [H2|H2]; [left; apply IZR_le in H2; lra|right].
+    apply IZR_le in H2. rewrite (mult_IZR k'), (mult_IZR n') in H2.
+    replace ((- IZR (NormalsProduct p q r s)) ^ 2)
+      with (IZR (NormalsProduct p q r s) ^ 2) by ring.
+    rewrite pow_IZR. exact H2.
 Qed.
 
 (** ** The six angles *)
@@ -220,7 +224,7 @@ Lemma CotangentBy n d degrees (low : R) :
   Cotangent (CotSq n d) degrees.
 Proof.
   intros B Pn Pd Pl Hb Hl. repeat (split; [assumption|]).
-  cbv zeta in Hb. pose proof PIUpper as U. pose proof PILower as PL.
+  cbv zeta in Hb. pose proof PIBetween as [PL U].
   pose proof PI_RGT_0 as PP.
   pose proof (RadiansBound degrees B) as R.
   set (b := degrees * (31416 / 10000) / 180) in *.
@@ -235,22 +239,18 @@ Proof.
   apply pow_incr. lra.
 Qed.
 
+Ltac by_cosine low :=
+  apply (CotangentBy _ _ _ low);
+  first [lia | lra | cbv zeta; lra | rewrite plus_IZR; lra].
+
 Lemma Cotangent10_77 : Cotangent (CotSq 221 8) (1077 / 100).
-Proof. apply (CotangentBy _ _ _ (98238131 / 100000000));
-  first [lia | lra | cbv zeta; lra | rewrite plus_IZR; lra].
-Qed.
+Proof. by_cosine (98238131 / 100000000). Qed.
 Lemma Cotangent15_24 : Cotangent (CotSq 1751 130) (1524 / 100).
-Proof. apply (CotangentBy _ _ _ (96482917 / 100000000));
-  first [lia | lra | cbv zeta; lra | rewrite plus_IZR; lra].
-Qed.
+Proof. by_cosine (96482917 / 100000000). Qed.
 Lemma Cotangent9_27 : Cotangent (CotSq 563 15) (927 / 100).
-Proof. apply (CotangentBy _ _ _ (98693953 / 100000000));
-  first [lia | lra | cbv zeta; lra | rewrite plus_IZR; lra].
-Qed.
+Proof. by_cosine (98693953 / 100000000). Qed.
 Lemma Cotangent18_54 : Cotangent (CotSq 80 9) (1854 / 100).
-Proof. apply (CotangentBy _ _ _ (94809629 / 100000000));
-  first [lia | lra | cbv zeta; lra | rewrite plus_IZR; lra].
-Qed.
+Proof. by_cosine (94809629 / 100000000). Qed.
 
 (** Two angles whose cosines are known. *)
 Lemma CosineSquared30 : (cos (Radians 30)) ^ 2 = 3 / 4.
@@ -268,46 +268,58 @@ Proof.
   rewrite sqrt_sqrt by lra. lra.
 Qed.
 
-Lemma Cotangent30 : Cotangent (CotSq 3 1) 30.
+(** n/d is the square of the cotangent of the angle. *)
+Definition CotangentIs (n d : Z) (degrees : R) : Prop :=
+  0 < degrees < 90 /\ (0 <= n)%Z /\ (0 < d)%Z /\
+  IZR (n + d) * (cos (Radians degrees)) ^ 2 = IZR n.
+
+Lemma CotangentIs30 : CotangentIs 3 1 30.
 Proof.
-  unfold Cotangent. rewrite CosineSquared30. change (3 + 1)%Z with 4%Z.
+  unfold CotangentIs. rewrite CosineSquared30. change (3 + 1)%Z with 4%Z.
+  repeat split; lra || lia.
+Qed.
+Lemma CotangentIs45 : CotangentIs 1 1 45.
+Proof.
+  unfold CotangentIs. rewrite CosineSquared45. change (1 + 1)%Z with 2%Z.
   repeat split; lra || lia.
 Qed.
 
-Lemma Cotangent45 : Cotangent (CotSq 1 1) 45.
-Proof.
-  unfold Cotangent. rewrite CosineSquared45. change (1 + 1)%Z with 2%Z.
-  repeat split; lra || lia.
-Qed.
+Lemma CotangentExactly n d degrees :
+  CotangentIs n d degrees -> Cotangent (CotSq n d) degrees.
+Proof. intros (B & N & D & E). repeat (split; [assumption|]). lra. Qed.
 
 (** ** In degrees *)
+
+Lemma WidestInDegrees t :
+  WellShaped WidestAngles t -> WithinDegrees (1077 / 100) (16476 / 100) t.
+Proof. apply (DegreesBounds _ _ _ _ _ t Cotangent10_77 Cotangent15_24). lra. Qed.
+
+Lemma EmbeddingInDegrees t :
+  WellShaped EmbeddingAngles t -> WithinDegrees (927 / 100) (16146 / 100) t.
+Proof. apply (DegreesBounds _ _ _ _ _ t Cotangent9_27 Cotangent18_54). lra. Qed.
+
+Lemma MidpointInDegrees t : WellShaped MidpointAngles t -> WithinDegrees 30 135 t.
+Proof.
+  apply (DegreesBounds _ _ _ _ _ t (CotangentExactly _ _ _ CotangentIs30)
+           (CotangentExactly _ _ _ CotangentIs45)). lra.
+Qed.
 
 Theorem DihedralBoundsInDegrees sign cut tid t : CutsOnEdges sign cut ->
   In t (StuffedTets AngleThresholds sign cut tid) ->
   WithinDegrees (1077 / 100) (16476 / 100) t.
-Proof.
-  intros C I. replace (16476 / 100) with (180 - 1524 / 100) by lra.
-  exact (DegreesBounds _ _ _ _ _ Cotangent10_77 Cotangent15_24
-           (StuffedWidest sign cut tid t C I)).
-Qed.
+Proof. intros C I. exact (WidestInDegrees t (StuffedWidest sign cut tid t C I)). Qed.
 
 Theorem DihedralBoundsEmbeddingInDegrees sign cut tid t : CutsOnEdges sign cut ->
   In t (StuffedTets EmbeddingThresholds sign cut tid) ->
   WithinDegrees (927 / 100) (16146 / 100) t.
 Proof.
-  intros C I. replace (16146 / 100) with (180 - 1854 / 100) by lra.
-  exact (DegreesBounds _ _ _ _ _ Cotangent9_27 Cotangent18_54
-           (StuffedEmbedding sign cut tid t C I)).
+  intros C I. exact (EmbeddingInDegrees t (StuffedEmbedding sign cut tid t C I)).
 Qed.
 
 Theorem NoSurfaceBoundsInDegrees sign tid t : (forall v, sign v <> OnSurface) ->
   In t (StuffedTets NoWarpThresholds sign (fun _ _ => MidpointCut) tid) ->
   WithinDegrees 30 135 t.
-Proof.
-  intros N I. replace 135 with (180 - 45) by lra.
-  exact (DegreesBounds _ _ _ _ _ Cotangent30 Cotangent45
-           (StuffedMidpoint sign tid t N I)).
-Qed.
+Proof. intros N I. exact (MidpointInDegrees t (StuffedMidpoint sign tid t N I)). Qed.
 
 Theorem MidpointBoundsInDegrees sign tid t :
   let decided v := InOrOut (sign v) in

@@ -1,10 +1,9 @@
 (** * Bounds in degrees for the product's own cuts, and how sharp they are *)
 
-From Coq Require Import ZArith Reals List Bool Lra Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions.
-From Certet Require Import Angles.DegreesSpec Angles.Forms.CheckerProof
-  Angles.AngleTheorems Angles.Degrees.DegreesProof Angles.Degrees.Witnesses
+From Coq Require Import Reals Lra.
+From Certet Require Import Angles.Definitions.
+From Certet Require Import Angles.DegreesSpec Angles.AngleTheorems
+  Angles.Degrees.DegreesProof Angles.Degrees.Witnesses
   Angles.Degrees.SharpnessProof Angles.DomainProof.
 Open Scope R_scope.
 
@@ -18,89 +17,41 @@ Theorem BisectedBoundsEmbeddingInDegrees sign domain tid t :
   WithinDegrees (927 / 100) (16146 / 100) t.
 Proof. exact (DihedralBoundsEmbeddingInDegrees _ _ tid t (BisectedOnEdges _ _)). Qed.
 
-(** ** Exhibits *)
-
-Section Exhibited.
-  Variables (th : Thresholds) (sign : SignField) (cut : CutField).
-  Variables (bounds : AngleBounds) (n d : Z) (degrees : R).
-  Hypothesis Shaped : forall t,
-    In t (StuffedTets th sign cut WitnessTet) -> WellShaped bounds t.
-  Hypothesis Over : CotangentOver (CotSq n d) degrees.
-
-  Lemma ExhibitsLeast : Exhibits th sign cut (Sharper (CotSq n d)) = true ->
-    exists t p q r s, In t (StuffedTets th sign cut WitnessTet) /\
-      In (p, q, r, s) (DihedralEdges t) /\ DihedralDegrees p q r s <= degrees.
-  Proof.
-    intros E. apply ExhibitsMeans in E as (t & p & q & r & s & I & J & T).
-    exists t, p, q, r, s. repeat (split; [assumption|]).
-    apply (SharperDegrees _ _ _ _ _ _ _ Over); [|exact T].
-    exact (EdgeVolume _ t _ _ _ _ (Shaped t I) J).
-  Qed.
-
-  Lemma ExhibitsGreatest : Exhibits th sign cut (Blunter (CotSq n d)) = true ->
-    exists t p q r s, In t (StuffedTets th sign cut WitnessTet) /\
-      In (p, q, r, s) (DihedralEdges t) /\ 180 - degrees <= DihedralDegrees p q r s.
-  Proof.
-    intros E. apply ExhibitsMeans in E as (t & p & q & r & s & I & J & T).
-    exists t, p, q, r, s. repeat (split; [assumption|]).
-    apply (BlunterDegrees _ _ _ _ _ _ _ Over); [|exact T].
-    exact (EdgeVolume _ t _ _ _ _ (Shaped t I) J).
-  Qed.
-End Exhibited.
-
 (** ** Bisected domains *)
 
-Theorem BisectedBoundsAreSharp :
-  (exists domain tid t p q r s,
-     In t (StuffedTets AngleThresholds (SampledSigns domain) (BisectedCuts domain) tid) /\
-     In (p, q, r, s) (DihedralEdges t) /\
-     DihedralDegrees p q r s <= 1079 / 100) /\
-  (exists domain tid t p q r s,
-     In t (StuffedTets AngleThresholds (SampledSigns domain) (BisectedCuts domain) tid) /\
-     In (p, q, r, s) (DihedralEdges t) /\
-     16474 / 100 <= DihedralDegrees p q r s) /\
-  (exists domain tid t p q r s,
-     In t (StuffedTets EmbeddingThresholds (SampledSigns domain) (BisectedCuts domain) tid) /\
-     In (p, q, r, s) (DihedralEdges t) /\
-     DihedralDegrees p q r s <= 929 / 100) /\
-  (exists domain tid t p q r s,
-     In t (StuffedTets EmbeddingThresholds (SampledSigns domain) (BisectedCuts domain) tid) /\
-     In (p, q, r, s) (DihedralEdges t) /\
-     16144 / 100 <= DihedralDegrees p q r s).
+(** Some domain has such an angle. *)
+Definition BisectedReaches (th : Thresholds) (P : R -> Prop) : Prop :=
+  exists domain tid,
+    HasAngle P (StuffedTets th (SampledSigns domain) (BisectedCuts domain) tid).
+
+Theorem BisectedBoundsAreSharp : Sharply BisectedReaches.
 Proof.
-  repeat split.
+  apply SharplyBy.
   - exists (SmallAngleDomain 26111 46848 26112), WitnessTet.
-    apply (ExhibitsLeast _ _ _ WidestAngles 27572 1000);
-      [exact (BisectedBounds _ _ _) | | vm_compute; reflexivity].
-    by_fraction (98233274 / 100000000).
+    exhibit ExhibitsLeast WidestAngles 27572%Z BisectedBounds 98233274.
   - exists LargeAngleDomain_73_102, WitnessTet.
-    replace (16474 / 100) with (180 - 1526 / 100) by lra.
-    apply (ExhibitsGreatest _ _ _ WidestAngles 13442 1000);
-      [exact (BisectedBounds _ _ _) | | vm_compute; reflexivity].
-    by_fraction (96475061 / 100000000).
+    exhibit ExhibitsGreatest WidestAngles 13442%Z BisectedBounds 96475061.
   - exists (SmallAngleDomain 26879 49152 26880), WitnessTet.
-    apply (ExhibitsLeast _ _ _ EmbeddingAngles 37442 1000);
-      [exact (BisectedBoundsEmbedding _ _ _) | | vm_compute; reflexivity].
-    by_fraction (98689618 / 100000000).
+    exhibit ExhibitsLeast EmbeddingAngles 37442%Z BisectedBoundsEmbedding 98689618.
   - exists LargeAngleDomain_64_105, WitnessTet.
-    replace (16144 / 100) with (180 - 1856 / 100) by lra.
-    apply (ExhibitsGreatest _ _ _ EmbeddingAngles 8877 1000);
-      [exact (BisectedBoundsEmbedding _ _ _) | | vm_compute; reflexivity].
-    by_fraction (94801031 / 100000000).
+    exhibit ExhibitsGreatest EmbeddingAngles 8877%Z BisectedBoundsEmbedding 94801031.
 Qed.
 
 (** ** Cuts in the middle: exactly 30 and 135 degrees *)
 
-Lemma CotangentOver30 : CotangentOver (CotSq 3 1) 30.
-Proof.
-  unfold CotangentOver. rewrite CosineSquared30. change (3 + 1)%Z with 4%Z.
-  repeat split; lra || lia.
-Qed.
+Lemma CotangentOverExactly n d degrees :
+  CotangentIs n d degrees -> CotangentOver (CotSq n d) degrees.
+Proof. intros (B & N & D & E). repeat (split; [assumption|]). lra. Qed.
 
-Lemma CotangentOver45 : CotangentOver (CotSq 1 1) 45.
+Lemma MidpointExhibits test (P : Coord3 -> Coord3 -> Coord3 -> Coord3 -> Prop) :
+  (forall p q r s, test (p, q, r, s) = true -> P p q r s) ->
+  Exhibits NoWarpThresholds (Decided MidpointSigns) MidpointCuts test = true ->
+  exists sign tid t p q r s,
+    In t (StuffedTets NoWarpThresholds (Decided sign) MidpointCuts tid) /\
+    In (p, q, r, s) (DihedralEdges t) /\ P p q r s.
 Proof.
-  unfold CotangentOver. rewrite CosineSquared45. change (1 + 1)%Z with 2%Z.
-  repeat split; lra || lia.
+  intros T E. destruct (ExhibitsMeans _ _ _ _ E) as (t & p & q & r & s & I & J & H).
+  exists MidpointSigns, WitnessTet, t, p, q, r, s. auto.
 Qed.
 
 (** As integers tell it: no axiom is needed. *)
@@ -117,19 +68,15 @@ Theorem MidpointBoundsAttained :
       NormalsProduct p q r s ^ 2 = SixVolume p q r s ^ 2 * EdgeSquared p q)%Z).
 Proof.
   split.
-  - destruct (ExhibitsMeans NoWarpThresholds (Decided MidpointSigns) MidpointCuts
-      (fun '(p, q, r, s) => (0 <? NormalsProduct p q r s)%Z &&
+  - refine (MidpointExhibits (fun '(p, q, r, s) => (0 <? NormalsProduct p q r s)%Z &&
         (NormalsProduct p q r s ^ 2
-           =? 3 * (SixVolume p q r s ^ 2 * EdgeSquared p q))%Z)
-      ltac:(vm_compute; reflexivity)) as (t & p & q & r & s & I & J & T).
-    exists MidpointSigns, WitnessTet, t, p, q, r, s. repeat (split; [assumption|]).
-    apply andb_prop in T. rewrite Z.ltb_lt, Z.eqb_eq in T. exact T.
-  - destruct (ExhibitsMeans NoWarpThresholds (Decided MidpointSigns) MidpointCuts
-      (fun '(p, q, r, s) => (NormalsProduct p q r s <? 0)%Z &&
-        (NormalsProduct p q r s ^ 2 =? SixVolume p q r s ^ 2 * EdgeSquared p q)%Z)
-      ltac:(vm_compute; reflexivity)) as (t & p & q & r & s & I & J & T).
-    exists MidpointSigns, WitnessTet, t, p, q, r, s. repeat (split; [assumption|]).
-    apply andb_prop in T. rewrite Z.ltb_lt, Z.eqb_eq in T. exact T.
+           =? 3 * (SixVolume p q r s ^ 2 * EdgeSquared p q))%Z) _ _ _);
+      [|vm_compute; reflexivity].
+    intros p q r s T. apply andb_prop in T. rewrite Z.ltb_lt, Z.eqb_eq in T. exact T.
+  - refine (MidpointExhibits (fun '(p, q, r, s) => (NormalsProduct p q r s <? 0)%Z &&
+        (NormalsProduct p q r s ^ 2 =? SixVolume p q r s ^ 2 * EdgeSquared p q)%Z) _ _ _);
+      [|vm_compute; reflexivity].
+    intros p q r s T. apply andb_prop in T. rewrite Z.ltb_lt, Z.eqb_eq in T. exact T.
 Qed.
 
 Lemma MidpointAngle sign t p q r s :
@@ -150,12 +97,14 @@ Theorem MidpointBoundsAreSharp :
 Proof.
   split.
   - destruct (ExhibitsLeast NoWarpThresholds (Decided MidpointSigns) MidpointCuts
-      MidpointAngles 3 1 30 (MidpointBounds _ _) CotangentOver30
+      MidpointAngles 3 1 30 (MidpointBounds _ _)
+      (CotangentOverExactly _ _ _ CotangentIs30)
       ltac:(vm_compute; reflexivity)) as (t & p & q & r & s & I & J & L).
     exists MidpointSigns, WitnessTet, t, p, q, r, s. repeat (split; [assumption|]).
     apply Rle_antisym; [exact L | exact (proj1 (MidpointAngle _ _ _ _ _ _ I J))].
   - destruct (ExhibitsGreatest NoWarpThresholds (Decided MidpointSigns) MidpointCuts
-      MidpointAngles 1 1 45 (MidpointBounds _ _) CotangentOver45
+      MidpointAngles 1 1 45 (MidpointBounds _ _)
+      (CotangentOverExactly _ _ _ CotangentIs45)
       ltac:(vm_compute; reflexivity)) as (t & p & q & r & s & I & J & L).
     exists MidpointSigns, WitnessTet, t, p, q, r, s. repeat (split; [assumption|]).
     apply Rle_antisym; [exact (proj2 (MidpointAngle _ _ _ _ _ _ I J)) | lra].

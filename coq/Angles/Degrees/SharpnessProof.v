@@ -1,8 +1,7 @@
 (** * The bounds are sharp within 0.02 degrees: proofs *)
 
-From Coq Require Import ZArith Reals List Bool Lra Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions.
+From Coq Require Import Reals Lra.
+From Certet Require Import Angles.Definitions.
 From Certet Require Import Angles.DegreesSpec Angles.Forms.CheckerProof
   Angles.AngleTheorems Angles.Degrees.DegreesProof Angles.Degrees.Witnesses.
 Open Scope R_scope.
@@ -23,7 +22,7 @@ Lemma CotangentOverBy n d degrees (high : R) :
   CotangentOver (CotSq n d) degrees.
 Proof.
   intros B Pn Pd Hb Hh. repeat (split; [assumption|]).
-  cbv zeta in Hb. pose proof PILower as PL. pose proof PIUpper as PU.
+  cbv zeta in Hb. pose proof PIBetween as [PL PU].
   pose proof (RadiansBound degrees B) as R.
   set (b := degrees * (31415 / 10000) / 180) in *.
   assert (L : b <= Radians degrees) by (unfold Radians, b; nra).
@@ -43,25 +42,15 @@ Lemma CosineAtLeast n d degrees N D :
   cos (Radians degrees) <= Cosine N D.
 Proof.
   intros (B & Pn & Pd & C) P PN H.
-  apply IZR_le in Pn. apply IZR_lt in Pd.
-  pose proof (RadiansBound _ B) as R.
-  assert (Pc : 0 < cos (Radians degrees)) by (apply cos_gt_0; lra).
-  assert (Q : 0 < N ^ 2 + D) by nra.
-  assert (S : 0 < sqrt (N ^ 2 + D)) by (apply sqrt_lt_R0; exact Q).
-  assert (E : sqrt (N ^ 2 + D) * sqrt (N ^ 2 + D) = N ^ 2 + D)
-    by (apply sqrt_sqrt; lra).
-  unfold Cosine. set (s := sqrt (N ^ 2 + D)) in *.
-  set (c := cos (Radians degrees)) in *.
-  assert (G : c * s <= N).
-  { apply Rsqr_incr_0_var; [|lra]. unfold Rsqr.
-    rewrite plus_IZR in C.
-    assert (H2 : (IZR n + IZR d) * c ^ 2 * (N ^ 2 + D) <= IZR n * (N ^ 2 + D))
-      by (apply Rmult_le_compat_r; lra).
-    apply (Rmult_le_reg_l (IZR n + IZR d)); [lra|].
-    replace (c * s * (c * s)) with (c ^ 2 * (s * s)) by ring.
-    rewrite E. nra. }
-  apply (Rmult_le_reg_r s); [exact S|].
-  replace (N / s * s) with N by (field; lra). exact G.
+  apply IZR_le in Pn. apply IZR_lt in Pd. apply (CosineCompared N D _ P).
+  destruct (Hypotenuse N D P) as (Q & S & E). pose proof (CosinePositive _ B) as Pc.
+  set (s := sqrt (N ^ 2 + D)) in *. set (c := cos (Radians degrees)) in *.
+  apply Rsqr_incr_0_var; [|lra]. unfold Rsqr. rewrite plus_IZR in C.
+  assert (H2 : (IZR n + IZR d) * c ^ 2 * (N ^ 2 + D) <= IZR n * (N ^ 2 + D))
+    by (apply Rmult_le_compat_r; lra).
+  apply (Rmult_le_reg_l (IZR n + IZR d)); [lra|].
+  replace (c * s * (c * s)) with (c ^ 2 * (s * s)) by ring.
+  rewrite E. nra.
 Qed.
 
 Lemma AcosAtMost x a : -1 <= x <= 1 -> 0 <= a <= PI -> cos a <= x -> acos x <= a.
@@ -73,6 +62,17 @@ Proof.
   rewrite cos_acos in M by exact Bx. lra.
 Qed.
 
+(** What [Sharper] and [Blunter] have compared, in real numbers. *)
+Lemma AcosAtMostBy n d degrees N D :
+  CotangentOver (CotSq n d) degrees -> 0 < D ->
+  0 < N -> IZR n * D <= IZR d * N ^ 2 ->
+  acos (Cosine N D) <= Radians degrees.
+Proof.
+  intros C P PN H. pose proof (RadiansBound degrees (proj1 C)) as R.
+  apply AcosAtMost; [exact (CosineBound N D P)|lra|].
+  exact (CosineAtLeast n d degrees N D C P PN H).
+Qed.
+
 Lemma SharperDegrees n d degrees p q r s :
   CotangentOver (CotSq n d) degrees -> (0 < SixVolume p q r s)%Z ->
   Sharper (CotSq n d) (p, q, r, s) = true -> DihedralDegrees p q r s <= degrees.
@@ -80,19 +80,8 @@ Proof.
   intros C V T. cbn [Sharper] in T. apply andb_prop in T. destruct T as [T1 T2].
   apply Z.ltb_lt, IZR_lt in T1. apply Z.leb_le, IZR_le in T2.
   destruct (DegreesIsCosine p q r s V) as [PD ->].
-  set (D := IZR (SixVolume p q r s ^ 2 * EdgeSquared p q)) in *.
-  rewrite (mult_IZR n), (mult_IZR d) in T2. fold D in T2.
-  pose proof PI_RGT_0 as PP. pose proof (RadiansBound degrees (proj1 C)) as R.
-  pose proof (CosineBound (IZR (NormalsProduct p q r s)) D PD) as B.
-  assert (L : acos (Cosine (IZR (NormalsProduct p q r s)) D) <= Radians degrees).
-  { apply AcosAtMost; [exact B|lra|].
-    apply (CosineAtLeast n d); try assumption. rewrite pow_IZR. exact T2. }
-  set (x := acos _) in *. unfold Radians in L.
-  assert (K : 0 < 180 * / PI)
-    by (apply Rmult_lt_0_compat; [lra|apply Rinv_0_lt_compat, PP]).
-  apply (Rmult_le_compat_r (180 * / PI)) in L; [|lra].
-  replace (degrees * PI / 180 * (180 * / PI)) with degrees in L by (field; lra).
-  replace (x * 180 / PI) with (x * (180 * / PI)) by (field; lra). exact L.
+  rewrite (mult_IZR n), (mult_IZR d) in T2. apply DegreesAtMost.
+  apply (AcosAtMostBy n d); try assumption. rewrite pow_IZR. exact T2.
 Qed.
 
 Lemma BlunterDegrees n d rest p q r s :
@@ -102,35 +91,19 @@ Lemma BlunterDegrees n d rest p q r s :
 Proof.
   intros C V T. cbn [Blunter] in T. apply andb_prop in T. destruct T as [T1 T2].
   apply Z.ltb_lt, IZR_lt in T1. apply Z.leb_le, IZR_le in T2.
-  destruct (DegreesIsCosine p q r s V) as [PD ->].
-  set (D := IZR (SixVolume p q r s ^ 2 * EdgeSquared p q)) in *.
-  rewrite (mult_IZR n), (mult_IZR d) in T2. fold D in T2.
-  pose proof PI_RGT_0 as PP. pose proof (RadiansBound rest (proj1 C)) as R.
-  pose proof (CosineBound (IZR (NormalsProduct p q r s)) D PD) as B.
-  assert (L : PI - acos (Cosine (IZR (NormalsProduct p q r s)) D)
-              <= Radians rest).
-  { rewrite <- acos_opp. apply AcosAtMost; [lra|lra|].
-    replace (- Cosine (IZR (NormalsProduct p q r s)) D)
-      with (Cosine (- IZR (NormalsProduct p q r s)) D).
-    - apply (CosineAtLeast n d); try assumption; [lra|].
-      replace ((- IZR (NormalsProduct p q r s)) ^ 2)
-        with (IZR (NormalsProduct p q r s) ^ 2) by ring.
-      rewrite pow_IZR. exact T2.
-    - unfold Cosine.
-      replace ((- IZR (NormalsProduct p q r s)) ^ 2)
-        with (IZR (NormalsProduct p q r s) ^ 2) by ring.
-      unfold Rdiv. ring. }
-  set (x := acos _) in *. unfold Radians in L.
-  assert (K : 0 < 180 * / PI)
-    by (apply Rmult_lt_0_compat; [lra|apply Rinv_0_lt_compat, PP]).
-  apply (Rmult_le_compat_r (180 * / PI)) in L; [|lra].
-  replace (rest * PI / 180 * (180 * / PI)) with rest in L by (field; lra).
-  replace ((PI - x) * (180 * / PI)) with (180 - x * (180 * / PI)) in L
-    by (field; lra).
-  replace (x * 180 / PI) with (x * (180 * / PI)) by (field; lra). lra.
+  destruct (DegreesIsCosine p q r s V) as [PD ->]. apply DegreesAtLeast.
+  pose proof (CosineBound (IZR (NormalsProduct p q r s)) _ PD) as B.
+  rewrite RadiansRest, <- (Ropp_involutive (IZR (NormalsProduct p q r s))).
+  rewrite CosineOpposite, acos_opp.
+  apply Rplus_le_compat_l, Ropp_le_contravar, (AcosAtMostBy n d);
+    [assumption..|lra|].
+  rewrite (mult_IZR n), (mult_IZR d) in T2.
+  replace ((- IZR (NormalsProduct p q r s)) ^ 2)
+    with (IZR (NormalsProduct p q r s) ^ 2) by ring.
+  rewrite pow_IZR. exact T2.
 Qed.
 
-(** ** The four domains *)
+(** ** Exhibits *)
 
 Lemma CutsOnEdgesTable sign table :
   forallb (fun e => (0 <=? snd e) && (snd e <=? Steps))%Z table = true ->
@@ -166,78 +139,95 @@ Proof.
   rewrite (EvenOrders _ _ _ _ _ _ _ _ I). exact V.
 Qed.
 
+(** One of the dihedral angles of these tetrahedra is such a number of degrees. *)
+Definition HasAngle (P : R -> Prop) (ts : list (UnstructuredTet Coord3)) : Prop :=
+  exists t p q r s, In t ts /\ In (p, q, r, s) (DihedralEdges t) /\
+    P (DihedralDegrees p q r s).
+
+Section Exhibited.
+  Variables (th : Thresholds) (sign : SignField) (cut : CutField).
+  Variables (bounds : AngleBounds) (n d : Z) (degrees : R).
+  Local Notation tets := (StuffedTets th sign cut WitnessTet).
+  Hypothesis Shaped : forall t, In t tets -> WellShaped bounds t.
+  Hypothesis Over : CotangentOver (CotSq n d) degrees.
+
+  Lemma Exhibited test (P : R -> Prop) :
+    (forall p q r s, (0 < SixVolume p q r s)%Z -> test (p, q, r, s) = true ->
+       P (DihedralDegrees p q r s)) ->
+    Exhibits th sign cut test = true -> HasAngle P tets.
+  Proof.
+    intros T E. apply ExhibitsMeans in E as (t & p & q & r & s & I & J & H).
+    exists t, p, q, r, s. repeat (split; [assumption|]).
+    exact (T p q r s (EdgeVolume _ t _ _ _ _ (Shaped t I) J) H).
+  Qed.
+
+  Lemma ExhibitsLeast : Exhibits th sign cut (Sharper (CotSq n d)) = true ->
+    HasAngle (fun x => x <= degrees) tets.
+  Proof. apply Exhibited. intros p q r s. exact (SharperDegrees n d _ p q r s Over). Qed.
+
+  Lemma ExhibitsGreatest : Exhibits th sign cut (Blunter (CotSq n d)) = true ->
+    HasAngle (fun x => 180 - degrees <= x) tets.
+  Proof. apply Exhibited. intros p q r s. exact (BlunterDegrees n d _ p q r s Over). Qed.
+End Exhibited.
+
+(** ** The four domains *)
+
+(** Some signs and cuts on edges have such an angle. *)
+Definition Reached (th : Thresholds) (P : R -> Prop) : Prop :=
+  exists sign cut tid t p q r s,
+    CutsOnEdges sign cut /\ In t (StuffedTets th sign cut tid) /\
+    In (p, q, r, s) (DihedralEdges t) /\ P (DihedralDegrees p q r s).
+
+Lemma ReachedBy th sign cut (P : R -> Prop) : CutsOnEdges sign cut ->
+  (CutsOnEdges sign cut -> HasAngle P (StuffedTets th sign cut WitnessTet)) ->
+  Reached th P.
+Proof.
+  intros C A. destruct (A C) as (t & p & q & r & s & H).
+  exists sign, cut, WitnessTet, t, p, q, r, s. exact (conj C H).
+Qed.
+
 Ltac by_fraction f :=
   apply (CotangentOverBy _ _ _ f);
   first [lia | lra | cbv zeta; lra | rewrite plus_IZR; lra].
 
-Theorem Sharp_73_102_least : exists sign cut tid t p q r s,
-  CutsOnEdges sign cut /\ In t (StuffedTets AngleThresholds sign cut tid) /\
-  In (p, q, r, s) (DihedralEdges t) /\ DihedralDegrees p q r s <= 1079 / 100.
+(** By which test an exhibit is found, the shape that all tetrahedra there have,
+    and a bound above the cosine, in hundred millionths. *)
+Ltac exhibit found bounds n shape high :=
+  apply (found _ _ _ bounds n 1000%Z);
+    [intros t I; eapply shape; eassumption|by_fraction (high / 100000000)|
+     vm_compute; reflexivity].
+
+(** Within 0.02 degrees of the bounds. *)
+Definition Sharply (reached : Thresholds -> (R -> Prop) -> Prop) : Prop :=
+  reached AngleThresholds (fun x => x <= 1079 / 100) /\
+  reached AngleThresholds (fun x => 16474 / 100 <= x) /\
+  reached EmbeddingThresholds (fun x => x <= 929 / 100) /\
+  reached EmbeddingThresholds (fun x => 16144 / 100 <= x).
+
+Lemma SharplyBy (reached : Thresholds -> (R -> Prop) -> Prop) :
+  reached AngleThresholds (fun x => x <= 1079 / 100) ->
+  reached AngleThresholds (fun x => 180 - 1526 / 100 <= x) ->
+  reached EmbeddingThresholds (fun x => x <= 929 / 100) ->
+  reached EmbeddingThresholds (fun x => 180 - 1856 / 100 <= x) ->
+  Sharply reached.
 Proof.
-  assert (C : CutsOnEdges SmallAngleSigns SmallAngleCuts_73_102)
-    by (apply CutsOnEdgesTable; reflexivity).
-  assert (K : CotangentOver (CotSq 27572 1000) (1079 / 100)) by (by_fraction (98233274 / 100000000)).
-  destruct (ExhibitsMeans AngleThresholds SmallAngleSigns SmallAngleCuts_73_102
-    (Sharper (CotSq 27572 1000)) ltac:(vm_compute; reflexivity))
-    as (t & p & q & r & s & I & J & T).
-  exists SmallAngleSigns, SmallAngleCuts_73_102, WitnessTet, t, p, q, r, s.
-  repeat (split; [assumption|]). apply (SharperDegrees _ _ _ _ _ _ _ K).
-  - exact (EdgeVolume _ t _ _ _ _ (StuffedWidest _ _ _ _ C I) J).
-  - exact T.
+  unfold Sharply. replace (16474 / 100) with (180 - 1526 / 100) by lra.
+  replace (16144 / 100) with (180 - 1856 / 100) by lra. auto.
 Qed.
 
-Theorem Sharp_73_102_greatest : exists sign cut tid t p q r s,
-  CutsOnEdges sign cut /\ In t (StuffedTets AngleThresholds sign cut tid) /\
-  In (p, q, r, s) (DihedralEdges t) /\ 16474 / 100 <= DihedralDegrees p q r s.
+Theorem BoundsAreSharp : Sharply Reached.
 Proof.
-  assert (C : CutsOnEdges LargeAngleSigns_73_102 LargeAngleCuts_73_102)
-    by (apply CutsOnEdgesTable; reflexivity).
-  assert (K : CotangentOver (CotSq 13442 1000) (1526 / 100)) by (by_fraction (96475061 / 100000000)).
-  destruct (ExhibitsMeans AngleThresholds LargeAngleSigns_73_102
-    LargeAngleCuts_73_102 (Blunter (CotSq 13442 1000)) ltac:(vm_compute; reflexivity))
-    as (t & p & q & r & s & I & J & T).
-  exists LargeAngleSigns_73_102, LargeAngleCuts_73_102, WitnessTet, t, p, q, r, s.
-  repeat (split; [assumption|]).
-  replace (16474 / 100) with (180 - 1526 / 100) by lra.
-  apply (BlunterDegrees _ _ _ _ _ _ _ K).
-  - exact (EdgeVolume _ t _ _ _ _ (StuffedWidest _ _ _ _ C I) J).
-  - exact T.
+  apply SharplyBy.
+  - apply (ReachedBy _ SmallAngleSigns SmallAngleCuts_73_102);
+      [apply CutsOnEdgesTable; reflexivity|intros].
+    exhibit ExhibitsLeast WidestAngles 27572%Z StuffedWidest 98233274.
+  - apply (ReachedBy _ LargeAngleSigns_73_102 LargeAngleCuts_73_102);
+      [apply CutsOnEdgesTable; reflexivity|intros].
+    exhibit ExhibitsGreatest WidestAngles 13442%Z StuffedWidest 96475061.
+  - apply (ReachedBy _ SmallAngleSigns SmallAngleCuts_64_105);
+      [apply CutsOnEdgesTable; reflexivity|intros].
+    exhibit ExhibitsLeast EmbeddingAngles 37442%Z StuffedEmbedding 98689618.
+  - apply (ReachedBy _ LargeAngleSigns_64_105 LargeAngleCuts_64_105);
+      [apply CutsOnEdgesTable; reflexivity|intros].
+    exhibit ExhibitsGreatest EmbeddingAngles 8877%Z StuffedEmbedding 94801031.
 Qed.
-
-Theorem Sharp_64_105_least : exists sign cut tid t p q r s,
-  CutsOnEdges sign cut /\ In t (StuffedTets EmbeddingThresholds sign cut tid) /\
-  In (p, q, r, s) (DihedralEdges t) /\ DihedralDegrees p q r s <= 929 / 100.
-Proof.
-  assert (C : CutsOnEdges SmallAngleSigns SmallAngleCuts_64_105)
-    by (apply CutsOnEdgesTable; reflexivity).
-  assert (K : CotangentOver (CotSq 37442 1000) (929 / 100)) by (by_fraction (98689618 / 100000000)).
-  destruct (ExhibitsMeans EmbeddingThresholds SmallAngleSigns
-    SmallAngleCuts_64_105 (Sharper (CotSq 37442 1000)) ltac:(vm_compute; reflexivity))
-    as (t & p & q & r & s & I & J & T).
-  exists SmallAngleSigns, SmallAngleCuts_64_105, WitnessTet, t, p, q, r, s.
-  repeat (split; [assumption|]). apply (SharperDegrees _ _ _ _ _ _ _ K).
-  - exact (EdgeVolume _ t _ _ _ _ (StuffedEmbedding _ _ _ _ C I) J).
-  - exact T.
-Qed.
-
-Theorem Sharp_64_105_greatest : exists sign cut tid t p q r s,
-  CutsOnEdges sign cut /\ In t (StuffedTets EmbeddingThresholds sign cut tid) /\
-  In (p, q, r, s) (DihedralEdges t) /\ 16144 / 100 <= DihedralDegrees p q r s.
-Proof.
-  assert (C : CutsOnEdges LargeAngleSigns_64_105 LargeAngleCuts_64_105)
-    by (apply CutsOnEdgesTable; reflexivity).
-  assert (K : CotangentOver (CotSq 8877 1000) (1856 / 100)) by (by_fraction (94801031 / 100000000)).
-  destruct (ExhibitsMeans EmbeddingThresholds LargeAngleSigns_64_105
-    LargeAngleCuts_64_105 (Blunter (CotSq 8877 1000)) ltac:(vm_compute; reflexivity))
-    as (t & p & q & r & s & I & J & T).
-  exists LargeAngleSigns_64_105, LargeAngleCuts_64_105, WitnessTet, t, p, q, r, s.
-  repeat (split; [assumption|]).
-  replace (16144 / 100) with (180 - 1856 / 100) by lra.
-  apply (BlunterDegrees _ _ _ _ _ _ _ K).
-  - exact (EdgeVolume _ t _ _ _ _ (StuffedEmbedding _ _ _ _ C I) J).
-  - exact T.
-Qed.
-
-Definition BoundsAreSharp :=
-  conj Sharp_73_102_least (conj Sharp_73_102_greatest
-    (conj Sharp_64_105_least Sharp_64_105_greatest)).

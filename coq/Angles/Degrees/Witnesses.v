@@ -4,10 +4,7 @@
     a few edges; all other vertices lie on the surface, where nothing happens,
     and all other cuts at their edges' middles. *)
 
-From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Warp.Definitions Stuffing.Definitions Angles.Definitions.
-Import ListNotations.
+From Certet Require Import Angles.Definitions.
 Open Scope Z_scope.
 
 Definition SignTable (table : list (Coord3 * Sign)) : SignField :=

@@ -8,11 +8,8 @@
     fails one segment is halved.  Conditionals stand where one expects [&&]
     and [||], because those compute both sides. *)
 
-From Coq Require Import ZArith List Bool.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Angles.Definitions.
+From Certet Require Import Angles.Definitions.
 From Certet Require Import Angles.Forms.BoxForm.
-Import ListNotations.
 Open Scope Z_scope.
 
 Inductive Segment :=

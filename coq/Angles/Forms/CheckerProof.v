@@ -1,11 +1,8 @@
 (** * The checker is sound: proofs *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Angles.Definitions.
+From Certet Require Import Angles.Definitions.
 From Certet Require Import Angles.Forms.BoxForm Angles.Forms.BoxFormProof
   Angles.Forms.Checker Angles.Forms.EdgeProof.
-Import ListNotations.
 Open Scope Z_scope.
 
 Lemma IfBoth (x y : bool) :

@@ -3,12 +3,9 @@
     What the tables of [Checker.v] compute, and that [CheckRanges] and
     [CheckFull] are right about the vertices' every position. *)
 
-From Coq Require Import ZArith List Bool Lia.
-From Certet Require Import Lattice.Definitions Stencil.Definitions
-  Angles.Definitions.
+From Certet Require Import Angles.Definitions.
 From Certet Require Import Angles.Forms.BoxForm Angles.Forms.BoxFormProof
   Angles.Forms.Checker.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** ** Points on segments *)

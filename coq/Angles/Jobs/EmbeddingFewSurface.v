@@ -1,9 +1,7 @@
 (** Thresholds (64/256, 105/256), sign patterns with at most two corners on the
     surface. *)
 
-From Coq Require Import ZArith.
-From Certet Require Import Stencil.Definitions Warp.Definitions
-  Angles.Definitions.
+From Certet Require Import Angles.Definitions.
 From Certet Require Import Angles.Cases.Configurations.
 Open Scope Z_scope.
 

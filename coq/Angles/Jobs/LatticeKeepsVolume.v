@@ -1,11 +1,8 @@
 (** Thresholds (64/256, 105/256): however far the four corners of a structured
     tetrahedron are warped, along whatever edges, it is not turned over. *)
 
-From Coq Require Import ZArith List.
-From Certet Require Import Lattice.Definitions Warp.Definitions
-  Angles.Definitions.
+From Certet Require Import Angles.Definitions.
 From Certet Require Import Angles.Cases.Configurations.
-Import ListNotations.
 Open Scope Z_scope.
 
 (** Where a corner may go farthest, in 256ths, and where it starts. *)

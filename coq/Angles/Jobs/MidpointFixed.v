@@ -1,8 +1,7 @@
 (** No warping, no corner on the surface, and every cut at its edge's middle:
     nothing slides. *)
 
-From Coq Require Import ZArith.
-From Certet Require Import Stencil.Definitions Angles.Definitions.
+From Certet Require Import Angles.Definitions.
 From Certet Require Import Angles.Cases.Configurations.
 Open Scope Z_scope.
 

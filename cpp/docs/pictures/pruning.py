@@ -16,14 +16,13 @@ def bits(row, sign):
 def draw(_):
     picture = Picture(1080, 640, "Pruning, a word at a time")
     picture.heading((30, 40), "Pruning: which zero vertices are points of the mesh")
-    for n, words in enumerate((
-            "A tetrahedron of the output has a + corner, so that a zero vertex is used only if one of its 14 neighbours is +. "
-            "The others are",
-            "turned to −; then every + or zero vertex is a point, and points can be counted by their bits. All 64 vertices of "
-            "a word are asked",
-            "at once: the planes of the neighbours, shifted to the vertex, or-ed together. (Here a word has 16 bits, and 4 "
-            "of the 14 directions are shown.)")):
-        picture.text((30, 66 + 20 * n), words, 13.5, SOFT)
+    picture.lines((30, 66), (
+        "A tetrahedron of the output has a + corner, so that a zero vertex is used only if one of its 14 neighbours is +. "
+        "The others are",
+        "turned to −; then every + or zero vertex is a point, and points can be counted by their bits. All 64 vertices of "
+        "a word are asked",
+        "at once: the planes of the neighbours, shifted to the vertex, or-ed together. (Here a word has 16 bits, and 4 "
+        "of the 14 directions are shown.)"))
     left, cell = 400, 36
     top = 160
     own = ROWS["j"]

@@ -29,14 +29,13 @@ def kinds():
 def draw(_):
     picture = Picture(1080, 628, "Numbering by rank")
     picture.heading((30, 40), "Numbering by rank: a point's number is computed, never looked up")
-    for n, words in enumerate((
-            "The points of a row (j, k) stand kind by kind: corners of each grid, then the cuts of each family of edges. "
-            "A kind has a",
-            "word of bits for every 64 indices i: bit i is set where the index owns a point of that kind. Before a word "
-            "come as many points",
-            "as the row has in the kinds and words before it. (Here a word has 16 bits, and 7 of the 16 kinds are "
-            "shown.)")):
-        picture.text((30, 66 + 20 * n), words, 13.5, SOFT)
+    picture.lines((30, 66), (
+        "The points of a row (j, k) stand kind by kind: corners of each grid, then the cuts of each family of edges. "
+        "A kind has a",
+        "word of bits for every 64 indices i: bit i is set where the index owns a point of that kind. Before a word "
+        "come as many points",
+        "as the row has in the kinds and words before it. (Here a word has 16 bits, and 7 of the 16 kinds are "
+        "shown.)"))
     left, top, cell, high = 330, 168, 33, 34
     for i in range(BITS):
         picture.text((left + cell * (i + 0.5), top - 12), str(i), 12, SOFT, "middle", mono=True)
@@ -74,11 +73,10 @@ def draw(_):
     picture.text((30, y), f"The cut that index {bit} owns along y:", 15, INK, weight="700")
     picture.text((30, y + 30), "number = first point of row (j, k) + before + popcount(mask & below(b))", 16, INK, mono=True)
     picture.text((106, y + 56), f"= first point of row (j, k) + {found[0]} + {found[1]}", 16, ACCENT, mono=True)
-    for n, words in enumerate((
-            f"The colour behind a row marks below({bit}), the bits before it, of which {found[1]} are set. The row has {total} "
-            "points in all.",
-            "Whoever meets the edge from another index, of the row before or the layer before, shifts the index to the "
-            "owner's and gets the same number.")):
-        picture.text((30, y + 84 + 20 * n), words, 13.5, SOFT)
+    picture.lines((30, y + 84), (
+        f"The colour behind a row marks below({bit}), the bits before it, of which {found[1]} are set. The row has {total} "
+        "points in all.",
+        "Whoever meets the edge from another index, of the row before or the layer before, shifts the index to the "
+        "owner's and gets the same number."))
     picture.height = int(y + 124)
     return picture

@@ -45,6 +45,11 @@ class Picture:
         self.add("text", words, x=at[0], y=at[1], font_size=size, fill=colour, text_anchor=anchor,
                  font_weight=weight, **more)
 
+    def lines(self, at, lines):
+        """Sentences below one another."""
+        for n, words in enumerate(lines):
+            self.text((at[0], at[1] + 20 * n), words, 13.5, SOFT)
+
     def arrow(self, a, b, colour=INK, width=1.8):
         dx, dy = b[0] - a[0], b[1] - a[1]
         length = (dx * dx + dy * dy) ** 0.5

@@ -79,15 +79,14 @@ def one_layer(picture):
     top = 432
     picture.line((30, top - 34), (1050, top - 34), LINE, 1)
     picture.heading((30, top), "A layer in one pass: cuts look for their vertex, no vertex looks for its cuts")
-    for n, words in enumerate((
-            "Layer k is decided from the cuts that its own rows own and those of the rows of layer k − 1, in the order in "
-            "which they stand in",
-            "memory: row by row, family by family, bit by bit. A cut is left with the end that it violates, if any: never "
-            "both, for alpha is at most",
-            "a half. Ends are in row j or j + 1, so that two rows of slots are enough, taken in turns: after row j is "
-            "collected, its slots are",
-            "complete, are decided in the order of the index, and are free for row j + 2.")):
-        picture.text((30, top + 26 + 20 * n), words, 13.5, SOFT)
+    picture.lines((30, top + 26), (
+        "Layer k is decided from the cuts that its own rows own and those of the rows of layer k − 1, in the order in "
+        "which they stand in",
+        "memory: row by row, family by family, bit by bit. A cut is left with the end that it violates, if any: never "
+        "both, for alpha is at most",
+        "a half. Ends are in row j or j + 1, so that two rows of slots are enough, taken in turns: after row j is "
+        "collected, its slots are",
+        "complete, are decided in the order of the index, and are free for row j + 2."))
     left, y = 330, top + 138
     picture.text((left - 16, y + 5), "cuts that row j owns, in their order", 13.5, INK, "end")
     cuts = [(0.4, 1, "a", (1, 0)), (1.5, 1, "b", (1, 0)), (2.7, 3, "c", (3, 1)), (3.6, None, "", None),

@@ -59,6 +59,16 @@ void check_geometry(const Image& image) {
 }
 
 /// Gram and Schmidt.
+Image without_voxels(const Image& image) {
+  Image other;
+  other.name = image.name;
+  other.size = image.size;
+  other.spacing = image.spacing;
+  other.origin = image.origin;
+  other.axes = image.axes;
+  return other;
+}
+
 void orthonormalise(Image& image) {
   auto column = voxel_axes(image);
   for (std::size_t a = 0; a < 3; ++a) {

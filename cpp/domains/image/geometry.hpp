@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Whether an image lies anywhere, and the products that tell.
+/// Where an image lies, whether it lies anywhere, and the products that tell.
 
 #include "certet/image.hpp"
 
@@ -14,6 +14,9 @@ inline double dot(const Point3& a, const Point3& b) {
 /// orthonormal ones.
 /// \throws Error `bad_input` with a sentence that names the image.
 void check_geometry(const Image& image);
+
+/// An image of the same name in the same place, for other voxels.
+Image without_voxels(const Image& image);
 
 /// Makes the axes of an image that `check_geometry` let pass orthonormal.
 void orthonormalise(Image& image);

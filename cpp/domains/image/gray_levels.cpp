@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "certet/error.hpp"
+#include "geometry.hpp"
 
 namespace certet {
 namespace {
@@ -32,12 +33,7 @@ Image between_levels(const Image& image, const GrayLevels& levels) {
     throw Error(ErrorCode::bad_option, "of two levels the first must be less than the second");
   if (!std::isfinite(levels.above) && !std::isfinite(levels.below))
     throw Error(ErrorCode::bad_option, "of two levels one at least must be finite");
-  Image result;
-  result.name = image.name;
-  result.size = image.size;
-  result.spacing = image.spacing;
-  result.origin = image.origin;
-  result.axes = image.axes;
+  Image result = without_voxels(image);
   result.notes = image.notes;
   result.voxels = std::visit([&](const auto& voxels) { return distances(voxels, levels); }, image.voxels);
   return result;

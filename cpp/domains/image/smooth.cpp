@@ -11,6 +11,7 @@
 
 #include "certet/error.hpp"
 #include "certet/image.hpp"
+#include "geometry.hpp"
 #include "label_set.hpp"
 
 namespace certet {
@@ -86,12 +87,7 @@ void smooth_along(unsigned axis, double sigma, int threads, const Image& image,
 Image smoothed_labels(const Image& image, std::vector<LabelRange> labels, double sigma,
                       int threads) {
   validate(image, sigma);
-  Image smooth;
-  smooth.name = image.name;
-  smooth.size = image.size;
-  smooth.spacing = image.spacing;
-  smooth.origin = image.origin;
-  smooth.axes = image.axes;
+  Image smooth = without_voxels(image);
   const LabelSet set(std::move(labels));
   std::visit([&](const auto& labelled) { refuse_wide_labels(image, labelled, set); },
              image.voxels);

@@ -74,14 +74,6 @@ class Field {
   }
 
  private:
-  static std::vector<Coord3> rounded(const TriangleSurface& surface) {
-    const Rounding round(surface);
-    std::vector<Coord3> points(surface.points.size(), Coord3{0, 0, 0});
-    for (const auto& triangle : surface.triangles)
-      for (const std::uint32_t p : triangle) points[p] = round(surface.points[p]);
-    return points;
-  }
-
   static double longest(const exact::Corners& t) {
     double square = 0;
     for (std::size_t i = 0; i < 3; ++i) {

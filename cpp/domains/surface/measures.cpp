@@ -5,6 +5,7 @@
 #include "chords.hpp"
 #include "edges.hpp"
 #include "inside.hpp"
+#include "surface_box.hpp"
 #include "vectors.hpp"
 
 namespace certet {
@@ -31,18 +32,6 @@ double quantile(std::vector<Thickness> behind, double share) {
   for (const Thickness& one : behind)
     if ((so_far += one.area) >= share * all) return one.thick;
   return behind.back().thick;
-}
-
-/// The sides of the box around the triangles.
-Point3 sides(const TriangleSurface& surface) {
-  Point3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-  for (const auto& triangle : surface.triangles)
-    for (const std::uint32_t point : triangle)
-      for (std::size_t a = 0; a < 3; ++a) {
-        low[a] = std::min(low[a], surface.points[point][a]);
-        high[a] = std::max(high[a], surface.points[point][a]);
-      }
-  return difference(high, low);
 }
 
 /// Whether a default may go to this size: tetrahedra by what plates and balls of many
@@ -77,7 +66,7 @@ SurfaceMeasures measure(const TriangleSurface& surface, const Context& context) 
 SurfaceSize default_size(const TriangleSurface& surface, const SurfaceMeasures& solid) {
   constexpr double across_thin = 4;
   SurfaceSize result;
-  const Point3 box = sides(surface);
+  const Point3 box = SurfaceBox(surface).sides();
   result.usual = result.size = result.wanted = *std::max_element(box.begin(), box.end()) / 64;
   const double for_thin = solid.thin / across_thin;
   if (!(for_thin > 0) || for_thin >= result.usual) return result;

@@ -15,14 +15,6 @@ namespace {
 
 using exact::Nudge;
 
-std::vector<Coord3> rounded(const TriangleSurface& surface) {
-  const Rounding round(surface);
-  std::vector<Coord3> points(surface.points.size(), Coord3{0, 0, 0});
-  for (const auto& triangle : surface.triangles)
-    for (const std::uint32_t point : triangle) points[point] = round(surface.points[point]);
-  return points;
-}
-
 /// Triangles joined by edges of just two, by the least number of each.
 std::vector<std::uint32_t> shells_of(const TriangleSurface& surface) {
   DisjointSets sets(surface.triangles.size());

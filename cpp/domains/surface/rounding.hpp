@@ -2,10 +2,11 @@
 /// \file
 /// Points of a surface, as whole numbers.
 
-#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "certet/surface.hpp"
+#include "surface_box.hpp"
 
 namespace certet {
 
@@ -13,18 +14,9 @@ namespace certet {
 class Rounding {
  public:
   explicit Rounding(const TriangleSurface& surface) {
-    Point3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-    for (const auto& triangle : surface.triangles)
-      for (const std::uint32_t point : triangle)
-        for (std::size_t a = 0; a < 3; ++a) {
-          low[a] = std::min(low[a], surface.points[point][a]);
-          high[a] = std::max(high[a], surface.points[point][a]);
-        }
-    double half = 0;
-    for (std::size_t a = 0; a < 3; ++a) {
-      centre_[a] = low[a] + (high[a] - low[a]) / 2;
-      half = std::max(half, (high[a] - low[a]) / 2);
-    }
+    const SurfaceBox box(surface);
+    for (std::size_t a = 0; a < 3; ++a) centre_[a] = box.low[a] + box.side(a) / 2;
+    const double half = box.longest() / 2;
     if (half > 0) scale_ = 0x1p30 / half;
   }
 
@@ -41,5 +33,14 @@ class Rounding {
   Point3 centre_{};
   double scale_ = 1;
 };
+
+/// All points that triangles have; others are 0.
+inline std::vector<Coord3> rounded(const TriangleSurface& surface) {
+  const Rounding round(surface);
+  std::vector<Coord3> points(surface.points.size(), Coord3{0, 0, 0});
+  for (const auto& triangle : surface.triangles)
+    for (const std::uint32_t point : triangle) points[point] = round(surface.points[point]);
+  return points;
+}
 
 }  // namespace certet

@@ -10,28 +10,13 @@
 #include "exact.hpp"
 #include "inside.hpp"
 #include "surface_blocks.hpp"
+#include "surface_box.hpp"
 #include "triangle_columns.hpp"
 
 namespace certet {
 namespace {
 
 using exact::Nudge;
-
-/// Around the points of the triangles.
-struct Box {
-  Point3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-
-  explicit Box(const TriangleSurface& surface) {
-    for (const auto& triangle : surface.triangles)
-      for (const std::uint32_t point : triangle)
-        for (std::size_t a = 0; a < 3; ++a) {
-          low[a] = std::min(low[a], surface.points[point][a]);
-          high[a] = std::max(high[a], surface.points[point][a]);
-        }
-  }
-  [[nodiscard]] double side(std::size_t a) const { return high[a] - low[a]; }
-  [[nodiscard]] double longest() const { return std::max({side(0), side(1), side(2)}); }
-};
 
 /// Frame and lattice.
 struct Place {
@@ -40,7 +25,7 @@ struct Place {
   double longest_side = 0;
 
   /// Of others, where the surface has room.
-  Place(const Box& box, const PlacedLattice& around)
+  Place(const SurfaceBox& box, const PlacedLattice& around)
       : frame(around.frame), lattice(around.lattice), longest_side(box.longest()) {
     constexpr double reach = std::int32_t{anchor_limit};
     for (std::size_t a = 0; a < 3; ++a)
@@ -49,7 +34,7 @@ struct Place {
           throw Error(ErrorCode::too_large, "a surface reaches beyond the lattice it is put on");
   }
 
-  Place(const Box& box, const SurfaceLattice& choice) : longest_side(box.longest()) {
+  Place(const SurfaceBox& box, const SurfaceLattice& choice) : longest_side(box.longest()) {
     frame.size = choice.size == 0 ? box.longest() / 64 : choice.size;
     if (choice.size == 0 && frame.size == 0) frame.size = 1;  // one point: nothing is inside
     checked_size(frame.size);
@@ -220,14 +205,14 @@ std::unique_ptr<PlacedDomain> domain_of(const TriangleSurface& surface,
                                         const SurfaceLattice& lattice, Rule rule) {
   SurfaceLattice chosen = lattice;
   if (chosen.size == 0) chosen.size = default_size(surface, measure(surface)).size;
-  return std::make_unique<SurfaceDomain>(surface, Place(Box(surface), chosen), rule);
+  return std::make_unique<SurfaceDomain>(surface, Place(SurfaceBox(surface), chosen), rule);
 }
 
 Solid solid_of(std::shared_ptr<const TriangleSurface> surface, Rule rule) {
-  const Box box(*surface);
+  const SurfaceBox box(*surface);
   return {{box.low, box.high},
           [surface = std::move(surface), rule](const PlacedLattice& around) {
-            return std::make_shared<SurfaceDomain>(*surface, Place(Box(*surface), around), rule);
+            return std::make_shared<SurfaceDomain>(*surface, Place(SurfaceBox(*surface), around), rule);
           }};
 }
 

@@ -20,14 +20,6 @@ struct Sums {
   double beside = 0;            ///< regardless of the side
 };
 
-std::vector<Coord3> rounded(const TriangleSurface& surface) {
-  const Rounding round(surface);
-  std::vector<Coord3> points(surface.points.size(), Coord3{0, 0, 0});
-  for (const auto& triangle : surface.triangles)
-    for (const std::uint32_t p : triangle) points[p] = round(surface.points[p]);
-  return points;
-}
-
 /// A little behind the centre of a triangle, in steps.
 Coord3 back_of(const exact::Corners& t, const Point3& normal) {
   constexpr double little = 256;

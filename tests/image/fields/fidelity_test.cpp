@@ -98,19 +98,10 @@ Deviation from_plane(const Point3& normal, fields::Rules rules) {
   // The image's border bends the plane, for its voxels go on as they are; a constant
   // would move all of it to make up for that.
   rules.keep_volumes = false;
-  const double length = label_images::norm(normal);
-  const double offset = 20.3 * (normal[0] + normal[1] + normal[2]);
-  const auto height = [&](const Point3& p) {
-    return (normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2] - offset) / length;
-  };
-  const auto domain = domain_of(image_of({40, 40, 40}, [&](int i, int j, int k) {
-    return height({double(i), double(j), double(k)}) < 0 ? 1 : 2;
-  }), 1, rules);
-  std::vector<Point3> points = cuts_of(*domain);
-  std::erase_if(points, [](const Point3& p) {
-    return std::ranges::any_of(p, [](double c) { return c < 5 || c > 34; });
-  });
-  return {points, height};
+  const label_images::ObliquePlane plane{normal};
+  std::vector<Point3> points = cuts_of(*domain_of(plane.image(), 1, rules));
+  label_images::drop_near_border(points);
+  return {points, [&](const Point3& p) { return plane.height(p); }};
 }
 
 TEST(Fidelity, ObliquePlanesAreFlat) {

@@ -53,6 +53,29 @@ inline Point3 minus(const Point3& a, const Point3& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
+/// Labels 1 and 2 on the sides of a plane through a cube of 40 voxels.
+struct ObliquePlane {
+  Point3 normal;
+
+  /// Above it, in voxels.
+  [[nodiscard]] double height(const Point3& p) const {
+    const double offset = 20.3 * (normal[0] + normal[1] + normal[2]);
+    return (normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2] - offset) / norm(normal);
+  }
+  [[nodiscard]] Image image() const {
+    return image_of({40, 40, 40}, [this](int i, int j, int k) {
+      return height({double(i), double(j), double(k)}) < 0 ? 1 : 2;
+    });
+  }
+};
+
+/// Beyond the image its voxels go on as they end, which bends a plane there.
+inline void drop_near_border(std::vector<Point3>& points) {
+  std::erase_if(points, [](const Point3& p) {
+    return std::ranges::any_of(p, [](double c) { return c < 5 || c > 34; });
+  });
+}
+
 /// Three balls in a cube of voxels: the second lies in the first, the third reaches over
 /// the first's surface and touches the second's, so that three regions and the outside
 /// meet in curves.  The later one wins.

@@ -21,7 +21,6 @@ namespace certet {
 namespace {
 
 using label_images::Balls;
-using label_images::image_of;
 
 /// A mesh's surfaces, and its volumes by label.
 class Surfaces {
@@ -111,23 +110,13 @@ TEST(MeshFidelity, VoxelFacesAreCaught) {
 TEST(MeshFidelity, ObliquePlanesAreFlat) {
   for (const Point3& normal : {Point3{1, 2, 3}, Point3{1, 1.07, 0.93}, Point3{3, 4, 5},
                                Point3{1, 0.3, 0.45}, Point3{1, 0.4, 0}}) {
-    const double length = label_images::norm(normal);
-    const double offset = 20.3 * (normal[0] + normal[1] + normal[2]);
-    const auto height = [&](const Point3& p) {
-      return (normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2] - offset) / length;
-    };
-    const auto domain = interface_domain(image_of({40, 40, 40}, [&](int i, int j, int k) {
-      return height({double(i), double(j), double(k)}) < 0 ? 1 : 2;
-    }));
-    std::vector<Point3> points = Surfaces(*domain).points();
-    // Beyond the image its voxels go on as they end, which bends the plane there.
-    std::erase_if(points, [](const Point3& p) {
-      return std::ranges::any_of(p, [](double c) { return c < 5 || c > 34; });
-    });
+    const label_images::ObliquePlane plane{normal};
+    std::vector<Point3> points = Surfaces(*interface_domain(plane.image())).points();
+    label_images::drop_near_border(points);
     double low = 1e9, high = -1e9;
     for (const Point3& p : points) {
-      low = std::min(low, height(p));
-      high = std::max(high, height(p));
+      low = std::min(low, plane.height(p));
+      high = std::max(high, plane.height(p));
     }
     EXPECT_GT(points.size(), 1000U);
     EXPECT_LE(0.5 * (high - low), 0.2) << normal[0] << ' ' << normal[1] << ' ' << normal[2];
