@@ -43,7 +43,7 @@ BUILD := build
 COMMAND_PACKAGES := \
   g++ cmake ninja-build make git \
   libtbb-dev libinsighttoolkit5-dev libtiff-dev libmuparser-dev libboost-dev \
-  libassimp-dev libopenvdb-dev libblosc-dev libimath-dev zlib1g-dev libpng-dev libjs-three \
+  libassimp-dev libopenvdb-dev libblosc-dev libimath-dev zlib1g-dev libhdf5-dev libpng-dev libjs-three \
   libcli11-dev nlohmann-json3-dev libfmt-dev
 BUILD_PACKAGES := $(COMMAND_PACKAGES) pybind11-dev python3-dev python3-numpy
 DEMO_PACKAGES := $(COMMAND_PACKAGES) mricron-data
@@ -52,7 +52,7 @@ TEST_PACKAGES := \
   $(BUILD_PACKAGES) $(DEMO_PACKAGES) $(PROOF_PACKAGES) \
   libgtest-dev libgmock-dev librapidcheck-dev \
   python3 python3-meshio python3-gmsh python3-vtk9 python3-tifffile python3-pydicom \
-  python3-nibabel calculix-ccx tetgen \
+  python3-nibabel python3-h5py calculix-ccx tetgen \
   chromium chromium-driver python3-selenium \
   clang libclang-rt-14-dev valgrind dpkg-dev mandoc groff pkg-config
 # CGAL, by python3-pygalmesh, is GPL: a program of its own that is compared with, linked to nothing.

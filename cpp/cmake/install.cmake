@@ -56,6 +56,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/certetConfigVersi
 install(FILES
   ${PROJECT_BINARY_DIR}/package/certetConfig.cmake
   ${PROJECT_BINARY_DIR}/package/certetConfigVersion.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/FindHdf5C.cmake
   ${CMAKE_CURRENT_LIST_DIR}/FindOpenVDB.cmake
   DESTINATION ${package_folder} COMPONENT development)
 

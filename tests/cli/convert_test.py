@@ -10,7 +10,8 @@ from program import TORUS, ProgramTest
 USAGE, BAD_INPUT, WRITE_FAILED = 2, 3, 6
 READABLE = {"vtu": "x.vtu", "vtu-zlib": "x.vtu", "medit": "x.mesh", "meditb": "x.meshb",
             "msh": "x.msh", "msh22": "x.msh"}
-WRITTEN = {"inp": "x.inp", "feb": "x.feb", "tetgen": "x.node", "vtp": "x.vtp", "stl": "x.stl", "ply": "x.ply"}
+WRITTEN = {"inp": "x.inp", "feb": "x.feb", "bdf": "x.bdf", "k": "x.k", "mfem": "x.mfem", "xdmf": "x.xdmf", "vtkhdf": "x.vtkhdf",
+           "tetgen": "x.node", "vtp": "x.vtp", "stl": "x.stl", "ply": "x.ply"}
 
 
 class Convert(ProgramTest):

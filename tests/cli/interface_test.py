@@ -121,13 +121,13 @@ class Interfaces(ProgramTest):
 
     def test_every_way_through_the_formats_keeps_them(self):
         self.mesh("a.nrrd", "-o", "a.msh", "--label-names", "names.txt")
-        for last in ("inp", "feb", "vtp", "node"):
+        for last in ("inp", "feb", "bdf", "k", "mfem", "xdmf", "vtp", "node"):
             self.convert("a.msh", f"direct.{last}")
         for via in (("b.vtu",), ("b.mesh",), ("b.meshb",), ("b.msh", "--format", "msh22")):
             self.convert("a.msh", *via)
             _, report = self.check(via[0])
             self.assertEqual([i["labels"] for i in report["interfaces"]], [[1, 2], [1, 3], [2, 3]])
-            for last in ("inp", "feb", "vtp", "node", "msh", "mesh", "meshb"):
+            for last in ("inp", "feb", "bdf", "k", "mfem", "xdmf", "vtp", "node", "msh", "mesh", "meshb"):
                 with self.subTest(via=via[0], last=last):
                     self.convert(via[0], f"c.{last}", "--label-names", "names.txt")
                     if last in ("msh", "mesh", "meshb"):

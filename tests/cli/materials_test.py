@@ -66,7 +66,7 @@ class Regions(MaterialsTest):
 
     def test_names_are_in_files_that_have_room_for_them(self):
         left, right = self.boxes()
-        for name in ("a.msh", "a.inp", "a.feb"):
+        for name in ("a.msh", "a.inp", "a.feb", "a.bdf", "a.k", "a.mfem"):
             self.mesh(left, right, "-o", name, "--size", "0.2")
             text = (self.folder / name).read_bytes()
             for word in (b"left", b"right"):

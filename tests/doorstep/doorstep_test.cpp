@@ -25,6 +25,7 @@ using Folder = test::ScratchFolder;
 
 constexpr Format formats[] = {Format::vtu,    Format::vtu_zlib, Format::medit, Format::medit_binary,
                               Format::gmsh,   Format::gmsh22,   Format::abaqus, Format::febio,
+                              Format::nastran, Format::dyna,   Format::mfem, Format::xdmf, Format::vtkhdf,
                               Format::tetgen, Format::stl,      Format::ply};
 
 std::string bytes_of(const fs::path& file) {

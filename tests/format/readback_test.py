@@ -5,7 +5,9 @@ The truth is the raw .vtu file of the same mesh, read byte by byte."""
 
 import os
 import pathlib
+import re
 import sys
+import time
 import unittest
 import xml.etree.ElementTree as ElementTree
 
@@ -21,11 +23,16 @@ try:
 except ImportError:
     meshio = None
 try:
+    import h5py
+except ImportError:
+    h5py = None
+try:
     import gmsh
 except ImportError:
     gmsh = None
 try:
     from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOHDF import vtkHDFReader
     from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 except ImportError:
     vtkXMLUnstructuredGridReader = None
@@ -361,6 +368,16 @@ class Vtk(Readback):
                 vtk_to_numpy(grid.GetCells().GetConnectivityArray()),
                 vtk_to_numpy(grid.GetCellData().GetArray("label"))))
 
+    def test_vtkhdf(self):
+        reader = vtkHDFReader()
+        reader.SetFileName(self.make("a.vtkhdf"))
+        reader.Update()
+        grid = reader.GetOutput()
+        self.assertEqual(set(vtk_to_numpy(grid.GetCellTypesArray())), {10})
+        self.assert_same(self.truth, Mesh(
+            vtk_to_numpy(grid.GetPoints().GetData()),
+            vtk_to_numpy(grid.GetCells().GetConnectivityArray()),
+            vtk_to_numpy(grid.GetCellData().GetArray("label"))))
 
     def test_vtp(self):
         reader = vtkXMLPolyDataReader()
@@ -415,6 +432,235 @@ class Febio(Readback):
             triangles += [numbers(e) for e in surface]
             patches += [patch] * len(surface)
         self.assert_same(self.truth, Mesh(points, rows[:, 2:], rows[:, 1], triangles, patches))
+
+
+@unittest.skipIf(h5py is None, "h5py was not found")
+class Xdmf(Readback):
+    """The description by this file, the numbers by h5py; and both by meshio."""
+
+    def grids(self, name):
+        """Points, cells and numbers of each, by their description."""
+        file = self.make(name, "--label-names", "names.txt")
+        found = {}
+        for part in (file, file.replace(".xdmf", "_surfaces.xdmf")):
+            root = ElementTree.parse(part).getroot()
+            self.assertEqual((root.tag, root.get("Version")), ("Xdmf", "3.0"))
+            (grid,) = root.find("Domain").findall("Grid")
+            arrays = []
+            for path in ("Geometry/DataItem", "Topology/DataItem", "Attribute/DataItem"):
+                item = grid.find(path)
+                file, array = item.text.split(":")
+                data = h5py.File(self.folder / file, "r")[array]
+                self.assertEqual([int(n) for n in item.get("Dimensions").split()],
+                                 list(data.shape))
+                self.assertEqual(int(item.get("Precision")), data.dtype.itemsize)
+                arrays.append(data[()])
+            names = re.findall("<!-- (.*) -->", pathlib.Path(part).read_text())
+            found[grid.get("Name")] = (*arrays, names)
+        return found
+
+    def test_mesh_and_surfaces(self):
+        grids = self.grids("a.xdmf")
+        points, tets, labels, names = grids["mesh"]
+        _, triangles, patches, sheets = grids["surfaces"]
+        self.assert_same(self.truth, Mesh(points, tets, labels, triangles, patches))
+        self.assertEqual(names, ["SPACE=LPS", "label 3 is Left &lt;lobe&gt; &amp; more",
+                                 "label 7 is Left-lobe", "label 12 is left?lobe"])
+        self.assertEqual(sheets[1], "surface 2 is border")
+        self.assertEqual(sheets[3], "surface 4 is Left &lt;lobe&gt; &amp; more-left?lobe")
+        self.assertEqual([f for f in self.files() if f.startswith("a")],
+                         ["a.h5", "a.nrrd", "a.xdmf", "a_surfaces.xdmf"])
+
+    @unittest.skipIf(meshio is None, "meshio was not found")
+    def test_meshio(self):
+        mesh = meshio.read(self.make("b & c.xdmf"))
+        self.assert_same(self.truth, Mesh(mesh.points, *blocks(mesh, "tetra", "label")))
+        surfaces = meshio.read(self.folder / "b & c_surfaces.xdmf")
+        self.assertEqual(boundary_differences(self.truth, Mesh(
+            mesh.points, self.truth.tets, self.truth.labels,
+            *blocks(surfaces, "triangle", "surface"))), [])
+
+    def test_bytes_are_the_same_at_any_time(self):
+        for name in ("a.xdmf", "a.vtkhdf"):
+            self.make(name, "--threads", "1")
+            first = (self.folder / name.replace("xdmf", "h5")).read_bytes()
+            time.sleep(1.1)
+            least = self.mesh("a.nrrd", "--threads", 3, "-o", name)["memory"]["least"]
+            self.mesh("a.nrrd", "--threads", 3, "--max-memory", least, "-o", name)
+            self.assertEqual((self.folder / name.replace("xdmf", "h5")).read_bytes(), first)
+
+
+class Solvers(Readback):
+    """Nastran's file is read by meshio and Gmsh too; nobody in reach reads the others."""
+
+    SHEETS = ("surface", "border", "Left <lobe> & more-Left-lobe",
+              "Left <lobe> & more-left?lobe", "Left-lobe-left?lobe")
+    REGIONS = {3: "Left <lobe> & more", 7: "Left-lobe", 12: "left?lobe"}
+
+    def fields(self, line, width):
+        return [line[i:i + width].strip() for i in range(0, len(line), width)]
+
+    def text(self, name, *options):
+        return pathlib.Path(self.make(name, "--label-names", "names.txt", *options)) \
+            .read_text().splitlines()
+
+    def points_of_sheets(self, truth):
+        """By the faces of TetGen's file."""
+        rows = np.loadtxt(self.make("a.face"), skiprows=1, dtype=np.int64)
+        return {name: sorted({int(p) for p in rows[rows[:, 4] == number, 1:4].ravel()})
+                for number, name in enumerate(self.SHEETS, start=1)}
+
+    def nastran(self, lines):
+        """Points, elements by number, sets of points by name, properties by name."""
+        points, tets, sets, names = [], [], {}, {}
+        told = None
+        for line in lines:
+            if line.startswith("$"):
+                told = line[2:]
+                continue
+            card = self.fields(line, 8)
+            if line.startswith("GRID*"):
+                wide = self.fields(line[8:], 16)
+                self.assertEqual((int(wide[0]), wide[1]), (len(points) + 1, ""))
+                points.append([float(wide[2]), float(wide[3])])
+            elif line.startswith("*       "):
+                points[-1].append(float(line[8:]))
+            elif card[0] == "CTETRA":
+                self.assertEqual(int(card[1]), len(tets) + 1)
+                tets.append([int(word) for word in card[2:]])
+            elif card[0] == "PSOLID":
+                self.assertEqual(card[1], card[2])
+                names[int(card[1])] = told.removeprefix("region ")
+            elif card[0] == "SET1":
+                latest = sets.setdefault(told.removeprefix("points of "), [])
+                latest += [int(word) for word in card[2:]]
+            elif card[0] == "+":
+                latest += [int(word) for word in card[1:]]
+        return np.array(points), np.array(tets), sets, names
+
+    def test_nastran(self):
+        lines = self.text("a.bdf")
+        points, tets, sets, names = self.nastran(lines)
+        self.assertEqual((lines[1], lines[-1]), ("BEGIN BULK", "ENDDATA"))
+        self.assert_same(self.truth, Mesh(points, tets[:, 1:] - 1, tets[:, 0]), exact=False)
+        self.assertEqual(names, self.REGIONS)
+        self.assertEqual(sets, self.points_of_sheets(self.truth))
+
+    @unittest.skipIf(meshio is None, "meshio was not found")
+    def test_nastran_by_meshio(self):
+        mesh = meshio.read(self.make("a.bdf"))
+        tets = mesh.cells_dict["tetra"]
+        labels = np.concatenate([np.asarray(d) for d in mesh.cell_data["nastran:ref"]])
+        self.assert_same(self.truth, Mesh(mesh.points, tets, labels), exact=False)
+
+    @unittest.skipIf(gmsh is None, "gmsh was not found")
+    def test_nastran_by_gmsh(self):
+        path = self.make("a.bdf")
+        gmsh.initialize()
+        self.addCleanup(gmsh.finalize)
+        gmsh.option.setNumber("General.Terminal", 0)
+        gmsh.open(path)
+        tags, places, _ = gmsh.model.mesh.getNodes()
+        points = np.empty((len(tags), 3))
+        points[np.asarray(tags) - 1] = np.reshape(places, (-1, 3))
+        rows = []
+        for _, entity in gmsh.model.getEntities(3):
+            numbers_, nodes = gmsh.model.mesh.getElementsByType(4, entity)
+            rows.append(np.column_stack([numbers_, np.full(len(numbers_), entity),
+                                         np.reshape(nodes, (-1, 4)).astype(np.int64) - 1]))
+        rows = np.concatenate(rows).astype(np.int64)
+        rows = rows[np.argsort(rows[:, 0])]
+        self.assert_same(self.truth, Mesh(points, rows[:, 2:], rows[:, 1]), exact=False)
+
+    def keywords(self, lines):
+        """Blocks of lines behind each keyword, in order."""
+        blocks_ = []
+        for line in lines:
+            if line.startswith("*"):
+                blocks_.append((line[1:], []))
+            else:
+                blocks_[-1][1].append(line)
+        return blocks_
+
+    def test_dyna(self):
+        found = self.keywords(self.text("a.k"))
+        self.assertEqual(found[0][0], "KEYWORD")
+        self.assertEqual(found[-1], ("END", []))
+        sections, nodes, elements = (dict(found)[k] for k in
+                                     ("SECTION_SOLID", "NODE", "ELEMENT_SOLID"))
+        self.assertEqual([f.strip() for f in self.fields(sections[0], 10)], ["1", "10"])
+        points = [[float(line[i:i + 16]) for i in (8, 24, 40)] for line in nodes]
+        self.assertEqual([int(line[:8]) for line in nodes], list(range(1, len(nodes) + 1)))
+        rows = np.array([[int(f) for f in self.fields(line, 8)] for line in elements])
+        self.assertEqual(rows[:, 0].tolist(), list(range(1, len(rows) + 1)))
+        self.assertTrue((rows[:, 6:] == rows[:, 5:6]).all())
+        self.assertEqual({int(block[1][:10]): block[0] for k, block in found if k == "PART"},
+                         self.REGIONS)
+        for key, block in found:
+            if key == "PART":  # number, section, material
+                part = [int(f) for f in self.fields(block[1], 10)]
+                self.assertEqual(part[1:], [1, part[0]])
+        sets = {block[0]: [int(f) for line in block[2:] for f in self.fields(line, 10)]
+                for key, block in found if key == "SET_NODE_LIST_TITLE"}
+        self.assertEqual(sets, self.points_of_sheets(self.truth))
+        triangles, patches = [], []
+        for key, block in found:
+            if key != "SET_SEGMENT_TITLE":
+                continue
+            for line in block[2:]:
+                a, b, c, again = (int(f) - 1 for f in self.fields(line, 10))
+                self.assertEqual(c, again)
+                triangles.append((a, b, c))
+                patches.append(self.SHEETS.index(block[0]) + 1)
+        self.assert_same(self.truth, Mesh(points, rows[:, 2:6] - 1, rows[:, 1], triangles,
+                                          patches), exact=False)
+
+    def test_mfem(self):
+        lines = self.text("a.mfem")
+        self.assertEqual(lines[0], "MFEM mesh v1.0")
+        told = [line for line in lines if line.startswith("#")]
+        for number, name in enumerate(self.SHEETS, start=1):
+            self.assertIn(f"# boundary attribute {number} is {name}", told)
+        for number, name in self.REGIONS.items():
+            self.assertIn(f"# attribute {number} is {name}", told)
+        words = iter(" ".join(line for line in lines[1:] if not line.startswith("#")).split())
+        self.assertEqual([next(words) for _ in range(3)], ["dimension", "3", "elements"])
+        elements = np.array([[int(next(words)) for _ in range(6)]
+                             for _ in range(int(next(words)))])
+        self.assertTrue((elements[:, 1] == 4).all())
+        self.assertEqual(next(words), "boundary")
+        boundary = np.array([[int(next(words)) for _ in range(5)]
+                             for _ in range(int(next(words)))])
+        self.assertTrue((boundary[:, 1] == 2).all())
+        self.assertEqual(next(words), "vertices")
+        count, dimension = int(next(words)), int(next(words))
+        self.assertEqual(dimension, 3)
+        points = [[float(next(words)) for _ in range(3)] for _ in range(count)]
+        self.assertEqual(list(words), [])
+        self.assert_same(self.truth, Mesh(points, elements[:, 2:], elements[:, 0],
+                                          boundary[:, 2:], boundary[:, 0]))
+
+    def test_labels_that_are_no_numbers_there(self):
+        """0, negative, and beyond what eight characters hold."""
+        labels = {3: -4, 7: 614454277, 12: 5}
+        write_nrrd(self.folder / "b.nrrd", SIZE, voxels(
+            SIZE, lambda i, j, k: labels.get(self.label(i, j, k), 0)), kind="i")
+        for name, numbers_ in (("b.bdf", {5, 6, 7}), ("b.k", {5, 6, 7}),
+                               ("b.mfem", {5, 614454277, 614454278})):
+            run = self.run_certet("mesh", "b.nrrd", "-o", name, "--labels", "-4,5,614454277")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertIn("label -4 has the number", run.stderr)
+            text = (self.folder / name).read_text()
+            for number in numbers_:
+                self.assertRegex(text, rf"\b{number}\b")
+
+    def test_coordinates_far_from_0(self):
+        """Fields of 16 characters hold no atom's width at the end of the solar system."""
+        write_nrrd(self.folder / "far.nrrd", SIZE, voxels(SIZE, self.label), kind="B",
+                   origin=(1e12 + 0.125, 0, 0))
+        for name in ("far.bdf", "far.k"):
+            self.assert_fails(6, [name, "16 characters", "origin"], "mesh", "far.nrrd", "-o", name)
+            self.make(name, "--origin", "0")
 
 
 class Patches(Readback):

@@ -101,10 +101,10 @@ test::SampleMesh tetrahedron(double x) {
 TEST(SinglePrecision, OnlyStlHasIt) {
   const test::ScratchFolder folder;
   for (const char* name : {"a.vtu", "a.mesh", "a.meshb", "a.msh", "a.inp", "a.feb", "a.node",
-                           "a.ply"}) {
+                           "a.mfem", "a.ply"}) {
     test::write(folder / name, tetrahedron(1e9));
     if (name == std::string("a.node") || name == std::string("a.inp") ||
-        name == std::string("a.feb") || name == std::string("a.ply"))
+        name == std::string("a.feb") || name == std::string("a.mfem") || name == std::string("a.ply"))
       continue;
     EXPECT_EQ(certet::read(folder / name).points, tetrahedron(1e9).points) << name;
   }
@@ -128,15 +128,17 @@ TEST(SinglePrecision, AllOthersHaveDoubles) {
   std::memcpy(bytes.data(), &number, sizeof number);
   for (const auto& [format, file] :
        {std::pair(Format::medit, "a.mesh"), {Format::gmsh22, "a.msh"}, {Format::abaqus, "a.inp"},
-        {Format::febio, "a.feb"}, {Format::tetgen, "a.node"}}) {
+        {Format::febio, "a.feb"}, {Format::mfem, "a.mfem"}, {Format::tetgen, "a.node"}}) {
     test::write_as(folder / file, format, mesh);
     EXPECT_NE(test::bytes_of(folder / file).find("0.30000000000000004"), std::string::npos) << file;
   }
   for (const auto& [format, file] :
        {std::pair(Format::vtu, "a.vtu"), {Format::medit_binary, "a.meshb"},
-        {Format::gmsh, "b.msh"}, {Format::ply, "a.ply"}}) {
+        {Format::gmsh, "b.msh"}, {Format::ply, "a.ply"}, {Format::vtkhdf, "a.vtkhdf"},
+        {Format::xdmf, "a.xdmf"}}) {
+    if ((format == Format::vtkhdf || format == Format::xdmf) && !has_hdf5()) continue;
     test::write_as(folder / file, format, mesh);
-    EXPECT_NE(test::bytes_of(folder / file).find(bytes), std::string::npos) << file;
+    EXPECT_NE(test::bytes_of(files_of(folder / file, format).back()).find(bytes), std::string::npos) << file;
   }
 }
 

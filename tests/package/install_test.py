@@ -7,7 +7,7 @@ import unittest
 from project import BUILD, CMAKE, EXAMPLES, SOURCE, PackageTest
 
 
-OPTIONAL = ("ITK", "MUPARSER", "BOOST", "ASSIMP", "OPENVDB", "ZLIB", "PNG", "THREE", "PYBIND11")
+OPTIONAL = ("ITK", "MUPARSER", "BOOST", "ASSIMP", "OPENVDB", "ZLIB", "HDF5", "PNG", "THREE", "PYBIND11")
 
 
 def without(*parts):

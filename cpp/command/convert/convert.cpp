@@ -196,8 +196,7 @@ Run declare_convert(CLI::App& app) {
       ->required()
       ->option_text("IN");
   app.add_option("output", options->output,
-                 "Mesh: .vtu, .mesh, .meshb, .msh, .inp, .feb, .node (with .ele, .face); its "
-                 "surfaces: .vtp, .stl, .ply")
+                 "Mesh: " + mesh_extensions() + "; its surfaces: " + surface_extensions())
       ->required()
       ->option_text("OUT");
   app.add_option("--format", options->format, format_names() + " (default: by the extension)")

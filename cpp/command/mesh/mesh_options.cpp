@@ -120,8 +120,7 @@ void declare_placing(CLI::App& mesh, std::string& frame, std::string& scale) {
 
 void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("-o,--output", options.output,
-                  "Mesh: .vtu, .mesh, .meshb, .msh, .inp, .feb, .node (with .ele, .face); "
-                  "its surfaces: .vtp, .stl, .ply")
+                  "Mesh: " + mesh_extensions() + "; its surfaces: " + surface_extensions())
       ->option_text("OUT");
   mesh.add_option("--format", raw.format, format_names() + " (default: by the extension)")
       ->option_text("F");

@@ -38,6 +38,12 @@ constexpr Entry registry[] = {
      gmsh_label_losses},
     {Format::abaqus, "inp", {".inp"}, true, open_abaqus, abaqus_bytes, nullptr},
     {Format::febio, "feb", {".feb"}, true, open_febio, febio_bytes, nullptr},
+    {Format::nastran, "bdf", {".bdf", ".nas"}, true, open_nastran, nastran_bytes, nullptr,
+     nastran_label_losses},
+    {Format::dyna, "k", {".k", ".key"}, true, open_dyna, dyna_bytes, nullptr, dyna_label_losses},
+    {Format::mfem, "mfem", {".mfem"}, true, open_mfem, mfem_bytes, nullptr, mfem_label_losses},
+    {Format::xdmf, "xdmf", {".xdmf"}, true, open_xdmf, xdmf_bytes, nullptr},
+    {Format::vtkhdf, "vtkhdf", {".vtkhdf"}, false, open_vtkhdf, vtkhdf_bytes, nullptr},
     {Format::tetgen, "tetgen", {".node", ".ele", ".face"}, true, open_tetgen, tetgen_bytes,
      nullptr},
     {Format::vtp, "vtp", {".vtp"}, true, open_vtp, vtp_bytes, nullptr},
@@ -63,6 +69,21 @@ void append_word(std::string& words, std::string_view word) {
   words.append(words.empty() ? "" : ", ").append(word);
 }
 
+constexpr bool is_surface(Format format) {
+  return format == Format::vtp || format == Format::stl || format == Format::ply;
+}
+
+std::string first_extensions(bool surfaces) {
+  std::string words;
+  for (const Entry& entry : registry)
+    if (!entry.extensions[0].empty() && is_surface(entry.format) == surfaces) {
+      append_word(words, entry.extensions[0]);
+      if (entry.format == Format::tetgen) words += " (with .ele, .face)";
+      if (entry.format == Format::xdmf) words += " (with _surfaces.xdmf, .h5)";
+    }
+  return words;
+}
+
 }  // namespace
 
 std::optional<Format> format_of(const fs::path& file) {
@@ -85,7 +106,14 @@ std::string format_names() {
   return names;
 }
 
+std::string mesh_extensions() { return first_extensions(false); }
+std::string surface_extensions() { return first_extensions(true); }
+
 std::vector<fs::path> files_of(const fs::path& file, Format format) {
+  if (format == Format::xdmf) {
+    const fs::path name = file.parent_path() / file.stem();
+    return {file, fs::path(name).concat("_surfaces.xdmf"), fs::path(name).concat(".h5")};
+  }
   if (format != Format::tetgen) return {file};
   std::vector<fs::path> files;
   for (const std::string_view extension : entry_of(format).extensions)
@@ -96,7 +124,18 @@ std::vector<fs::path> files_of(const fs::path& file, Format format) {
 bool needs_survey(Format format) { return entry_of(format).needs_survey; }
 
 bool holds_middle_nodes(Format format) {
-  return format != Format::vtp && format != Format::stl && format != Format::ply;
+  switch (format) {
+    case Format::vtu:
+    case Format::vtu_zlib:
+    case Format::medit:
+    case Format::medit_binary:
+    case Format::gmsh:
+    case Format::gmsh22:
+    case Format::abaqus:
+    case Format::febio:
+    case Format::tetgen: return true;
+    default: return false;
+  }
 }
 
 std::unique_ptr<MeshWriter> open_writer(const fs::path& file, Format format,

@@ -15,7 +15,8 @@ namespace {
 class Gmsh22Writer final : public StreamedWriter {
  public:
   Gmsh22Writer(const std::filesystem::path& file, const MeshSize& size)
-      : StreamedWriter(file, size), groups_(survey()), nodes_(size, gmsh_order), text_(file_, 0) {
+      : StreamedWriter(file, size), groups_(survey()), latest_(groups_), nodes_(size, gmsh_order),
+        text_(file_, 0) {
     text_.append_text("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
     text_.append_text(groups_.naming_sections());
     append(Line() << "$Nodes\n" << size.points << '\n');
@@ -35,12 +36,9 @@ class Gmsh22Writer final : public StreamedWriter {
 
   void put_tets(std::uint64_t first, std::span<const Tet<std::uint64_t>> tets,
                 std::span<const std::int32_t> labels) override {
-    for (std::size_t i = 0; i < tets.size(); ++i) {
-      if (labels[i] != label_ || tag_ == 0) tag_ = groups_.tag_of(label_ = labels[i]);
-      if (tag_ == 0) file_.fail("a tetrahedron has a label that was not announced");
-      put_element(first + i, nodes_.has_middles() ? gmsh_tetrahedron_10 : gmsh_tetrahedron, tag_,
-                  nodes_.tet(tets[i]));
-    }
+    for (std::size_t i = 0; i < tets.size(); ++i)
+      put_element(first + i, nodes_.has_middles() ? gmsh_tetrahedron_10 : gmsh_tetrahedron,
+                  latest_.number_of(labels[i], file_), nodes_.tet(tets[i]));
   }
 
   /// Its number, its type, two tags (the physical and the elementary group), its
@@ -64,9 +62,9 @@ class Gmsh22Writer final : public StreamedWriter {
   }
 
   GmshGroups groups_;
+  LatestGroup latest_;
   ElementNodes nodes_;
   Section text_;
-  std::int32_t label_ = 0, tag_ = 0;  ///< of the latest tetrahedron
 };
 
 }  // namespace

@@ -12,10 +12,6 @@
 
 namespace certet::formats {
 
-/// The group of each region, whose labels grow: the label where that is positive; for the others
-/// numbers that no label is, from behind the greatest on.
-std::vector<std::int32_t> gmsh_tags(const std::vector<Region>& regions);
-
 /// A section that says which groups are of labels that are not positive; empty where none is.
 /// Programs that do not know the section pass over it.
 std::string gmsh_label_section(const std::vector<Region>& regions);
@@ -23,7 +19,7 @@ std::string gmsh_label_section(const std::vector<Region>& regions);
 /// Adds what a line of that section says, of any other line nothing.
 void read_gmsh_label(std::string_view line, std::map<std::int32_t, std::int32_t>& label_of_group);
 
-/// What is told of labels that are not positive; none where all are.
+/// As `told_of_labels`.
 std::vector<std::string> gmsh_label_losses(const Survey& survey);
 
 }  // namespace certet::formats

@@ -51,7 +51,7 @@ void add_entities(Bytes& bytes, const GmshGroups& groups, const Bounds& box) {
   bytes.text("$Entities\n");
   bytes.add(Size{0}, Size{0}, Size{groups.sheets.all().size()}, Size{groups.regions.size()});
   for (const Sheet& sheet : groups.sheets.all()) add(sheet.number);
-  for (const GmshGroups::Group& region : groups.regions) add(region.tag);
+  for (const GmshGroups::Group& region : groups.regions) add(region.number);
   bytes.text("\n$EndEntities\n");
 }
 
@@ -70,7 +70,7 @@ Bytes nodes_heading(const GmshGroups& groups, Size points) {
   bytes.text("$Nodes\n");
   const bool any = points > 0 && !groups.regions.empty();
   bytes.add(Size{any ? 1u : 0u}, points, Size{points > 0 ? 1u : 0u}, points);
-  if (any) bytes.add(volume_dimension, groups.regions.front().tag, Int{0}, points);
+  if (any) bytes.add(volume_dimension, groups.regions.front().number, Int{0}, points);
   return bytes;
 }
 
@@ -147,7 +147,7 @@ void GmshWriter::open_tets() {
   for (std::size_t i = 0; i < groups_.regions.size(); ++i) {
     const Region& region = survey().regions[i];
     const Bytes heading =
-        block_heading(volume_dimension, groups_.regions[i].tag,
+        block_heading(volume_dimension, groups_.regions[i].number,
                       nodes_.has_middles() ? gmsh_tetrahedron_10 : gmsh_tetrahedron, region.tets);
     end_ = tets_.open(region, end_, heading.all(), tet_bytes(nodes_));
   }

@@ -9,7 +9,9 @@ namespace {
 constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-std::size_t longest(NameRule rule) { return rule == NameRule::identifier ? 80 : 127; }
+std::size_t longest(NameRule rule) {
+  return rule == NameRule::identifier ? 80 : rule == NameRule::title ? 70 : 127;
+}
 
 /// How many bytes of UTF-8 begin a text as one character; 0 if they are damaged
 /// or none that XML allows.
@@ -53,18 +55,6 @@ std::string as_text(std::string_view name) {
   return result;
 }
 
-std::string escaped(std::string_view name) {
-  std::string result;
-  for (const char c : name) {
-    if (c == '&') result += "&amp;";
-    else if (c == '<') result += "&lt;";
-    else if (c == '>') result += "&gt;";
-    else if (c == '\'') result += "&apos;";
-    else result += c;
-  }
-  return result;
-}
-
 /// Cuts a text between two characters.
 void shorten(std::string& text, std::size_t length) {
   if (text.size() <= length) return;
@@ -79,6 +69,18 @@ std::string lower_case(std::string text) {
 }
 
 }  // namespace
+
+std::string escaped_xml(std::string_view name) {
+  std::string result;
+  for (const char c : name) {
+    if (c == '&') result += "&amp;";
+    else if (c == '<') result += "&lt;";
+    else if (c == '>') result += "&gt;";
+    else if (c == '\'') result += "&apos;";
+    else result += c;
+  }
+  return result;
+}
 
 std::string default_name(std::int32_t label) {
   return (label < 0 ? "region_minus_" : "region_") + std::to_string(std::abs(std::int64_t{label}));
@@ -100,7 +102,7 @@ std::vector<std::string> names_of(const std::vector<Region>& regions, NameRule r
       name += suffix;
       suffix += '_';
     }
-    names.push_back(rule == NameRule::xml ? escaped(name) : name);
+    names.push_back(rule == NameRule::xml ? escaped_xml(name) : name);
   }
   return names;
 }

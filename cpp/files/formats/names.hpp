@@ -13,9 +13,13 @@ namespace certet::formats {
 /// What a format allows in names.
 enum class NameRule {
   quoted,      ///< anything printable but quotation marks, up to 127 bytes: Gmsh
+  title,       ///< the same, up to 70 bytes: LS-DYNA
   identifier,  ///< letters, digits and underscores, up to 80, a letter first: Abaqus
-  xml,         ///< valid XML text, to stand in an attribute: FEBio
+  xml,         ///< valid XML text, to stand in an attribute: FEBio, XDMF
 };
+
+/// A text as XML has it.
+std::string escaped_xml(std::string_view text);
 
 /// Of a region that has none: region_5, region_minus_5.
 std::string default_name(std::int32_t label);

@@ -142,6 +142,16 @@ void OutputFile::retract() {
   published_ = false;
 }
 
+void commit_together(std::span<OutputFile* const> files) {
+  for (OutputFile* file : files) file->store();
+  try {
+    for (OutputFile* file : files) file->publish();
+  } catch (...) {
+    for (OutputFile* file : files) file->retract();
+    throw;
+  }
+}
+
 void OutputFile::fail(const std::string& reason) const {
   throw Error(ErrorCode::write_failed, "cannot write '" + asked_for_.string() + "': " + reason);
 }

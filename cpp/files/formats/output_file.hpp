@@ -33,6 +33,9 @@ class OutputFile {
   /// Everything reaches the disk, then the file appears under its name.
   void commit();
 
+  /// Where it grows, for libraries that write files themselves.
+  [[nodiscard]] const std::filesystem::path& growing() const { return temporary_; }
+
   /// The two halves of `commit`, for files that belong together.
   void store();
   void publish();
@@ -52,5 +55,9 @@ class OutputFile {
   bool published_ = false;
   int descriptor_ = -1;
 };
+
+/// All of them are whole on the disk before the first one takes its name, and where one cannot,
+/// none does.
+void commit_together(std::span<OutputFile* const> files);
 
 }  // namespace certet::formats

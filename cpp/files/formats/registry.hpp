@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "certet/formats.hpp"
 
@@ -49,6 +51,24 @@ std::uint64_t febio_bytes(const MeshSize& size);
 
 std::unique_ptr<MeshWriter> open_tetgen(const std::filesystem::path& file, const MeshSize& size);
 std::uint64_t tetgen_bytes(const MeshSize& size);
+
+std::unique_ptr<MeshWriter> open_nastran(const std::filesystem::path& file, const MeshSize& size);
+std::uint64_t nastran_bytes(const MeshSize& size);
+std::vector<std::string> nastran_label_losses(const Survey& survey);
+
+std::unique_ptr<MeshWriter> open_dyna(const std::filesystem::path& file, const MeshSize& size);
+std::uint64_t dyna_bytes(const MeshSize& size);
+std::vector<std::string> dyna_label_losses(const Survey& survey);
+
+std::unique_ptr<MeshWriter> open_mfem(const std::filesystem::path& file, const MeshSize& size);
+std::uint64_t mfem_bytes(const MeshSize& size);
+std::vector<std::string> mfem_label_losses(const Survey& survey);
+
+std::unique_ptr<MeshWriter> open_xdmf(const std::filesystem::path& file, const MeshSize& size);
+std::uint64_t xdmf_bytes(const MeshSize& size);
+
+std::unique_ptr<MeshWriter> open_vtkhdf(const std::filesystem::path& file, const MeshSize& size);
+std::uint64_t vtkhdf_bytes(const MeshSize& size);
 
 std::unique_ptr<MeshWriter> open_stl(const std::filesystem::path& file, const MeshSize& size);
 std::uint64_t stl_bytes(const MeshSize& size);

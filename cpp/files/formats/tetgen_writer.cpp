@@ -55,16 +55,7 @@ class TetgenWriter final : public StreamedWriter {
   }
 
   /// All three are whole on the disk before the first one takes its name.
-  void commit() override {
-    const std::array files{&file_, &ele_file_, &face_file_};
-    for (OutputFile* file : files) file->store();
-    try {
-      for (OutputFile* file : files) file->publish();
-    } catch (...) {
-      for (OutputFile* file : files) file->retract();
-      throw;
-    }
-  }
+  void commit() override { commit_together(std::array{&file_, &ele_file_, &face_file_}); }
 
   OutputFile ele_file_, face_file_;
   ElementNodes nodes_;

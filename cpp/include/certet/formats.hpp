@@ -28,6 +28,11 @@ enum class Format {
   gmsh22,        ///< Gmsh 2.2, ASCII
   abaqus,        ///< Abaqus input: nodes, elements and sets (.inp)
   febio,         ///< FEBio 4.0: the mesh alone (.feb)
+  nastran,       ///< Nastran bulk data: the mesh alone (.bdf, .nas)
+  dyna,          ///< LS-DYNA keywords: the mesh alone (.k, .key)
+  mfem,          ///< MFEM mesh v1.0 (.mfem)
+  xdmf,          ///< XDMF 3, with its numbers in HDF5: .xdmf, _surfaces.xdmf and .h5
+  vtkhdf,        ///< VTKHDF 1.0, an unstructured grid (.vtkhdf)
   tetgen,        ///< three files: .node, .ele and .face
   vtp,           ///< VTK XML surfaces: the boundary and all interfaces, raw (.vtp)
   stl,           ///< the boundary or a chosen surface alone, binary (.stl)
@@ -37,20 +42,26 @@ enum class Format {
 /// The format that a file name's extension stands for.
 std::optional<Format> format_of(const std::filesystem::path& file);
 /// The format of a name: vtu, vtu-zlib, medit, meditb, msh, msh22, inp, feb,
-/// tetgen, vtp, stl, ply.
+/// bdf, k, mfem, xdmf, vtkhdf, tetgen, vtp, stl, ply.
 std::optional<Format> format_named(std::string_view name);
 std::string_view name(Format format);
 /// All names, for sentences.
 std::string format_names();
+/// The extensions of files that hold meshes, and of those that hold surfaces alone, for sentences.
+std::string mesh_extensions();
+std::string surface_extensions();
 
-/// All files that are written for this one: more than one for TetGen.
+/// All files that are written for this one: more than one for TetGen and XDMF.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& file, Format format);
 
 /// Whether `vtu_zlib` was built in; without it compressed files cannot be read
 /// either.
 bool can_compress();
 
-/// Whether a format has tetrahedra of ten nodes; those of surfaces alone have none.
+/// Whether `xdmf` and `vtkhdf` were built in.
+bool has_hdf5();
+
+/// Whether a format has tetrahedra of ten nodes: .vtu, .mesh, .meshb, .msh, .inp, .feb and TetGen.
 bool holds_middle_nodes(Format format);
 
 /// Whether a writer needs to know the mesh's survey beforehand.
@@ -79,7 +90,8 @@ struct MeshSize {
 /// tetrahedra come than were announced, or an index without a point, and, in `finish`,
 /// where the format's numbers cannot hold the mesh: .stl has single precision, in which
 /// points must stay distinct and triangles keep an area and, but for 4.5 degrees, their
-/// normals.  All other formats have doubles, those of text in the shortest form that
+/// normals; .bdf and .k have fields of 16 characters, which may round by a thousand millionth of
+/// the mesh's length.  All other formats have doubles, those of text in the shortest form that
 /// reads back the same, but for .inp, whose numbers have at most 20 characters.
 class MeshWriter {
  public:
@@ -103,8 +115,9 @@ std::unique_ptr<MeshWriter> open_writer(const std::filesystem::path& file, Forma
 std::uint64_t file_bytes(Format format, const MeshSize& size);
 
 /// What a format cannot hold of a mesh's labels and what became of it, a sentence each.
-/// Gmsh's groups have positive numbers: all other labels have the next that are free there, and
-/// a comment by which `read` gives them back.
+/// Gmsh's groups, Nastran's properties, LS-DYNA's parts and MFEM's attributes have positive numbers,
+/// the second and third of up to 8 digits: all other labels have the next that are free there, and
+/// in Gmsh's files a comment by which `read` gives them back.
 std::vector<std::string> label_losses(Format format, const Survey& survey);
 
 /// Triangles that a file holds together, under a number and, where the format has them, a name.

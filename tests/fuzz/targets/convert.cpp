@@ -17,9 +17,11 @@ using certet::Format;
 
 constexpr std::array readable{Format::vtu,  Format::vtu_zlib, Format::medit, Format::medit_binary,
                               Format::gmsh, Format::gmsh22};
-constexpr std::array written{Format::abaqus, Format::febio, Format::tetgen, Format::stl, Format::ply};
-constexpr std::array<std::string_view, 11> names{"a.vtu", "a.vtu", "a.mesh", "a.meshb",
+constexpr std::array written{Format::abaqus, Format::febio, Format::nastran, Format::dyna,
+                             Format::mfem,   Format::xdmf, Format::vtkhdf, Format::tetgen, Format::stl, Format::ply};
+constexpr std::array<std::string_view, 16> names{"a.vtu", "a.vtu", "a.mesh", "a.meshb",
                                                  "a.msh", "a.msh", "a.inp",  "a.feb",
+                                                 "a.bdf", "a.k", "a.mfem", "a.xdmf", "a.vtkhdf",
                                                  "a.node", "a.stl", "a.ply"};
 
 /// No two NaN need have the same bits.
