@@ -92,6 +92,11 @@ module Nat =
     | S n' -> (match m with
                | O -> false
                | S m' -> leb n' m')
+
+  (** val ltb : nat -> nat -> bool **)
+
+  let ltb n m =
+    leb (S n) m
  end
 
 module Pos =
@@ -1663,6 +1668,61 @@ let levelGap s s' =
 let strictGap _ _ =
   Zpos XH
 
+(** val towards : direction -> direction -> bool **)
+
+let towards e e' =
+  coord3Equal (translate (offset e) (offset e')) (C3 (Z0, Z0, Z0))
+
+(** val roomFor : signField -> gap -> coord3 -> coord3 -> z **)
+
+let roomFor sign0 gap0 v w =
+  Z.sub (Z.div steps (Zpos (XO XH))) (gap0 (sign0 v) (sign0 w))
+
+(** val roomBeside :
+    signField -> gap -> (coord3 -> warping) -> (coord3 -> nat) -> zeros ->
+    coord3 -> direction -> z -> direction -> z **)
+
+let roomBeside sign0 gap0 target turn0 zeros0 v e t0 d =
+  let w = translate v (offset d) in
+  (match directionKind d with
+   | Long -> t0
+   | Short ->
+     if Z.ltb Z0 (dot (offset d) (offset e))
+     then (match placeIn zeros0 w with
+           | Stays ->
+             (match target w with
+              | Stays -> t0
+              | Moves (e', t') ->
+                if (&&) (towards e e') (Nat.ltb (turn0 v) (turn0 w))
+                then Z.div (Z.sub (Z.add (roomFor sign0 gap0 v w) t0) t')
+                       (Zpos (XO XH))
+                else t0)
+           | Moves (e', t') ->
+             if towards e e' then Z.sub (roomFor sign0 gap0 v w) t' else t0)
+     else t0)
+
+(** val shortened :
+    signField -> gap -> (coord3 -> warping) -> (coord3 -> nat) -> zeros ->
+    coord3 -> direction -> z -> z **)
+
+let shortened sign0 gap0 target turn0 zeros0 v e t0 =
+  match directionKind e with
+  | Long ->
+    fold_left (fun reached d ->
+      Z.min reached (roomBeside sign0 gap0 target turn0 zeros0 v e t0 d))
+      allDirections t0
+  | Short -> t0
+
+(** val staysRather :
+    thresholds -> (direction -> bool) -> direction -> z -> z -> bool **)
+
+let staysRather th violates0 e t0 reached =
+  (&&)
+    (Z.ltb (Z.sub (thresholdSteps th (directionKind e)) t0)
+      (Z.sub t0 reached))
+    (forallb (fun d -> (||) (negb (violates0 d)) (sameDirection d e))
+      allDirections)
+
 (** val signAmong : signField -> zeros -> coord3 -> sign **)
 
 let signAmong sign0 zeros0 v =
@@ -1673,32 +1733,12 @@ let signAmong sign0 zeros0 v =
 let linkAmong sign0 zeros0 v =
   gather (fun d -> signAmong sign0 zeros0 (translate v (offset d)))
 
-(** val shortOf :
-    signField -> gap -> zeros -> coord3 -> direction -> z -> direction -> z **)
+(** val violatesAt :
+    thresholds -> signField -> cutField -> coord3 -> direction -> bool **)
 
-let shortOf sign0 gap0 zeros0 v e t0 d =
-  let w = translate v (offset d) in
-  (match directionKind d with
-   | Long -> t0
-   | Short ->
-     (match placeIn zeros0 w with
-      | Stays -> t0
-      | Moves (e', t') ->
-        if (&&) (Z.ltb Z0 (dot (offset d) (offset e)))
-             (coord3Equal (translate (offset e) (offset e')) (C3 (Z0, Z0,
-               Z0)))
-        then Z.min t0
-               (Z.sub (Z.sub (Z.div steps (Zpos (XO XH))) t')
-                 (gap0 (sign0 v) (sign0 w)))
-        else t0))
-
-(** val shortened :
-    signField -> gap -> zeros -> coord3 -> direction -> z -> z **)
-
-let shortened sign0 gap0 zeros0 v e t0 =
-  match directionKind e with
-  | Long -> fold_left (shortOf sign0 gap0 zeros0 v e) allDirections t0
-  | Short -> t0
+let violatesAt th sign0 cut v =
+  violates th (sign0 v) (fun d -> sign0 (translate v (offset d)))
+    (cutFrom sign0 cut v)
 
 (** val settleOne :
     thresholds -> signField -> cutField -> gap -> zeros -> coord3 -> zeros **)
@@ -1708,8 +1748,13 @@ let settleOne th sign0 cut gap0 zeros0 v =
   | Stays -> zeros0
   | Moves (e, t0) ->
     if isDisk (linkAmong sign0 zeros0 v)
-    then PositiveMap.add (pointKey v) (Moves (e,
-           (shortened sign0 gap0 zeros0 v e t0))) zeros0
+    then let reached =
+           shortened sign0 gap0 (warpVertex th sign0 cut) (turn th sign0 cut)
+             zeros0 v e t0
+         in
+         if staysRather th (violatesAt th sign0 cut v) e t0 reached
+         then zeros0
+         else PositiveMap.add (pointKey v) (Moves (e, reached)) zeros0
     else zeros0
 
 (** val settle :
@@ -2256,33 +2301,15 @@ let mayShare bounds material0 cut zeros0 tid =
            (isWellShaped bounds (placedWhole (placeIn zeros0) cut tid)))
   else true
 
-(** val settleOneMaterial :
-    angleBounds -> thresholds -> (coord3 -> material) -> cutField -> zeros ->
-    coord3 -> zeros **)
+(** val materialViolatesAt :
+    thresholds -> (coord3 -> material) -> cutField -> coord3 -> direction ->
+    bool **)
 
-let settleOneMaterial bounds th material0 cut zeros0 v =
-  match warpMaterialVertex th (fun v0 -> Some (material0 v0)) cut v with
-  | Stays -> zeros0
-  | Moves (e, t0) ->
-    let link0 = materialLink material0 zeros0 v in
-    if (&&) (areDisks (materialsAround material0 v e link0) link0)
-         (negb (fillsWouldTouch link0))
-    then let reached =
-           shortened (materialSide th material0 cut) levelGap zeros0 v e t0
-         in
-         let moved = PositiveMap.add (pointKey v) (Moves (e, reached)) zeros0
-         in
-         if forallb (mayShare bounds material0 cut moved) (tetsAround v)
-         then moved
-         else zeros0
-    else zeros0
-
-(** val settleMaterials :
-    angleBounds -> thresholds -> (coord3 -> material) -> cutField -> coord3
-    list -> zeros **)
-
-let settleMaterials bounds th material0 cut vs =
-  fold_left (settleOneMaterial bounds th material0 cut) vs noZeros
+let materialViolatesAt th material0 cut v =
+  violates th Plus (fun d ->
+    signAmongMaterials (fun u -> Some (material0 u)) (material0 v)
+      (translate v (offset d)))
+    (materialCutFrom (fun u -> Some (material0 u)) cut v)
 
 (** val materialTurn :
     thresholds -> (coord3 -> material) -> cutField -> coord3 -> nat **)
@@ -2298,6 +2325,40 @@ let materialTurn th material0 cut v =
             (Z.div (Z.mul (Zpos (XO (XO XH))) t0)
               (thresholdSteps th (directionKind d)))))
         (if isHigher material0 v d then S (S (S (S O))) else O)) (colour v)
+
+(** val settleOneMaterial :
+    angleBounds -> thresholds -> (coord3 -> material) -> cutField -> zeros ->
+    coord3 -> zeros **)
+
+let settleOneMaterial bounds th material0 cut zeros0 v =
+  match warpMaterialVertex th (fun v0 -> Some (material0 v0)) cut v with
+  | Stays -> zeros0
+  | Moves (e, t0) ->
+    let link0 = materialLink material0 zeros0 v in
+    if (&&) (areDisks (materialsAround material0 v e link0) link0)
+         (negb (fillsWouldTouch link0))
+    then let reached =
+           shortened (materialSide th material0 cut) levelGap
+             (warpMaterialVertex th (fun v0 -> Some (material0 v0)) cut)
+             (materialTurn th material0 cut) zeros0 v e t0
+         in
+         let moved = PositiveMap.add (pointKey v) (Moves (e, reached)) zeros0
+         in
+         if (&&)
+              (negb
+                (staysRather th (materialViolatesAt th material0 cut v) e t0
+                  reached))
+              (forallb (mayShare bounds material0 cut moved) (tetsAround v))
+         then moved
+         else zeros0
+    else zeros0
+
+(** val settleMaterials :
+    angleBounds -> thresholds -> (coord3 -> material) -> cutField -> coord3
+    list -> zeros **)
+
+let settleMaterials bounds th material0 cut vs =
+  fold_left (settleOneMaterial bounds th material0 cut) vs noZeros
 
 (** val materialsInTurn :
     thresholds -> (coord3 -> material) -> cutField -> coord3 list -> coord3

@@ -40,6 +40,8 @@ module Nat :
   val eqb : nat -> nat -> bool
 
   val leb : nat -> nat -> bool
+
+  val ltb : nat -> nat -> bool
  end
 
 module Pos :
@@ -436,14 +438,27 @@ val levelGap : gap
 
 val strictGap : gap
 
+val towards : direction -> direction -> bool
+
+val roomFor : signField -> gap -> coord3 -> coord3 -> z
+
+val roomBeside :
+  signField -> gap -> (coord3 -> warping) -> (coord3 -> nat) -> zeros ->
+  coord3 -> direction -> z -> direction -> z
+
+val shortened :
+  signField -> gap -> (coord3 -> warping) -> (coord3 -> nat) -> zeros ->
+  coord3 -> direction -> z -> z
+
+val staysRather :
+  thresholds -> (direction -> bool) -> direction -> z -> z -> bool
+
 val signAmong : signField -> zeros -> coord3 -> sign
 
 val linkAmong : signField -> zeros -> coord3 -> sign link
 
-val shortOf :
-  signField -> gap -> zeros -> coord3 -> direction -> z -> direction -> z
-
-val shortened : signField -> gap -> zeros -> coord3 -> direction -> z -> z
+val violatesAt :
+  thresholds -> signField -> cutField -> coord3 -> direction -> bool
 
 val settleOne :
   thresholds -> signField -> cutField -> gap -> zeros -> coord3 -> zeros
@@ -569,6 +584,13 @@ val mayShare :
   angleBounds -> (coord3 -> material) -> cutField -> zeros -> structuredTetId
   -> bool
 
+val materialViolatesAt :
+  thresholds -> (coord3 -> material) -> cutField -> coord3 -> direction ->
+  bool
+
+val materialTurn :
+  thresholds -> (coord3 -> material) -> cutField -> coord3 -> nat
+
 val settleOneMaterial :
   angleBounds -> thresholds -> (coord3 -> material) -> cutField -> zeros ->
   coord3 -> zeros
@@ -576,9 +598,6 @@ val settleOneMaterial :
 val settleMaterials :
   angleBounds -> thresholds -> (coord3 -> material) -> cutField -> coord3
   list -> zeros
-
-val materialTurn :
-  thresholds -> (coord3 -> material) -> cutField -> coord3 -> nat
 
 val materialsInTurn :
   thresholds -> (coord3 -> material) -> cutField -> coord3 list -> coord3 list

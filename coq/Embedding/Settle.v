@@ -20,12 +20,18 @@
     4. A vertex stays for good unless its link, with the signs of now, is a strict
        disk ([IsDisk]).  There is one sweep.
     5. Otherwise it becomes 0 at its target, or short of it: if the target lies in
-       a long direction e at t steps, then for each short neighbour w = v + d with
-       d . e > 0 that is 0, in direction -e by t' steps, t becomes
-       min (t, Steps / 2 - t' - k).  The product's k is 1 if v and w were both -
-       and 0 otherwise ([LevelGap]), which leaves flat walls flat; with 1 always
-       ([StrictGap]) no two vertices come level.
-    6. Cuts that remain between + and - are kept alpha away from both ends
+       a long direction e at t steps, then a short neighbour w = v + d with
+       d . e > 0 leaves it so much room and no more ([RoomBeside]): if w is 0, in
+       direction -e by t' steps, Steps / 2 - k - t'; if w has its turn later and
+       its target in direction -e at t' steps, floor ((Steps / 2 - k + t - t') / 2),
+       so that of two who would pass each other either gives up one half.  The
+       product's k is 1 if v and w were both - and 0 otherwise ([LevelGap]), which
+       leaves flat walls flat; with 1 always ([StrictGap]) no two vertices come
+       level.
+    6. But it stays if that is nearer to where the surface is: if no cut violates
+       it but its target, and to keep this one alpha away moves the cut by less
+       than the vertex would fall short of it ([StaysRather]).
+    7. Cuts that remain between + and - are kept alpha away from both ends
        ([ClampedCut]), and the stencils fill what is inside.
 
     All of it is integers. *)
@@ -87,6 +93,50 @@ Definition LevelGap : Gap :=
 
 Definition StrictGap : Gap := fun _ _ => 1.
 
+Section Room.
+  Variables (sign : SignField) (gap : Gap).
+  (** Where who is violated would go, and when. *)
+  Variables (target : Coord3 -> Warping) (turn : Coord3 -> nat).
+
+  Definition Towards (e e' : Direction) : bool :=
+    Coord3Equal (Translate (Offset e) (Offset e')) (C3 0 0 0).
+
+  (** How far two may move towards each other, together. *)
+  Definition RoomFor (v w : Coord3) : Z := Steps / 2 - gap (sign v) (sign w).
+
+  (** What the neighbour in direction [d] leaves of it to [v], whose target lies
+      at [t] in the long direction [e]. *)
+  Definition RoomBeside (zeros : Zeros) (v : Coord3) (e : Direction) (t : Z)
+    (d : Direction) : Z :=
+    let w := Translate v (Offset d) in
+    match DirectionKind d, 0 <? Dot (Offset d) (Offset e) with
+    | Short, true =>
+        match PlaceIn zeros w, target w with
+        | Moves e' t', _ => if Towards e e' then RoomFor v w - t' else t
+        | Stays, Moves e' t' =>
+            if Towards e e' && Nat.ltb (turn v) (turn w)
+            then (RoomFor v w + t - t') / 2 else t
+        | Stays, Stays => t
+        end
+    | _, _ => t
+    end.
+
+  Definition Shortened (zeros : Zeros) (v : Coord3) (e : Direction) (t : Z) : Z :=
+    match DirectionKind e with
+    | Long =>
+        fold_left (fun reached d => Z.min reached (RoomBeside zeros v e t d))
+          AllDirections t
+    | Short => t
+    end.
+End Room.
+
+(** A vertex that its target alone violates falls short of it by more than the
+    cut is moved if it stays. *)
+Definition StaysRather (th : Thresholds) (violates : Direction -> bool)
+  (e : Direction) (t reached : Z) : bool :=
+  (ThresholdSteps th (DirectionKind e) - t <? t - reached) &&
+  forallb (fun d => negb (violates d) || SameDirection d e) AllDirections.
+
 (** ** The rule *)
 
 Section Settle.
@@ -99,32 +149,20 @@ Section Settle.
   Definition LinkAmong (zeros : Zeros) (v : Coord3) : Link Sign :=
     Gather (fun d => SignAmong zeros (Translate v (Offset d))).
 
-  (** A move by [t] in the long direction [e], not to cross the neighbour's in
-      direction [d]. *)
-  Definition ShortOf (zeros : Zeros) (v : Coord3) (e : Direction) (t : Z)
-    (d : Direction) : Z :=
-    let w := Translate v (Offset d) in
-    match DirectionKind d, PlaceIn zeros w with
-    | Short, Moves e' t' =>
-        if (0 <? Dot (Offset d) (Offset e))
-           && Coord3Equal (Translate (Offset e) (Offset e')) (C3 0 0 0)
-        then Z.min t (Steps / 2 - t' - gap (sign v) (sign w)) else t
-    | _, _ => t
-    end.
-
-  Definition Shortened (zeros : Zeros) (v : Coord3) (e : Direction) (t : Z) : Z :=
-    match DirectionKind e with
-    | Long => fold_left (ShortOf zeros v e) AllDirections t
-    | Short => t
-    end.
+  (** The cut in direction [d] violates [v]. *)
+  Definition ViolatesAt (v : Coord3) : Direction -> bool :=
+    Violates th (sign v) (fun d => sign (Translate v (Offset d))) (CutFrom sign cut v).
 
   (** One vertex has its turn. *)
   Definition SettleOne (zeros : Zeros) (v : Coord3) : Zeros :=
     match WarpVertex th sign cut v with
     | Stays => zeros
     | Moves e t =>
-        if IsDisk (LinkAmong zeros v)
-        then PositiveMap.add (PointKey v) (Moves e (Shortened zeros v e t)) zeros
+        if IsDisk (LinkAmong zeros v) then
+          let reached :=
+            Shortened sign gap (WarpVertex th sign cut) (Turn th sign cut) zeros v e t in
+          if StaysRather th (ViolatesAt v) e t reached then zeros
+          else PositiveMap.add (PointKey v) (Moves e reached) zeros
         else zeros
     end.
 

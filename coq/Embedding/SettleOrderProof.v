@@ -51,23 +51,29 @@ Section Order.
   Definition SamePlaces (zeros zeros' : Zeros) : Prop :=
     forall v, PlaceIn zeros v = PlaceIn zeros' v.
 
-  Lemma ShortOfSame zeros zeros' v e t d : SameAround zeros zeros' v ->
-    ShortOf sign gap zeros v e t d = ShortOf sign gap zeros' v e t d.
-  Proof. intros A. unfold ShortOf. cbv zeta. rewrite (A d). reflexivity. Qed.
+  Section Room.
+    Variables (target : Coord3 -> Warping) (turn : Coord3 -> nat).
 
-  Lemma FoldSame {A B} (f g : A -> B -> A) l : (forall a b, f a b = g a b) ->
-    forall a, fold_left f l a = fold_left g l a.
-  Proof.
-    intros E. induction l as [|b l IH]; intros a; [reflexivity|].
-    cbn [fold_left]. rewrite E. apply IH.
-  Qed.
+    Lemma RoomSame zeros zeros' v e t d : SameAround zeros zeros' v ->
+      RoomBeside sign gap target turn zeros v e t d
+      = RoomBeside sign gap target turn zeros' v e t d.
+    Proof. intros A. unfold RoomBeside. cbv zeta. rewrite (A d). reflexivity. Qed.
 
-  Lemma ShortenedSame zeros zeros' v e t : SameAround zeros zeros' v ->
-    Shortened sign gap zeros v e t = Shortened sign gap zeros' v e t.
-  Proof.
-    intros A. unfold Shortened. destruct (DirectionKind e); [|reflexivity].
-    apply FoldSame. intros s d. apply ShortOfSame, A.
-  Qed.
+    Lemma FoldSame {A B} (f g : A -> B -> A) l : (forall a b, f a b = g a b) ->
+      forall a, fold_left f l a = fold_left g l a.
+    Proof.
+      intros E. induction l as [|b l IH]; intros a; [reflexivity|].
+      cbn [fold_left]. rewrite E. apply IH.
+    Qed.
+
+    Lemma ShortenedSame zeros zeros' v e t : SameAround zeros zeros' v ->
+      Shortened sign gap target turn zeros v e t
+      = Shortened sign gap target turn zeros' v e t.
+    Proof.
+      intros A. unfold Shortened. destruct (DirectionKind e); [|reflexivity].
+      apply FoldSame. intros s d. rewrite (RoomSame zeros zeros' v e t d A). reflexivity.
+    Qed.
+  End Room.
 
   Lemma LinkSame zeros zeros' v : SameAround zeros zeros' v ->
     LinkAmong sign zeros v = LinkAmong sign zeros' v.
@@ -79,7 +85,8 @@ Section Order.
   Lemma OneElsewhere zeros v u : u <> v -> PlaceIn (one zeros v) u = PlaceIn zeros u.
   Proof.
     intros N. unfold SettleOne. destruct (WarpVertex th sign cut v) as [|e t]; [reflexivity|].
-    destruct (IsDisk _); [apply PlacedElsewhere, N|reflexivity].
+    destruct (IsDisk _); [cbv zeta|reflexivity].
+    destruct (StaysRather _ _ _ _ _); [reflexivity|apply PlacedElsewhere, N].
   Qed.
 
   Lemma OneHere zeros zeros' v : SameAround zeros zeros' v ->
@@ -88,8 +95,9 @@ Section Order.
   Proof.
     intros A E. unfold SettleOne. rewrite (LinkSame zeros zeros' v A).
     destruct (WarpVertex th sign cut v) as [|e t]; [exact E|].
-    rewrite (ShortenedSame zeros zeros' v e t A).
-    destruct (IsDisk _); [rewrite !PlacedHere; reflexivity|exact E].
+    cbv zeta. rewrite (ShortenedSame _ _ zeros zeros' v e t A).
+    destruct (IsDisk _); [|exact E].
+    destruct (StaysRather _ _ _ _ _); [exact E|rewrite !PlacedHere; reflexivity].
   Qed.
 
   Lemma OneSame zeros zeros' v : SamePlaces zeros zeros' ->

@@ -87,11 +87,106 @@ Proof.
   cbn [fold_left]. apply IH, K, H.
 Qed.
 
+(** ** Room *)
+
+Section Room.
+  Variables (sign : SignField) (gap : Gap).
+  Variables (target : Coord3 -> Warping) (turn : Coord3 -> nat).
+
+  Local Notation room := (RoomBeside sign gap target turn).
+  Local Notation short := (Shortened sign gap target turn).
+
+  Lemma RoomMeans zeros v e t d : let w := Translate v (Offset d) in
+    room zeros v e t d = t \/
+    exists e' t',
+      PlaceIn zeros w = Moves e' t' /\
+        room zeros v e t d = Steps / 2 - gap (sign v) (sign w) - t' \/
+      target w = Moves e' t' /\
+        room zeros v e t d = (Steps / 2 - gap (sign v) (sign w) + t - t') / 2.
+  Proof.
+    cbv zeta. unfold RoomBeside, RoomFor. cbv zeta.
+    destruct (DirectionKind d); [auto|]. destruct (0 <? _); [|auto].
+    destruct (PlaceIn zeros _) as [|e' t'].
+    - destruct (target _) as [|e' t']; [auto|].
+      destruct (_ && _); [right; exists e', t'; auto|auto].
+    - destruct (Towards e e'); [right; exists e', t'; auto|auto].
+  Qed.
+
+  Lemma RoomBound zeros v e t d e' t' :
+    let w := Translate v (Offset d) in
+    DirectionKind d = Short -> 0 < Dot (Offset d) (Offset e) ->
+    Translate (Offset e) (Offset e') = C3 0 0 0 -> PlaceIn zeros w = Moves e' t' ->
+    room zeros v e t d + t' = Steps / 2 - gap (sign v) (sign w).
+  Proof.
+    intros w D P O W. unfold RoomBeside, RoomFor, Towards. cbv zeta. fold w.
+    apply Z.ltb_lt in P. rewrite D, P, W, O. cbn [Coord3Equal Z.eqb andb]. lia.
+  Qed.
+
+  (** All moves are by less than half an edge. *)
+  Lemma RoomNotBack zeros v e t d :
+    (forall u f s, PlaceIn zeros u = Moves f s -> 2 * s < Steps) ->
+    (forall u f s, target u = Moves f s -> 2 * s < Steps) ->
+    (forall s s', gap s s' <= 1) ->
+    0 <= t -> 0 <= room zeros v e t d.
+  Proof.
+    intros P T G B. destruct (RoomMeans zeros v e t d) as [->|(e' & t' & [[W ->]|[W ->]])];
+      [exact B|apply P in W|apply T in W; apply Z.div_pos; [|lia]];
+      specialize (G (sign v) (sign (Translate v (Offset d))));
+      change Steps with 65536 in *; change (65536 / 2) with 32768; lia.
+  Qed.
+
+  (** Shortened by all of some directions. *)
+  Lemma FoldRoom zeros v e t ds : forall s,
+    let s' := fold_left (fun r d => Z.min r (room zeros v e t d)) ds s in
+    s' <= s /\ (forall d, In d ds -> s' <= room zeros v e t d) /\
+    ((forall d, 0 <= room zeros v e t d) -> 0 <= s -> 0 <= s').
+  Proof.
+    induction ds as [|d ds IH]; intros s; cbn [fold_left].
+    - split; [lia|split; [intros d []|auto]].
+    - destruct (IH (Z.min s (room zeros v e t d))) as (L & A & N).
+      split; [lia|split].
+      + intros f [<-|I]; [lia|apply A, I].
+      + intros R B. apply N; [exact R|]. specialize (R d). lia.
+  Qed.
+
+  Lemma ShortenedLess zeros v e t : short zeros v e t <= t.
+  Proof.
+    unfold Shortened. destruct (DirectionKind e); [|lia].
+    apply (FoldRoom zeros v e t AllDirections t).
+  Qed.
+
+  Lemma ShortenedBound zeros v e t d e' t' :
+    let w := Translate v (Offset d) in
+    DirectionKind e = Long ->
+    DirectionKind d = Short -> 0 < Dot (Offset d) (Offset e) ->
+    Translate (Offset e) (Offset e') = C3 0 0 0 -> PlaceIn zeros w = Moves e' t' ->
+    short zeros v e t + t' <= Steps / 2 - gap (sign v) (sign w).
+  Proof.
+    intros w L D P O W. unfold Shortened. rewrite L.
+    pose proof (proj1 (proj2 (FoldRoom zeros v e t AllDirections t)) d
+      (InAllDirections d)) as S.
+    pose proof (RoomBound zeros v e t d e' t' D P O W) as B. cbv zeta in B.
+    fold w in B. lia.
+  Qed.
+
+  Lemma ShortenedNotBack zeros v e t :
+    (forall u f s, PlaceIn zeros u = Moves f s -> 2 * s < Steps) ->
+    (forall u f s, target u = Moves f s -> 2 * s < Steps) ->
+    (forall s s', gap s s' <= 1) ->
+    0 <= t -> 0 <= short zeros v e t.
+  Proof.
+    intros P T G B. unfold Shortened. destruct (DirectionKind e); [|exact B].
+    apply (proj2 (proj2 (FoldRoom zeros v e t AllDirections t))); [|exact B].
+    intros d. apply RoomNotBack; assumption.
+  Qed.
+End Room.
+
 Section Settle.
   Variables (th : Thresholds) (sign : SignField) (cut : CutField) (gap : Gap).
 
   Local Notation one := (SettleOne th sign cut gap).
-  Local Notation short := (Shortened sign gap).
+  Local Notation short :=
+    (Shortened sign gap (WarpVertex th sign cut) (Turn th sign cut)).
   Local Notation now zeros := (SignAmong sign zeros).
 
   Lemma DiskAmong zeros v :
@@ -107,8 +202,8 @@ Section Settle.
   Proof.
     unfold SettleOne. rewrite DiskAmong.
     destruct (WarpVertex th sign cut v) as [|e t]; [auto|].
-    destruct (StrictDisk (LinkOf (now zeros) v)); [right|auto].
-    exists e, t. auto.
+    destruct (StrictDisk (LinkOf (now zeros) v)); [|auto]. cbv zeta.
+    destruct (StaysRather _ _ _ _ _); [auto|right]. exists e, t. auto.
   Qed.
 
   (** What every turn keeps holds at the end. *)
@@ -132,64 +227,6 @@ Section Settle.
 
   (** ** How far *)
 
-  Lemma ShortOfMeans zeros v e t d : ShortOf sign gap zeros v e t d <= t /\
-    (ShortOf sign gap zeros v e t d = t \/
-     exists e' t', PlaceIn zeros (Translate v (Offset d)) = Moves e' t' /\
-       Translate (Offset e) (Offset e') = C3 0 0 0 /\
-       ShortOf sign gap zeros v e t d
-       = Z.min t (Steps / 2 - t' - gap (sign v) (sign (Translate v (Offset d))))).
-  Proof.
-    unfold ShortOf. cbv zeta. destruct (DirectionKind d); [split; [lia|auto]|].
-    destruct (PlaceIn zeros _) as [|e' t']; [split; [lia|auto]|].
-    destruct (Coord3Equal _ _) eqn:O;
-      [|rewrite andb_false_r; split; [lia|auto]].
-    apply Coord3EqualTrue in O.
-    destruct (0 <? _); cbn [andb]; [|split; [lia|auto]].
-    split; [lia|right]. exists e', t'. auto.
-  Qed.
-
-  Lemma ShortOfBound zeros v e t d e' t' :
-    let w := Translate v (Offset d) in
-    DirectionKind d = Short -> 0 < Dot (Offset d) (Offset e) ->
-    Translate (Offset e) (Offset e') = C3 0 0 0 -> PlaceIn zeros w = Moves e' t' ->
-    ShortOf sign gap zeros v e t d + t' <= Steps / 2 - gap (sign v) (sign w).
-  Proof.
-    intros w D P O W. unfold ShortOf. cbv zeta. fold w. rewrite D, W, O.
-    apply Z.ltb_lt in P. rewrite P. cbn [Coord3Equal Z.eqb andb]. lia.
-  Qed.
-
-  (** Shortened by all of some directions. *)
-  Lemma FoldShort zeros v e ds : forall t,
-    let t' := fold_left (ShortOf sign gap zeros v e) ds t in
-    t' <= t /\ (forall d, In d ds -> exists s, t' <= ShortOf sign gap zeros v e s d).
-  Proof.
-    induction ds as [|d ds IH]; intros t; cbn [fold_left].
-    - split; [lia|intros d []].
-    - destruct (IH (ShortOf sign gap zeros v e t d)) as [L A].
-      pose proof (ShortOfMeans zeros v e t d) as [M _].
-      split; [lia|]. intros f [<-|I]; [exists t; exact L|apply A, I].
-  Qed.
-
-  Lemma ShortenedLess zeros v e t : short zeros v e t <= t.
-  Proof.
-    unfold Shortened. destruct (DirectionKind e); [|lia].
-    apply (FoldShort zeros v e AllDirections t).
-  Qed.
-
-  Lemma ShortenedBound zeros v e t d e' t' :
-    let w := Translate v (Offset d) in
-    DirectionKind e = Long ->
-    DirectionKind d = Short -> 0 < Dot (Offset d) (Offset e) ->
-    Translate (Offset e) (Offset e') = C3 0 0 0 -> PlaceIn zeros w = Moves e' t' ->
-    short zeros v e t + t' <= Steps / 2 - gap (sign v) (sign w).
-  Proof.
-    intros w L D P O W. unfold Shortened. rewrite L.
-    destruct (proj2 (FoldShort zeros v e AllDirections t) d (InAllDirections d))
-      as [s S].
-    pose proof (ShortOfBound zeros v e s d e' t' D P O W) as B. cbv zeta in B.
-    fold w in B. lia.
-  Qed.
-
   Section Within.
     Hypothesis Half : AtMostHalf th.
     Hypothesis OnEdges : CutsOnEdges sign cut.
@@ -200,23 +237,16 @@ Section Settle.
       forall v e t, PlaceIn zeros v = Moves e t ->
         exists t', WarpVertex th sign cut v = Moves e t' /\ 0 <= t <= t'.
 
-    Lemma ShortOfNotBack zeros v e t d : TowardTargets zeros ->
-      DirectionKind e = Long -> 0 <= t -> 0 <= ShortOf sign gap zeros v e t d.
+    Lemma TargetInHalf v e t : WarpVertex th sign cut v = Moves e t -> 2 * t < Steps.
     Proof.
-      intros T L B. destruct (ShortOfMeans zeros v e t d) as [_ [->|(e' & t' & W & O & ->)]];
-        [exact B|].
-      destruct (T _ _ _ W) as (s & V & R). apply WarpedMeans in V.
-      destruct V as (_ & _ & V). specialize (Half (DirectionKind e')).
-      specialize (GapSmall (sign v) (sign (Translate v (Offset d)))).
-      change Steps with 65536 in *. change (65536 / 2) with 32768. lia.
+      intros W. apply WarpedMeans in W. destruct W as (_ & _ & L).
+      specialize (Half (DirectionKind e)). lia.
     Qed.
 
-    Lemma ShortenedNotBack zeros v e t : TowardTargets zeros ->
-      0 <= t -> 0 <= short zeros v e t.
+    Lemma TowardInHalf zeros v e t : TowardTargets zeros ->
+      PlaceIn zeros v = Moves e t -> 2 * t < Steps.
     Proof.
-      intros T. unfold Shortened. destruct (DirectionKind e) eqn:L; [|tauto].
-      revert t. induction AllDirections as [|d ds IH]; intros t B; [exact B|].
-      cbn [fold_left]. apply IH, ShortOfNotBack; assumption.
+      intros T P. destruct (T _ _ _ P) as (s & W & L). apply TargetInHalf in W. lia.
     Qed.
 
     Lemma SettledTowardTargets vs : TowardTargets (Settle th sign cut gap vs).
@@ -230,7 +260,9 @@ Section Settle.
           exists t. split; [exact W|].
           destruct (WarpedMeans th sign cut v e t W) as (Et & O & _).
           pose proof (CutFromInRange sign cut OnEdges v e O) as R. rewrite <- Et in R.
-          split; [apply ShortenedNotBack; [exact T|lia]|apply ShortenedLess].
+          split; [|apply ShortenedLess]. apply ShortenedNotBack; [|exact TargetInHalf
+            |exact GapSmall|lia].
+          intros w f s. apply TowardInHalf, T.
         + rewrite PlacedElsewhere in E by exact N. exact (T u f s E).
     Qed.
 
@@ -270,7 +302,8 @@ Section Settle.
       destruct (SamePoint3 u v) as [->|Nu]; [|destruct (SamePoint3 w v) as [Ew|Nw]].
       + rewrite PlacedHere in U. injection U as -> <-.
         rewrite PlacedElsewhere in W by congruence.
-        pose proof (ShortenedBound zeros v e s d e' t' E D P O W) as B.
+        pose proof (ShortenedBound sign gap (WarpVertex th sign cut) (Turn th sign cut)
+          zeros v e s d e' t' E D P O W) as B.
         cbv zeta in B. fold w in B. specialize (G (sign v) (sign w)). lia.
       + rewrite Ew, PlacedHere in W. injection W as -> <-.
         rewrite PlacedElsewhere in U by exact Nu.
@@ -280,7 +313,8 @@ Section Settle.
         assert (E' : DirectionKind e' = Long)
           by (destruct e; try discriminate E; destruct e'; try discriminate O;
               reflexivity).
-        pose proof (ShortenedBound zeros v e' s d' e t) as B. cbv zeta in B.
+        pose proof (ShortenedBound sign gap (WarpVertex th sign cut) (Turn th sign cut)
+          zeros v e' s d' e t) as B. cbv zeta in B.
         rewrite Eu in B. rewrite TranslateSwapped in O.
         specialize (B E'). rewrite D', D in B. specialize (B eq_refl).
         rewrite (DotTurned (Offset d) (Offset d') (Offset e) (Offset e')) in B;

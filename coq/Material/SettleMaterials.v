@@ -18,9 +18,9 @@
        and could not be kept: one whose corners do not all have the same lower
        material, or have one that is not the outside, so that it is part of the
        mesh, but is not well shaped ([MayShare]).
-    5. Otherwise it becomes part of an interface at its target, or short of it, as
-       with one material: - and + are who is of the lower and of the higher of two
-       materials.
+    5. Otherwise it becomes part of an interface at its target, or short of it, or
+       stays because that is nearer to where the interface is, as with one material:
+       - and + are who is of the lower and of the higher of two materials.
     6. Cuts that remain are kept alpha away from both ends ([ClampedCut]), and
        [GetMaterialTets] fills what there is; a tetrahedron with four corners that
        moved is of their lower material. *)
@@ -122,24 +122,12 @@ Section SettleMaterials.
       ((shared =? Outside) || IsWellShaped bounds (PlacedWhole (PlaceIn zeros) cut tid))
     else true.
 
-  (** One vertex has its turn. *)
-  Definition SettleOneMaterial (zeros : Zeros) (v : Coord3) : Zeros :=
-    match WarpMaterialVertex th (fun v => Some (material v)) cut v with
-    | Stays => zeros
-    | Moves e t =>
-        let link := MaterialLink zeros v in
-        if AreDisks (MaterialsAround v e link) link && negb (FillsWouldTouch link) then
-          let reached := Shortened MaterialSide LevelGap zeros v e t in
-          let moved := PositiveMap.add (PointKey v) (Moves e reached) zeros in
-          if forallb (MayShare moved) (TetsAround v) then moved else zeros
-        else zeros
-    end.
-
-  (** All of a list, in its order. *)
-  Definition SettleMaterials (vs : list Coord3) : Zeros :=
-    fold_left SettleOneMaterial vs NoZeros.
-
-  (** ** The order *)
+  (** The cut in direction [d] violates [v]. *)
+  Definition MaterialViolatesAt (v : Coord3) : Direction -> bool :=
+    Violates th Plus
+      (fun d => SignAmongMaterials Coord3 (fun u => Some (material u)) (material v)
+                  (Translate v (Offset d)))
+      (MaterialCutFrom (fun u => Some (material u)) cut v).
 
   Definition MaterialTurn (v : Coord3) : nat :=
     match WarpMaterialVertex th (fun v => Some (material v)) cut v with
@@ -148,6 +136,29 @@ Section SettleMaterials.
         8 * Z.to_nat (4 * t / ThresholdSteps th (DirectionKind d))
         + (if IsHigher v d then 4 else 0) + Colour v
     end.
+
+  (** One vertex has its turn. *)
+  Definition SettleOneMaterial (zeros : Zeros) (v : Coord3) : Zeros :=
+    match WarpMaterialVertex th (fun v => Some (material v)) cut v with
+    | Stays => zeros
+    | Moves e t =>
+        let link := MaterialLink zeros v in
+        if AreDisks (MaterialsAround v e link) link && negb (FillsWouldTouch link) then
+          let reached := Shortened MaterialSide LevelGap
+            (WarpMaterialVertex th (fun v => Some (material v)) cut) MaterialTurn
+            zeros v e t in
+          let moved := PositiveMap.add (PointKey v) (Moves e reached) zeros in
+          if negb (StaysRather th (MaterialViolatesAt v) e t reached)
+             && forallb (MayShare moved) (TetsAround v)
+          then moved else zeros
+        else zeros
+    end.
+
+  (** All of a list, in its order. *)
+  Definition SettleMaterials (vs : list Coord3) : Zeros :=
+    fold_left SettleOneMaterial vs NoZeros.
+
+  (** ** The order *)
 
   (** Those of a list that are violated, by turns. *)
   Definition MaterialsInTurn (vs : list Coord3) : list Coord3 :=

@@ -19,6 +19,7 @@ Section Settle.
   Hypothesis OnEdges : MaterialCutsOnEdges field cut.
 
   Local Notation target := (WarpMaterialVertex th field cut).
+  Local Notation turn := (MaterialTurn th material cut).
   Local Notation one := (SettleOneMaterial bounds th material cut).
   Local Notation share := (MayShare bounds material cut).
   Local Notation side := (MaterialSide th material cut).
@@ -29,11 +30,12 @@ Section Settle.
     one zeros v = zeros \/
     exists e t, target v = Moves e t /\
       let moved := PositiveMap.add (PointKey v)
-        (Moves e (Shortened side LevelGap zeros v e t)) zeros in
+        (Moves e (Shortened side LevelGap target turn zeros v e t)) zeros in
       one zeros v = moved /\ forallb (share moved) (TetsAround v) = true.
   Proof.
     unfold SettleOneMaterial. destruct (target v) as [|e t] eqn:W; [auto|].
-    destruct (_ && _); [|auto].
+    destruct (_ && _); [cbv zeta|auto].
+    destruct (negb _); [cbn [andb]|auto].
     destruct (forallb _ _) eqn:S; [right|auto]. exists e, t. auto.
   Qed.
 
@@ -44,18 +46,10 @@ Section Settle.
     forall v e t, PlaceIn zeros v = Moves e t ->
       exists t', target v = Moves e t' /\ 0 <= t <= t'.
 
-  Lemma ShortMaterialNotBack zeros v e t : TowardMaterialTargets zeros ->
-    0 <= t -> 0 <= Shortened side LevelGap zeros v e t.
+  Lemma MaterialTargetInHalf v e t : target v = Moves e t -> 2 * t < Steps.
   Proof.
-    intros T. unfold Shortened. destruct (DirectionKind e); [|tauto].
-    revert t. induction AllDirections as [|d ds IH]; intros t B; [exact B|].
-    cbn [fold_left]. apply IH.
-    destruct (ShortOfMeans side LevelGap zeros v e t d) as [_ [->|(e' & t' & W & _ & ->)]];
-      [exact B|].
-    destruct (T _ _ _ W) as (s & V & R). apply MaterialWarpMeans in V.
-    destruct V as (_ & _ & _ & _ & _ & _ & V). specialize (Half (DirectionKind e')).
-    pose proof (LevelGapSmall (side v) (side (Translate v (Offset d)))).
-    change Steps with 65536 in *. change (65536 / 2) with 32768. lia.
+    intros W. apply MaterialWarpMeans in W. destruct W as (_ & _ & _ & _ & _ & _ & L).
+    specialize (Half (DirectionKind e)). lia.
   Qed.
 
   Lemma SettledTowardMaterials vs : TowardMaterialTargets (settled vs).
@@ -68,7 +62,10 @@ Section Settle.
         destruct (MaterialWarpMeans th _ cut v e t W) as (m & n & M & N & D & C & _).
         pose proof (MaterialCutFromInRange _ cut OnEdges v e m n M N D) as R.
         rewrite <- C in R.
-        split; [apply ShortMaterialNotBack; [exact T|lia]|apply ShortenedLess].
+        split; [|apply ShortenedLess].
+        apply ShortenedNotBack; [|exact MaterialTargetInHalf|exact LevelGapSmall|lia].
+        intros w f s P. destruct (T _ _ _ P) as (s' & W' & L).
+        apply MaterialTargetInHalf in W'. lia.
       + rewrite PlacedElsewhere in E by exact N. exact (T u f s E).
     - intros v e t E. rewrite NoneIn in E. discriminate E.
   Qed.

@@ -22,11 +22,21 @@ constexpr int turn_count = nearness_classes * 2 * colour_count;
 static_assert(settling_halo == turn_count - 1, "each turn looks one layer further");
 
 /// `Turn` of the certificate.  `inner` says that the vertex is plus, or of the greater of
-/// two materials; `parity` is that of half the sum of the coordinates.
-constexpr int turn_of(const Displacement& target, bool inner, Grid grid, int parity) {
+/// two materials.
+constexpr int turn_of(const VertexIndex& v, const Displacement& target, bool inner,
+                      const Lattice& lattice) {
   const int nearness =
       nearness_classes * target.distance / angle_thresholds.in_steps(target.direction);
-  return (nearness * 2 + int{inner}) * colour_count + 2 * grid + parity;
+  const Coord3& o = lattice.origin;
+  const int half_sum = (o.x + o.y + o.z) / 2 + v.i + v.j + v.k + int{v.grid};
+  return (nearness * 2 + int{inner}) * colour_count + 2 * v.grid + (half_sum & 1);
+}
+
+/// `StaysRather` of the certificate: to keep the one cut that violates a vertex away from it
+/// moves the surface by less than a move that falls short of it.
+constexpr bool stays_rather(const Displacement& target, const Displacement& kept) {
+  return target.is_alone && angle_thresholds.in_steps(target.direction) - target.distance <
+                                target.distance - kept.distance;
 }
 
 /// A violated vertex that has its turn to come.
@@ -46,8 +56,6 @@ struct LayerTurns {
 
 LayerTurns turns_of(const SignPlanes& planes, const Violations& violations,
                     const MaterialLinks& links, const Lattice& lattice, int k) {
-  const Coord3& o = lattice.origin;
-  const int half_sum = (o.x + o.y + o.z) / 2 + k;
   const std::vector<Displacement>& targets = violations.targets[k].displacements;
   LayerTurns turns;
   std::vector<Candidate> unsorted;
@@ -60,12 +68,11 @@ LayerTurns turns_of(const SignPlanes& planes, const Violations& violations,
         const std::uint64_t plus = planes.plus(grid, j, k)[w];
         for_each_bit(violations.violated.plus(grid, j, k)[w], [&](int b) {
           const auto number = static_cast<std::uint32_t>(unsorted.size());
-          const int i = 64 * w + b;
-          const bool inner = links.are_asked() ? links.is_greater({grid, i, j, k}, targets[number])
+          const VertexIndex v{grid, 64 * w + b, j, k};
+          const bool inner = links.are_asked() ? links.is_greater(v, targets[number])
                                                : (plus >> b & 1) != 0;
-          const int t =
-              turn_of(targets[number], inner, grid, (half_sum + i + j + int{grid}) & 1);
-          unsorted.push_back({i, j, grid, number});
+          const int t = turn_of(v, targets[number], inner, lattice);
+          unsorted.push_back({v.i, j, grid, number});
           turn.push_back(static_cast<std::uint8_t>(t));
           ++turns.begin[static_cast<std::size_t>(t)];
         });
@@ -83,14 +90,17 @@ struct Link {
   LinkSet plus = 0, zero = 0;
 };
 
+/// No neighbour leaves less room than this for a move along a long edge.
+constexpr std::int32_t always_room = steps / 2 - angle_thresholds.in_steps(0);
+
 /// Lets the candidates of one turn settle, layer by layer.  Threads read words in which
 /// others change bits of vertices that are not neighbours of their own; only the thread
 /// that works on a layer changes its words.
 class Turns {
  public:
   Turns(SignPlanes& now, const SignPlanes& samples, Violations& violations,
-        const MaterialLinks& links)
-      : now_(now), samples_(samples), violations_(violations), links_(links),
+        const MaterialLinks& links, const Lattice& lattice)
+      : now_(now), samples_(samples), violations_(violations), links_(links), lattice_(lattice),
         row_stride_(64 * (now.plus(even, 1, now.window().begin) -
                           now.plus(even, 0, now.window().begin))),
         layer_stride_(64 * (now.plus(even, 0, now.window().begin) -
@@ -114,8 +124,12 @@ class Turns {
         ++layer.stayed;
         continue;
       }
-      if (link.zero != 0 && is_long(move.direction))
-        kept.distance = stop(v, k, move, link.zero);
+      if (is_long(move.direction) && move.distance > always_room)
+        kept.distance = stop({v.grid, v.i, v.j, k}, move, link.zero, turn);
+      if (stays_rather(move, kept)) {
+        ++layer.stayed;
+        continue;
+      }
       if (links_.are_asked() && !links_.may_share({v.grid, v.i, v.j, k}, kept, link.zero)) {
         ++layer.stayed;
         continue;
@@ -153,26 +167,30 @@ class Turns {
     return link;
   }
 
-  /// How far a vertex may move along a long edge: not past a neighbour that moved towards
-  /// it along an edge beside.  They may come level, so that a wall between two planes of
-  /// the lattice is flat; but not if both were minus, or of the lesser material.
-  [[nodiscard]] std::uint16_t stop(const Candidate& v, int k, const Displacement& move,
-                                   LinkSet zero) const {
+  /// `Shortened` of the certificate.  How far a vertex may move along a long edge: not past
+  /// a neighbour that moved towards it along an edge beside, and of the way that is left to
+  /// one that has its turn later only so far that both give up the same.  They may come
+  /// level, so that a wall between two planes of the lattice is flat; but not if both were
+  /// minus, or of the lesser material.
+  [[nodiscard]] std::uint16_t stop(const VertexIndex& v, const Displacement& move, LinkSet zero,
+                                   int turn) const {
     std::int32_t distance = move.distance;
     const Coord3& along = direction_offset[move.direction];
-    for_each_bit(zero & ~LinkSet{0x3f}, [&](int d) {
-      const Coord3& offset = direction_offset[static_cast<std::size_t>(d)];
-      if (offset.x * along.x + offset.y * along.y + offset.z * along.z <= 0) return;
-      const VertexRef to = neighbor(v.grid, static_cast<std::size_t>(d));
-      const int i = v.i + to.shift.x;
-      const int j = v.j + to.shift.y;
-      const int layer = k + to.shift.z;
-      const Displacement& other = violations_.target(to.grid, i, j, layer);
-      if (other.direction != (move.direction ^ 1)) return;
-      const bool both_outer = is_outer({v.grid, v.i, v.j, k}, move) &&
-                              is_outer({to.grid, i, j, layer}, other);
-      distance = std::min(distance, steps / 2 - other.distance - int{both_outer});
-    });
+    for (std::size_t d = 6; d < direction_count; ++d) {
+      const Coord3& offset = direction_offset[d];
+      if (offset.x * along.x + offset.y * along.y + offset.z * along.z <= 0) continue;
+      const VertexIndex w = v.next(d);
+      const bool moved = (zero >> d & 1) != 0;
+      if (!moved && !violations_.contains(w.grid, w.i, w.j, w.k)) continue;
+      const Displacement& other = violations_.target(w.grid, w.i, w.j, w.k);
+      if (other.direction != (move.direction ^ 1)) continue;
+      const bool outer = is_outer(w, other);
+      const std::int32_t room = steps / 2 - int{outer && is_outer(v, move)};
+      if (moved)
+        distance = std::min(distance, room - other.distance);
+      else if (turn_of(w, other, !outer, lattice_) > turn)
+        distance = std::min(distance, (room + move.distance - other.distance) / 2);
+    }
     return static_cast<std::uint16_t>(distance);
   }
 
@@ -196,6 +214,7 @@ class Turns {
   const SignPlanes& samples_;
   Violations& violations_;
   const MaterialLinks& links_;
+  const Lattice& lattice_;
   std::ptrdiff_t row_stride_, layer_stride_;  ///< in bits
   /// Of the neighbours, from a vertex's own index in a row, in bits.
   std::array<std::array<std::ptrdiff_t, direction_count>, grid_count> distance_{};
@@ -213,7 +232,7 @@ Settling settle(const SignPlanes& planes, Violations& violations, const Lattice&
   for_each_layer(context, Stage::warp, around, [&](std::int32_t k) {
     layers[k] = turns_of(planes, violations, links, lattice, k);
   });
-  Turns turns(settled.planes, planes, violations, links);
+  Turns turns(settled.planes, planes, violations, links, lattice);
   for (int turn = 0; turn < turn_count; ++turn)
     for_each_layer(context, Stage::warp, around,
                    [&](std::int32_t k) { turns.settle(layers[k], turn, k); });

@@ -5,7 +5,9 @@
 /// Where a violated vertex moves onto the surface whatever its neighbours do, thin parts
 /// come apart and pieces grow together.  Here it does so only if its link is a strict disk
 /// at its turn, so that the mesh keeps the pieces, cavities and tunnels of the samples;
-/// otherwise it stays, and the cuts around it are kept alpha away from it.
+/// otherwise it stays, and the cuts around it are kept alpha away from it.  Two that would
+/// pass each other give up one half each of what they are too near; or one stays, if that is
+/// nearer to the surface.
 
 #include <cstdint>
 

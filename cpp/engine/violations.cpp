@@ -33,9 +33,11 @@ class ViolatedRow {
     const std::size_t word = word_of(grid, w);
     for_each_bit(violated_[word], [&](int b) {
       Vertex& vertex = vertices_[64 * word + static_cast<std::size_t>(b)];
-      const Warping warping = warp(thresholds, std::exchange(vertex.edges, 0), vertex.cut);
+      const std::uint32_t edges = std::exchange(vertex.edges, 0);
+      const Warping warping = warp(thresholds, edges, vertex.cut);
       targets.push_back({static_cast<std::uint16_t>(warping.distance),
-                         static_cast<std::uint8_t>(warping.direction)});
+                         static_cast<std::uint8_t>(warping.direction),
+                         std::has_single_bit(edges)});
     });
     return std::exchange(violated_[word], 0);
   }

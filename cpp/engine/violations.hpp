@@ -17,6 +17,7 @@ namespace certet::core {
 struct Displacement {
   std::uint16_t distance = 0;  ///< steps
   std::uint8_t direction = 0;
+  bool is_alone = false;  ///< of a violated vertex: no other cut violates it
 };
 
 /// The displacements of some vertices of one layer: row by row, grid by grid,

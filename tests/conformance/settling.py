@@ -79,6 +79,12 @@ class Materials:
             return self.cut(point, far)
         return STEPS - self.cut(far, point)
 
+    def violating(self, point):
+        """How many cuts violate a point."""
+        around = [plus(point, d) for d in DIRECTIONS]
+        return sum(self.material(u) != self.material(point)
+                   and self.cut_seen_from(point, u) < alpha(d) for d, u in enumerate(around))
+
     def target(self, point):
         around = [plus(point, d) for d in DIRECTIONS]
         own = self.material(point)
@@ -134,9 +140,9 @@ class Settled:
         if midpoint:
             return
         targets = {p: domain.target(p) for p in domain.materials}
-        for point in sorted((p for p in targets if targets[p][0] >= 0),
-                            key=lambda p: self.turn(p, *targets[p])):
-            self.settle(point, *targets[point])
+        self.targets = {p: target for p, target in targets.items() if target[0] >= 0}
+        for point in sorted(self.targets, key=self.turn):
+            self.settle(point, *self.targets[point])
 
     def pair(self, point, d):
         """The two materials that a point lies between, its own first."""
@@ -146,7 +152,8 @@ class Settled:
         own, other = self.pair(point, d)
         return own > other
 
-    def turn(self, point, d, t):
+    def turn(self, point):
+        d, t = self.targets[point]
         colour = 2 * (point[0] % 2) + sum(point) // 2 % 2
         return 8 * (4 * t // alpha(d)) + 4 * self.is_higher(point, d) + colour
 
@@ -155,7 +162,10 @@ class Settled:
         link = [None if u in self.moved else self.domain.material(u) for u in around]
         if not self.are_disks(self.pair(point, d), link) or self.fills_would_touch(link):
             return
-        self.moved[point] = (d, self.shortened(point, around, d, t))
+        reached = self.shortened(point, around, d, t)
+        if alpha(d) - t < t - reached and self.domain.violating(point) == 1:
+            return
+        self.moved[point] = (d, reached)
         if not all(self.may_share(*tid) for tid in tets_around(point)):
             del self.moved[point]
 
@@ -180,14 +190,19 @@ class Settled:
     def shortened(self, point, around, d, t):
         if d not in LONG:
             return t
+        reached = t
         for e in range(6, 14):
-            other, back = self.moved.get(around[e], (None, 0))
-            if other is None or dot(DIRECTIONS[d], DIRECTIONS[e]) <= 0:
+            w = around[e]
+            other, back = self.moved.get(w, self.targets.get(w, (d, 0)))
+            if dot(DIRECTIONS[d], DIRECTIONS[e]) <= 0:
                 continue
             if DIRECTIONS[other] == times(-1, DIRECTIONS[d]):
-                gap = not self.is_higher(point, d) and not self.is_higher(around[e], other)
-                t = min(t, STEPS // 2 - back - gap)
-        return t
+                room = STEPS // 2 - (not self.is_higher(point, d) and not self.is_higher(w, other))
+                if w in self.moved:
+                    reached = min(reached, room - back)
+                elif self.turn(w) > self.turn(point):
+                    reached = min(reached, (room + t - back) // 2)
+        return reached
 
     def may_share(self, anchor, case):
         points = corners(anchor, case)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "certet/lattice/warp.hpp"
 #include "certified.hpp"
@@ -114,16 +115,17 @@ certified::Domain seen(const domains::Positional& domain) {
           }};
 }
 
-/// Nobody stays, and few moves are shortened: nearly the paper's warp.
+/// Few stay, and few moves are shortened: nearly the paper's warp.
 TEST(Settle, ASphereComesOutNearlyAsByThePaper) {
   const auto sphere = domains::of_level(domains::sphere(1.37, -2.81, 0.59, 5.3));
   const Lattice lattice{{-6, -10, -6}, {9, 9, 8}};
-  const auto settled = certified::settle(angles, Gap::level, lattice, seen(sphere));
-  const auto stuffed = certified::stuff(angles, lattice, seen(sphere));
-  ASSERT_EQ(settled.size(), stuffed.size());
-  std::size_t moved = 0;
-  for (std::size_t n = 0; n < settled.size(); ++n) moved += settled[n] != stuffed[n] ? 1 : 0;
-  EXPECT_LT(moved, settled.size() / 20);
+  auto settled = certified::settle(angles, Gap::level, lattice, seen(sphere));
+  auto stuffed = certified::stuff(angles, lattice, seen(sphere));
+  std::ranges::sort(settled);
+  std::ranges::sort(stuffed);
+  std::vector<certified::PlacedTet> others;
+  std::ranges::set_symmetric_difference(settled, stuffed, std::back_inserter(others));
+  EXPECT_LT(others.size(), settled.size() / 10) << "a tetrahedron elsewhere is counted twice";
 }
 
 /// The walls of a box a quarter away from lattice planes are flat; with a step left

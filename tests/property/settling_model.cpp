@@ -162,6 +162,7 @@ void Model::find_target(Coord3 v) {
     if (other == state.sampled) continue;
     const std::int32_t t = state.sampled ? find_cut(v, u) : steps - find_cut(u, v);
     if (t >= alpha(static_cast<int>(d))) continue;
+    ++state.violating;
     const std::int64_t squared = (d < 6 ? std::int64_t{4} : std::int64_t{3}) * t * t;
     if (state.direction >= 0 && squared >= nearest) continue;
     nearest = squared;
@@ -181,6 +182,25 @@ int Model::turn(Coord3 v) const {
   return bucket * 8 + (state.sampled ? 4 : 0) + 2 * grid + parity;
 }
 
+std::int32_t Model::shortened(Coord3 v) const {
+  const Vertex& state = at(v);
+  const Coord3 along = direction_offset[static_cast<std::size_t>(state.direction)];
+  std::int32_t reached = state.distance;
+  for (std::size_t d = 6; d < direction_count; ++d) {
+    const Coord3 w = v + direction_offset[d];
+    if (dot(direction_offset[d], along) <= 0 || !holds(w)) continue;
+    const Vertex& other = at(w);
+    if (other.direction < 0) continue;
+    if (direction_offset[static_cast<std::size_t>(other.direction)] + along != Coord3{}) continue;
+    const std::int32_t room = 32768 - (!state.sampled && !other.sampled ? 1 : 0);
+    if (sign(w) == Sign::on_surface)
+      reached = std::min(reached, room - other.distance);
+    else if (rule_.share && turn(w) > turn(v))
+      reached = std::min(reached, (room + state.distance - other.distance) / 2);
+  }
+  return reached;
+}
+
 void Model::settle(Coord3 v) {
   LinkSigns link;
   for (std::size_t d = 0; d < direction_count; ++d) link[d] = sign(v + direction_offset[d]);
@@ -190,16 +210,12 @@ void Model::settle(Coord3 v) {
   }
   Vertex& state = state_[number(v)];
   const std::int32_t target = state.distance;
-  const Coord3 along = direction_offset[static_cast<std::size_t>(state.direction)];
-  if (rule_.shorten && state.direction < 6)
-    for (std::size_t d = 6; d < direction_count; ++d) {
-      const Coord3 w = v + direction_offset[d];
-      if (dot(direction_offset[d], along) <= 0 || sign(w) != Sign::on_surface) continue;
-      const Vertex& other = at(w);
-      if (direction_offset[static_cast<std::size_t>(other.direction)] + along != Coord3{}) continue;
-      const bool both_minus = !state.sampled && !other.sampled;
-      state.distance = std::min(state.distance, 32768 - other.distance - (both_minus ? 1 : 0));
-    }
+  const std::int32_t reached = rule_.shorten && state.direction < 6 ? shortened(v) : target;
+  if (rule_.stay && state.violating == 1 && alpha(state.direction) - target < target - reached) {
+    ++figures_.stayed;
+    return;
+  }
+  state.distance = reached;
   if (state.distance != target) {
     ++figures_.shortened;
     figures_.missed.add(target - state.distance);

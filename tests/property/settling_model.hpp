@@ -31,6 +31,8 @@ bool is_closed_disk(const LinkSigns& link);
 struct Rule {
   std::function<bool(const LinkSigns&)> may_move = is_strict_disk;
   bool clamp = true, shorten = true;
+  bool share = true;  ///< what two that would pass each other have to give up
+  bool stay = true;   ///< rather than fall short by more than the cut is then moved
 };
 
 /// Tetrahedra by positions in steps, in the order of the stencils.
@@ -65,6 +67,7 @@ class Model {
     Sign now = Sign::minus;
     int direction = -1;  ///< of the target
     std::int32_t distance = 0;
+    int violating = 0;  ///< cuts
   };
 
   [[nodiscard]] std::size_t number(Coord3 v) const;
@@ -73,6 +76,7 @@ class Model {
   [[nodiscard]] std::int32_t clamped_cut(Coord3 plus, Coord3 minus);
   void find_target(Coord3 v);
   [[nodiscard]] int turn(Coord3 v) const;
+  [[nodiscard]] std::int32_t shortened(Coord3 v) const;
   void settle(Coord3 v);
   template <class Visit>
   void for_each_tet(const Visit& visit) const;

@@ -127,9 +127,10 @@ turn by more than 4.5 degrees; elsewhere, where points would fall together, or
 tetrahedra turn over, or angles leave their bounds by what tables show of them.
 
 With --method embedded a vertex that a cut is too close to (violated) moves onto the
-surface only where that keeps the shape, and not past a neighbour (shortened);
-otherwise it stays, and the cuts around it are moved away from it (clamped), by at
-most 0.4 of an edge.  Pieces, tunnels and cavities of the mesh are those of the
+surface only where that keeps the shape, and not past a neighbour (shortened: of two
+that would pass each other either gives up one half); otherwise, or where to stay is
+nearer, it stays, and the cuts around it are moved away from it (clamped), by at most
+0.4 of an edge.  Pieces, tunnels and cavities of the mesh are those of the
 samples, which are + where the lattice's points are inside.
 
 With --order 2 middle nodes come behind the corners, by the lower and then the higher end of
