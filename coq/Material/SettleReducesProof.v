@@ -189,22 +189,67 @@ Section One.
     - rewrite (proj2 (Z.ltb_ge m Outside)) by lia. reflexivity.
   Qed.
 
+  Lemma TurnSame v : MaterialTurn th material cut v = Turn th sign cut v.
+  Proof.
+    unfold MaterialTurn, Turn. rewrite TargetSame.
+    destruct (WarpVertex th sign cut v) as [|e t] eqn:W; [reflexivity|].
+    unfold IsHigher, material. destruct (TargetMeans v e t W) as [[-> ->]|[-> ->]].
+    - rewrite (proj2 (Z.ltb_lt Outside m)) by exact Above. reflexivity.
+    - rewrite (proj2 (Z.ltb_ge m Outside)) by lia. reflexivity.
+  Qed.
+
+  Lemma ViolatesSame v d :
+    MaterialViolatesAt th material cut v d = ViolatesAt th sign cut v d.
+  Proof.
+    assert (Out : (Outside =? m) = false) by (apply Z.eqb_neq; lia).
+    assert (Out' : (m =? Outside) = false) by (apply Z.eqb_neq; lia).
+    assert (L : (m <? Outside) = false) by (apply Z.ltb_ge; lia).
+    assert (L' : (Outside <? m) = true) by (apply Z.ltb_lt; lia).
+    unfold MaterialViolatesAt, ViolatesAt, Violates, SignAmongMaterials,
+      MaterialCutFrom, CutFrom, material. cbv zeta.
+    pose proof (Decided v) as D. pose proof (Decided (Translate v (Offset d))) as D'.
+    destruct (sign v), (sign (Translate v (Offset d)));
+      try (exfalso; apply D; reflexivity); try (exfalso; apply D'; reflexivity);
+      rewrite ?Z.eqb_refl, ?Out, ?Out', ?L, ?L'; reflexivity.
+  Qed.
+
+  Lemma StaysRatherSame v e t reached :
+    StaysRather th (MaterialViolatesAt th material cut v) e t reached
+    = StaysRather th (ViolatesAt th sign cut v) e t reached.
+  Proof.
+    unfold StaysRather. f_equal. generalize AllDirections. intros ds.
+    induction ds as [|d ds IH]; [reflexivity|]. cbn [forallb].
+    rewrite ViolatesSame, IH. reflexivity.
+  Qed.
+
+  Local Notation room side target turn :=
+    (RoomBeside side LevelGap target turn).
+
+  Lemma RoomSame zeros v e t d : AtTargets zeros -> WarpVertex th sign cut v = Moves e t ->
+    room (MaterialSide th material cut) (WarpMaterialVertex th field cut)
+      (MaterialTurn th material cut) zeros v e t d
+    = room sign (WarpVertex th sign cut) (Turn th sign cut) zeros v e t d.
+  Proof.
+    intros A W. unfold RoomBeside. cbv zeta. rewrite TargetSame, !TurnSame.
+    set (w := Translate v (Offset d)).
+    destruct (DirectionKind d), (0 <? Dot (Offset d) (Offset e)); try reflexivity.
+    unfold RoomFor. rewrite (SideSame v e t W).
+    destruct (PlaceIn zeros w) as [|e' t'] eqn:P.
+    - destruct (WarpVertex th sign cut w) as [|e' t'] eqn:W'; [reflexivity|].
+      rewrite (SideSame w e' t' W'). reflexivity.
+    - destruct (A w e' t' P) as [s' W']. rewrite (SideSame w e' s' W'). reflexivity.
+  Qed.
+
   Lemma ShortenedSame zeros v e t : AtTargets zeros ->
     WarpVertex th sign cut v = Moves e t ->
-    Shortened (MaterialSide th material cut) LevelGap zeros v e t
-    = Shortened sign LevelGap zeros v e t.
+    Shortened (MaterialSide th material cut) LevelGap (WarpMaterialVertex th field cut)
+      (MaterialTurn th material cut) zeros v e t
+    = Shortened sign LevelGap (WarpVertex th sign cut) (Turn th sign cut) zeros v e t.
   Proof.
-    intros A W. unfold Shortened. destruct (DirectionKind e); [|reflexivity].
-    assert (S : forall s d,
-      ShortOf (MaterialSide th material cut) LevelGap zeros v e s d
-      = ShortOf sign LevelGap zeros v e s d).
-    { intros s d. unfold ShortOf. cbv zeta. destruct (DirectionKind d); [reflexivity|].
-      destruct (PlaceIn zeros (Translate v (Offset d))) as [|e' t'] eqn:P; [reflexivity|].
-      destruct (A _ _ _ P) as [s' W']. rewrite (SideSame v e t W), (SideSame _ _ _ W').
-      reflexivity. }
-    revert t W. generalize AllDirections. intros ds t _. revert t.
-    induction ds as [|d ds IH]; intros t; [reflexivity|]. cbn [fold_left].
-    rewrite S. apply IH.
+    intros A W. unfold Shortened. destruct (DirectionKind e); try reflexivity.
+    generalize t at 2 4. generalize AllDirections. intros ds.
+    induction ds as [|d ds IH]; intros r; [reflexivity|]. cbn [fold_left].
+    rewrite (RoomSame zeros v e t d A W). apply IH.
   Qed.
 
   Lemma LowerIsOutside zeros v k : AtTargets zeros ->
@@ -243,7 +288,8 @@ Section One.
     destruct (WarpVertex th sign cut v) as [|e t] eqn:W; [reflexivity|]. cbv zeta.
     rewrite (DisksSame zeros v e t W), NoFillsTouch, andb_true_r.
     destruct (IsDisk _); [|reflexivity]. rewrite (ShortenedSame zeros v e t A W).
-    rewrite (proj2 (forallb_forall _ _)); [reflexivity|].
+    rewrite StaysRatherSame. destruct (StaysRather _ _ _ _ _); [reflexivity|].
+    cbn [negb andb]. rewrite (proj2 (forallb_forall _ _)); [reflexivity|].
     intros tid _. apply AllMayShare. exact (AtTargetsMoved zeros v e t _ A W).
   Qed.
 
@@ -252,7 +298,9 @@ Section One.
   Proof.
     intros A. unfold SettleOne.
     destruct (WarpVertex th sign cut v) as [|e t] eqn:W; [exact A|].
-    destruct (IsDisk _); [|exact A]. exact (AtTargetsMoved zeros v e t _ A W).
+    destruct (IsDisk _); [|exact A]. cbv zeta.
+    destruct (StaysRather _ _ _ _ _); [exact A|].
+    exact (AtTargetsMoved zeros v e t _ A W).
   Qed.
 
   (** ** All of them *)
