@@ -33,10 +33,11 @@ inline constexpr int field_bits = 14;
 inline constexpr std::int32_t field_one = 1 << field_bits;
 
 /// What is known of a node beside the fields: the number of its voxel's label among
-/// those of the block, and two flags.
+/// those of the block, two flags, and how far that label is to be ahead of all others.
 struct Node {
   static constexpr std::uint16_t at_risk_bit = 1 << 14, thin_bit = 1 << 15;
   std::uint16_t bits = 0;
+  std::uint16_t lead = 0;  ///< in 16384ths
   [[nodiscard]] std::size_t own() const { return bits & (at_risk_bit - 1); }
   /// Whether its voxel may be lost where no point of the lattice is at its centre.
   [[nodiscard]] bool at_risk() const { return (bits & at_risk_bit) != 0; }

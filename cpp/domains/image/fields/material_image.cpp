@@ -12,26 +12,6 @@
 namespace certet::fields {
 namespace {
 
-/// Materials of voxels, which come in runs of one label.
-class MaterialOfVoxel {
- public:
-  MaterialOfVoxel(const LabelSet& set, const MaterialTable& table) : set_(set), table_(table) {}
-
-  Material operator()(std::int64_t label) {
-    if (label != last_) {
-      last_ = label;
-      found_ = set_.contains(label) ? table_.of(label) : 0;
-    }
-    return found_;
-  }
-
- private:
-  const LabelSet& set_;
-  const MaterialTable& table_;
-  std::int64_t last_ = std::numeric_limits<std::int64_t>::min();
-  Material found_ = 0;
-};
-
 void refuse_unless_labels(const Image& image, const LabelSet& set) {
   std::visit(
       [&]<class T>(const Buffer<T>& voxels) {
