@@ -88,6 +88,7 @@ void find_slender(const LabelWindow& window, const std::vector<std::uint8_t>& wh
   for_each_of_cube(tile_nodes, [&](int x, int y, int z) {
     const std::size_t voxel = window.at(x + window.halo, y + window.halo, z + window.halo);
     Slender& most = slender[tile_node_number(x, y, z)] = Slender::no;
+    if (whole[voxel] == 0xff) return;
     for (const std::size_t along : strides)
       most = std::max(most, slender_along(&window.ranks[voxel], along, strides));
     if (most == Slender::part && whole[voxel] == 0) most = Slender::thin_part;

@@ -1,6 +1,6 @@
 #include "treads.hpp"
 
-#include <optional>
+#include <utility>
 
 #include "fields/field_tile.hpp"
 #include "fields/for_each_tile.hpp"
@@ -34,12 +34,38 @@ struct Tread {
   }
 };
 
+/// The voxels of a cube and one more on every side; beyond the image its outermost go on.
+class Surroundings {
+ public:
+  Surroundings(const MaterialImage& image, const Voxel& low) : low_(low) {
+    image.read({{low[0] - 1, low[1] - 1, low[2] - 1}, wide}, voxels_);
+  }
+
+  [[nodiscard]] bool are_one() const {
+    return std::ranges::all_of(voxels_, [&](Material m) { return m == voxels_.front(); });
+  }
+  /// A voxel of the cube, and the one before or behind it.
+  [[nodiscard]] std::pair<Material, Material> pair(const Voxel& v, std::size_t axis, int way) const {
+    constexpr std::array<std::int64_t, 3> strides{1, wide, wide * wide};
+    std::int64_t at = 0;
+    for (std::size_t a = 0; a < 3; ++a) at += (v[a] - low_[a] + 1) * strides[a];
+    return {voxels_[static_cast<std::size_t>(at)],
+            voxels_[static_cast<std::size_t>(at + way * strides[axis])]};
+  }
+
+ private:
+  static constexpr std::int64_t wide = width + 2;
+  Voxel low_;
+  std::vector<Material> voxels_ = std::vector<Material>(wide * wide * wide);
+};
+
 /// The faces of a cube's voxels in one direction.
 template <class MaterialAt>
 class CubeFaces {
  public:
-  CubeFaces(const MaterialAt& at, const Voxel& low, const Voxel& high, std::size_t normal, int up)
-      : at_(at), low_(low), high_(high), normal_(normal), up_(up) {}
+  CubeFaces(const MaterialAt& at, const Surroundings& around, const Voxel& low, const Voxel& high,
+            std::size_t normal, int up)
+      : at_(at), around_(around), low_(low), high_(high), normal_(normal), up_(up) {}
 
   /// Calls visit(voxel, above, depth) for each voxel whose surface towards the label above lies
   /// deeper than its face.
@@ -61,9 +87,8 @@ class CubeFaces {
         Tread of_upper, of_lower;
         Material upper = beyond, lower = beyond;
         for (v[along] = low_[along]; v[along] < high_[along]; ++v[along]) {
-          const Material own = at_(v), other = at_(moved(v, 1));
-          if (own == other || other == beyond || at_(moved(v, -1)) != own || at_(moved(v, 2)) != other)
-            continue;
+          const auto [own, other] = around_.pair(v, normal_, up_);
+          if (own == other || at_(moved(v, -1)) != own || at_(moved(v, 2)) != other) continue;
           if (other != upper || v[along] > of_upper.last) of_upper = tread(v, along, upper = other, true);
           if (own != lower || v[along] > of_lower.last) of_lower = tread(v, along, lower = own, false);
           keep(v, other, of_upper, v[along]);
@@ -113,7 +138,12 @@ class CubeFaces {
       }
     };
     Tread found;
-    const Step before = end(-1, found.first), after = end(1, found.last);
+    const Step before = end(-1, found.first);
+    if (before == Step::wall) {
+      found.last = v[along];
+      return found;
+    }
+    const Step after = end(1, found.last);
     found.rises = after == Step::up;
     found.is_ramp = ((before == Step::down && after == Step::up) ||
                      (before == Step::up && after == Step::down)) &&
@@ -122,6 +152,7 @@ class CubeFaces {
   }
 
   const MaterialAt& at_;
+  const Surroundings& around_;
   const Voxel &low_, &high_;
   std::size_t normal_;
   int up_;
@@ -131,13 +162,15 @@ class CubeFaces {
 };
 
 template <class MaterialAt>
-std::vector<Share> shares_of(const MaterialAt& at, const Voxel& low, const Voxel& high) {
+std::vector<Share> shares_of(const MaterialAt& at, const Surroundings& around, const Voxel& low,
+                             const Voxel& high) {
   std::array<Share, voxels_of_cube> all{};
   for (std::size_t normal = 0; normal < 3; ++normal)
     for (const int up : {-1, 1})
-      CubeFaces(at, low, high, normal, up).for_each_deep([&](std::size_t n, Material above, std::uint16_t depth) {
-        if (depth > all[n].part) all[n] = {static_cast<std::uint16_t>(n), depth, above};
-      });
+      CubeFaces(at, around, low, high, normal, up)
+          .for_each_deep([&](std::size_t n, Material above, std::uint16_t depth) {
+            if (depth > all[n].part) all[n] = {static_cast<std::uint16_t>(n), depth, above};
+          });
   std::vector<Share> shares;
   for (const Share& share : all)
     if (share.part != 0) shares.push_back(share);
@@ -155,17 +188,15 @@ Treads::Treads(const MaterialImage& image, const Context& context) {
                     cube_width * (n / counts_[0] / counts_[1])};
     Voxel high;
     for (std::size_t a = 0; a < 3; ++a) high[a] = std::min(low[a] + cube_width, image.size()[a]);
-    // One more on every side.
-    std::vector<Material> around((cube_width + 2) * (cube_width + 2) * (cube_width + 2));
-    image.read({{low[0] - 1, low[1] - 1, low[2] - 1}, cube_width + 2}, around);
-    if (std::ranges::all_of(around, [&](Material m) { return m == around.front(); })) return;
+    const Surroundings around(image, low);
+    if (around.are_one()) return;
     image.with_materials([&](const auto& material) {
       const auto at = [&](const Voxel& v) {
         for (std::size_t a = 0; a < 3; ++a)
           if (v[a] < 0 || v[a] >= image.size()[a]) return beyond;
         return material(v);
       };
-      cubes_[c] = shares_of(at, low, high);
+      cubes_[c] = shares_of(at, around, low, high);
     });
   });
 }
