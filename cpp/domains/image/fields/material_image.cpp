@@ -12,6 +12,26 @@
 namespace certet::fields {
 namespace {
 
+/// Materials of voxels, which come in runs of one label.
+class MaterialOfVoxel {
+ public:
+  MaterialOfVoxel(const LabelSet& set, const MaterialTable& table) : set_(set), table_(table) {}
+
+  Material operator()(std::int64_t label) {
+    if (label != last_) {
+      last_ = label;
+      found_ = set_.contains(label) ? table_.of(label) : 0;
+    }
+    return found_;
+  }
+
+ private:
+  const LabelSet& set_;
+  const MaterialTable& table_;
+  std::int64_t last_ = std::numeric_limits<std::int64_t>::min();
+  Material found_ = 0;
+};
+
 void refuse_unless_labels(const Image& image, const LabelSet& set) {
   std::visit(
       [&]<class T>(const Buffer<T>& voxels) {
@@ -86,6 +106,18 @@ void MaterialImage::read(const VoxelCube& cube, std::span<Material> out) const {
             for (std::int64_t x = 0; x < cube.width; ++x)
               *element++ = material(static_cast<std::int64_t>(row[within(0, x)]));
           }
+      },
+      image_->voxels);
+}
+
+void MaterialImage::read_row(const std::array<std::int64_t, 3>& first, std::int64_t count,
+                             Material* out, std::int64_t stride) const {
+  std::visit(
+      [&](const auto& voxels) {
+        MaterialOfVoxel material(set_, table_);
+        const auto row = voxels.data() + (first[2] * size()[1] + first[1]) * size()[0] + first[0];
+        for (std::int64_t x = 0; x < count; ++x)
+          out[x * stride] = material(static_cast<std::int64_t>(row[x]));
       },
       image_->voxels);
 }

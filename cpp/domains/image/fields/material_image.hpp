@@ -5,9 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <limits>
 #include <span>
-#include <variant>
 #include <vector>
 
 #include "certet/domain.hpp"
@@ -22,26 +20,6 @@ namespace certet::fields {
 struct VoxelCube {
   std::array<std::int64_t, 3> low;
   std::int64_t width;
-};
-
-/// From the label of a voxel to its material.  The last one is kept.
-class MaterialOfVoxel {
- public:
-  MaterialOfVoxel(const LabelSet& set, const MaterialTable& table) : set_(set), table_(table) {}
-
-  Material operator()(std::int64_t label) {
-    if (label != last_) {
-      last_ = label;
-      found_ = set_.contains(label) ? table_.of(label) : 0;
-    }
-    return found_;
-  }
-
- private:
-  const LabelSet& set_;
-  const MaterialTable& table_;
-  std::int64_t last_ = std::numeric_limits<std::int64_t>::min();
-  Material found_ = 0;
 };
 
 class MaterialImage {
@@ -62,19 +40,10 @@ class MaterialImage {
   /// image its outermost voxels go on.  `out` has width^3 elements.
   void read(const VoxelCube& cube, std::span<Material> out) const;
 
-  /// Calls use(material), where material(voxel) is that of a voxel in the image.
-  template <class Use>
-  void with_materials(const Use& use) const {
-    std::visit(
-        [&](const auto& voxels) {
-          MaterialOfVoxel of(set_, table_);
-          use([&](const std::array<std::int64_t, 3>& v) {
-            const auto at = static_cast<std::size_t>((v[2] * size()[1] + v[1]) * size()[0] + v[0]);
-            return of(static_cast<std::int64_t>(voxels[at]));
-          });
-        },
-        image_->voxels);
-  }
+  /// Materials of some voxels of the image along its first axis, each written `stride` elements
+  /// behind the one before.
+  void read_row(const std::array<std::int64_t, 3>& first, std::int64_t count, Material* out,
+                std::int64_t stride) const;
 
   [[nodiscard]] std::uint64_t bytes() const;
 
