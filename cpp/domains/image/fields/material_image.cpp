@@ -116,8 +116,11 @@ void MaterialImage::read_row(const std::array<std::int64_t, 3>& first, std::int6
       [&](const auto& voxels) {
         MaterialOfVoxel material(set_, table_);
         const auto row = voxels.data() + (first[2] * size()[1] + first[1]) * size()[0] + first[0];
-        for (std::int64_t x = 0; x < count; ++x)
-          out[x * stride] = material(static_cast<std::int64_t>(row[x]));
+        Material last = material(static_cast<std::int64_t>(row[0]));
+        for (std::int64_t x = 0; x < count; ++x) {
+          if (x > 0 && row[x] != row[x - 1]) last = material(static_cast<std::int64_t>(row[x]));
+          out[x * stride] = last;
+        }
       },
       image_->voxels);
 }

@@ -27,7 +27,7 @@ class TreadFaces {
   template <class Visit>
   void for_each_deep(const Visit& visit) const {
     for (const Face& face : faces_) {
-      if (!is_plain(face)) continue;
+      if (!is_on_ramp(face) || !is_plain(face)) continue;
       for (const bool upwards : {false, true})
         if (const std::int32_t depth = depth_of(face, upwards); depth > 0)
           visit(face.at, depth, upwards);
@@ -44,7 +44,7 @@ class TreadFaces {
   };
   struct Face {
     std::int64_t at;                       ///< in the layer
-    std::array<std::uint32_t, 4> treads;  ///< for each axis: with one label below, and above
+    std::array<std::uint32_t, 4> treads;   ///< for each axis: with one label below, and above
   };
   /// From a column to the next, in which the tread does not go on.
   enum class Step { wall, up, down };
@@ -52,6 +52,12 @@ class TreadFaces {
   void add(std::int64_t at);
   [[nodiscard]] Step step(std::int64_t from, std::int64_t to, bool above) const;
   void end(std::size_t tread, std::size_t kind);
+  [[nodiscard]] bool is_on_ramp(const Face& face) const {
+    bool some = false;
+    for (std::size_t kind = 0; kind < treads_.size(); ++kind)
+      some = some || treads_[kind][face.treads[kind]].rise != 0;
+    return some;
+  }
   /// Whether no label is one voxel thick there.
   [[nodiscard]] bool is_plain(const Face& face) const {
     return at(-1, face.at) == at(0, face.at) && at(2, face.at) == at(1, face.at);

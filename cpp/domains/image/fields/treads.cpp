@@ -20,30 +20,22 @@ struct Found {
   std::uint8_t direction;
 };
 
-/// By cubes.
-using AllFound = std::vector<std::vector<Found>>;
-
 /// The faces normal to one axis between some layers and the next ones.
 class Slab {
  public:
-  /// Labels meet in no voxel that is not of `image.bounds()` or next to it.  Treads depend on
-  /// one more layer before and behind their faces, and one more column.
-  Slab(const MaterialImage& image, std::size_t normal, std::int64_t number) : normal_(normal) {
+  /// From layer `first` on.  Labels meet in no voxel that is not of `image.bounds()` or next to
+  /// it.  Treads depend on one more layer before and behind their faces, and one more column.
+  Slab(const MaterialImage& image, std::size_t normal, std::int64_t first)
+      : normal_(normal),
+        first_(first),
+        last_(std::min({first + layers_at_once - 1, image.bounds().high[normal],
+                        image.size()[normal] - 2})) {
     for (std::size_t a = 0; a < 3; ++a) {
       low_[a] = image.bounds().low[a] - 1;
       high_[a] = image.bounds().high[a] + 1;
     }
-    first_ = low_[normal] + layers_at_once * number;
-    last_ = std::min(first_ + layers_at_once - 1, image.bounds().high[normal]);
     low_[normal] = first_ - 1;
     high_[normal] = last_ + 2;
-    first_ = std::max<std::int64_t>(first_, 0);
-    last_ = std::min(last_, image.size()[normal] - 2);
-  }
-
-  static std::int64_t count(const MaterialImage& image, std::size_t normal) {
-    const std::int64_t layers = image.bounds().high[normal] - image.bounds().low[normal] + 2;
-    return (layers + layers_at_once - 1) / layers_at_once;
   }
 
   /// Calls visit(voxel, found) for each share.
@@ -64,9 +56,20 @@ class Slab {
 
  private:
   std::size_t normal_;
+  std::int64_t first_, last_;
   Voxel low_{}, high_{};
-  std::int64_t first_ = 0, last_ = -1;
 };
+
+std::vector<Slab> all_slabs(const MaterialImage& image) {
+  std::vector<Slab> slabs;
+  for (std::size_t normal = 0; normal < 3; ++normal) {
+    const std::int64_t last = std::min(image.bounds().high[normal], image.size()[normal] - 2);
+    for (std::int64_t first = std::max<std::int64_t>(image.bounds().low[normal] - 1, 0);
+         first <= last; first += layers_at_once)
+      slabs.emplace_back(image, normal, first);
+  }
+  return slabs;
+}
 
 /// Of each voxel the greatest share; of equal ones that by the first direction.
 std::vector<Share> greatest(std::vector<Found>& found) {
@@ -84,21 +87,20 @@ std::vector<Share> greatest(std::vector<Found>& found) {
 Treads::Treads(const MaterialImage& image, const Context& context) {
   for (std::size_t a = 0; a < 3; ++a) counts_[a] = (image.size()[a] + cube_width - 1) / cube_width;
   cubes_.resize(static_cast<std::size_t>(counts_[0] * counts_[1] * counts_[2]));
-  AllFound found(cubes_.size());
+  std::vector<std::vector<Found>> found(cubes_.size());
   std::mutex mutex;
-  for (std::size_t normal = 0; normal < 3; ++normal)
-    for_each_tile(context, static_cast<std::size_t>(Slab::count(image, normal)), [&](std::size_t s) {
-      std::vector<std::pair<std::size_t, Found>> of_slab;
-      const Slab slab(image, normal, static_cast<std::int64_t>(s));
-      slab.for_each(image, [&](const Voxel& v, Found one) {
-        std::int64_t n = 0;
-        for (std::size_t a = 3; a-- > 0;) n = n * cube_width + v[a] % cube_width;
-        one.share.voxel = static_cast<std::uint16_t>(n);
-        of_slab.emplace_back(number(v[0] / cube_width, v[1] / cube_width, v[2] / cube_width), one);
-      });
-      const std::lock_guard lock(mutex);
-      for (const auto& [cube, one] : of_slab) found[cube].push_back(one);
+  const std::vector<Slab> slabs = all_slabs(image);
+  for_each_tile(context, slabs.size(), [&](std::size_t s) {
+    std::vector<std::pair<std::size_t, Found>> of_slab;
+    slabs[s].for_each(image, [&](const Voxel& v, Found one) {
+      std::int64_t n = 0;
+      for (std::size_t a = 3; a-- > 0;) n = n * cube_width + v[a] % cube_width;
+      one.share.voxel = static_cast<std::uint16_t>(n);
+      of_slab.emplace_back(number(v[0] / cube_width, v[1] / cube_width, v[2] / cube_width), one);
     });
+    const std::lock_guard lock(mutex);
+    for (const auto& [cube, one] : of_slab) found[cube].push_back(one);
+  });
   for (std::size_t c = 0; c < cubes_.size(); ++c) cubes_[c] = greatest(found[c]);
 }
 
