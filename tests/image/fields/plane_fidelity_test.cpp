@@ -97,7 +97,7 @@ void expect_flat(std::uint64_t seed, double bar) {
 
 TEST(PlaneFidelity, PlanesAreFlat) { expect_flat(1, 0.2); }
 
-/// One in some hundred is a little more than 0.2 voxels off.
+/// Some are a little more than 0.2 voxels off.
 TEST(PlaneFidelity, PlanesInAnyDirectionAreAlmostAsFlat) { expect_flat(test_seed(), 0.25); }
 
 TEST(PlaneFidelity, TreadsThatStayAreCaught) {

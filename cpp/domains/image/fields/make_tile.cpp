@@ -100,19 +100,20 @@ class TileFields {
           if (some_thin_ && thin_[tile_node_number(x, y, z)]) bits |= Node::thin_bit;
           if (at_risk_[tile_node_number(x, y, z)]) bits |= Node::at_risk_bit;
           tile.nodes.push_back({static_cast<std::uint16_t>(bits),
-                                lead_of(x, y, z, values[own * nodes_of_block + n])});
+                                lead_bits_of(x, y, z, values[own * nodes_of_block + n])});
         }
   }
 
   /// `own` is the value of the node's own label.
-  [[nodiscard]] std::uint16_t lead_of(int x, int y, int z, std::int32_t own) const {
+  [[nodiscard]] std::uint16_t lead_bits_of(int x, int y, int z, std::int32_t own) const {
     const std::size_t node = tile_node_number(x, y, z);
     std::int32_t lead = some_thin_ && thin_[node] ? thin_lead : least_lead;
     // A voxel that shares is meant to have the surface nearer to its centre.
     if (slender_[node] != Slender::no && !shares(x, y, z)) lead = std::max(lead, row_lead(own));
     if (slender_[node] == Slender::part) lead = std::max(lead, part_lead(own));
     if (slender_[node] == Slender::thin_part) lead = std::max(lead, thin_part_lead(own));
-    return static_cast<std::uint16_t>(lead);
+    const bool firm = slender_[node] == Slender::thin_part;
+    return static_cast<std::uint16_t>(lead | (firm ? Node::firm_bit : 0));
   }
 
   [[nodiscard]] bool shares(int x, int y, int z) const {
