@@ -30,7 +30,7 @@ using lattice_materials::LatticeMaterials;
 
 using Voxel = std::array<int, 3>;
 
-/// Fields without constants, node by node.
+/// Fields without constants and treads, node by node.
 class Model {
  public:
   explicit Model(const Image& image)
@@ -47,7 +47,7 @@ class Model {
       for (std::size_t a = 0; a < 3; ++a) weight *= taps[static_cast<std::size_t>(o[a] + 2)];
       if (weight != 0) kept[label(plus(v, o))] += 4 * weight;
     });
-    hold(label(v), is_near_thin(v), kept);
+    hold(label(v), lead(v, kept[label(v)]), kept);
     return kept;
   }
 
@@ -112,16 +112,52 @@ class Model {
     return thin;
   }
 
-  static void hold(int own, bool thin, std::map<int, int>& fields) {
+  static Voxel further(Voxel v, std::size_t axis, int by) {
+    v[axis] += by;
+    return v;
+  }
+
+  /// How many in a row have a voxel's label.
+  [[nodiscard]] int row(const Voxel& v, std::size_t axis) const {
+    int count = 1;
+    for (const int way : {-1, 1})
+      for (int by = way; std::abs(by) < 4 && label(further(v, axis, by)) == label(v); by += way)
+        ++count;
+    return count;
+  }
+
+  /// Whether a voxel's row is of one or two, and those of its neighbours beside it.
+  [[nodiscard]] bool is_part_of_something_slender(const Voxel& v, std::size_t axis) const {
+    if (row(v, axis) > 2) return false;
+    for (std::size_t beside = 0; beside < 3; ++beside)
+      for (const int by : {-1, 1}) {
+        const Voxel other = further(v, beside, by);
+        if (beside != axis && label(other) == label(v) && row(other, axis) > 2) return false;
+      }
+    return true;
+  }
+
+  /// By how much the voxel's label, whose field is `own`, is ahead at least.
+  [[nodiscard]] int lead(const Voxel& v, int own) const {
+    int least = is_near_thin(v) ? 4096 : 256;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (row(v, axis) <= 2) least = std::max(least, 12288 - own);
+      if (!is_part_of_something_slender(v, axis)) continue;
+      const int slender = is_thin(v) ? 28160 - 7 * own / 4 : 26624 - 2 * own;
+      least = std::max(least, std::min(slender, 20480));
+    }
+    return least;
+  }
+
+  static void hold(int own, int lead, std::map<int, int>& fields) {
     int best = 0;
     for (const auto& [of, value] : fields)
       if (of != own) best = std::max(best, value);
-    const int ahead = best - fields[own];
-    const int lead = thin ? 4096 : 256;
-    if (ahead <= -lead) return;
-    const int mixing = (lead + ahead) * 16384 / (16384 + ahead);
+    const int ahead = best - fields[own], mixed = std::min(lead, 16384);
+    const int more = std::max(0, lead - std::max(mixed, -ahead));
+    const int mixing = ahead <= -mixed ? 0 : (mixed + ahead) * 16384 / (16384 + ahead);
     for (auto& [of, value] : fields)
-      value += (of == own ? mixing : 0) - ((value * mixing) >> 14);
+      value += (of == own ? mixing + more : 0) - ((value * mixing) >> 14);
   }
 
   template <class Visit>
@@ -152,9 +188,10 @@ std::vector<Image> images(std::uint64_t seed) {
   return made;
 }
 
-fields::Rules without_constants() {
+fields::Rules plain_rules() {
   fields::Rules rules;
   rules.keep_volumes = false;
+  rules.slope_treads = false;
   return rules;
 }
 
@@ -169,7 +206,7 @@ TEST(Definition, PointsHaveTheLabelOfTheGreatestField) {
   std::mt19937_64 random(test_seed());
   for (const Image& image : images(test_seed())) {
     const Model model(image);
-    const auto domain = domain_of(label_images::copy(image), 1, without_constants());
+    const auto domain = domain_of(label_images::copy(image), 1, plain_rules());
     std::uniform_real_distribution<double> unit(0, 1);
     for (int n = 0; n < 1500; ++n) {
       Coord3 position{};
@@ -192,7 +229,7 @@ TEST(Definition, PointsHaveTheLabelOfTheGreatestField) {
 TEST(Definition, EdgesPartWhereFieldsAreEqual) {
   for (const Image& image : images(test_seed())) {
     const Model model(image);
-    const auto domain = domain_of(label_images::copy(image), 1, without_constants());
+    const auto domain = domain_of(label_images::copy(image), 1, plain_rules());
     const Cuts cuts(*domain);
     ASSERT_GT(cuts.edges.size(), 100U);
     for (std::size_t e = 0; e < cuts.edges.size(); e += 7) {

@@ -22,3 +22,19 @@ struct Deviation {
     rms = std::sqrt(rms / static_cast<double>(points.size()));
   }
 };
+
+/// Half of the distance between the two planes of a direction that points lie between.
+struct Flatness {
+  double half_width = 0;
+
+  /// `height` is a point's, along the direction.
+  template <class Height>
+  Flatness(const std::vector<certet::Point3>& points, const Height& height) {
+    double low = 1e9, high = -1e9;
+    for (const certet::Point3& p : points) {
+      low = std::min(low, height(p));
+      high = std::max(high, height(p));
+    }
+    half_width = 0.5 * (high - low);
+  }
+};

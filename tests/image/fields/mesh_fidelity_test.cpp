@@ -123,5 +123,27 @@ TEST(MeshFidelity, ObliquePlanesAreFlat) {
   }
 }
 
+/// How far off the volume of a sheet is that lies between two planes in a ball, one voxel apart.
+double change_of_sheet(const Point3& normal, int inside, int outside) {
+  const Point3 middle{23.37, 23.21, 23.6};
+  const auto domain = interface_domain(image_of({48, 48, 48}, [&](int i, int j, int k) {
+    const Point3 q = label_images::minus({double(i), double(j), double(k)}, middle);
+    const double height = (normal[0] * q[0] + normal[1] * q[1] + normal[2] * q[2]) /
+                          label_images::norm(normal);
+    return label_images::norm(q) < 20 && height > -0.5 && height <= 0.5 ? inside : outside;
+  }));
+  const RegionVolume region = domain->volumes()[static_cast<std::size_t>(inside - 1)];
+  return Surfaces(*domain).volume(inside) / static_cast<double>(region.voxels) - 1;
+}
+
+/// A constant that lowers a label by a little must not put points of the lattice between
+/// its voxels on the other side: such a sheet loses a sixth of its volume.
+TEST(MeshFidelity, SheetsOneVoxelThickHaveNoHoles) {
+  for (const Point3& normal : {Point3{0, 0, 1}, Point3{1, 2, 10}})
+    for (const int inside : {1, 2})
+      EXPECT_GT(change_of_sheet(normal, inside, 3 - inside), -0.05)
+          << normal[0] << ' ' << normal[1] << ' ' << normal[2] << ", label " << inside;
+}
+
 }  // namespace
 }  // namespace certet

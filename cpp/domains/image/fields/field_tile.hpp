@@ -33,13 +33,19 @@ inline constexpr int field_bits = 14;
 inline constexpr std::int32_t field_one = 1 << field_bits;
 
 /// What is known of a node beside the fields: the number of its voxel's label among
-/// those of the block, and two flags.
+/// those of the block, three flags, and how far that label is to be ahead of all others.
 struct Node {
   static constexpr std::uint16_t at_risk_bit = 1 << 14, thin_bit = 1 << 15;
+  static constexpr std::uint16_t firm_bit = 1 << 15;  ///< of the lead
   std::uint16_t bits = 0;
+  std::uint16_t lead_bits = 0;
   [[nodiscard]] std::size_t own() const { return bits & (at_risk_bit - 1); }
   /// Whether its voxel may be lost where no point of the lattice is at its centre.
   [[nodiscard]] bool at_risk() const { return (bits & at_risk_bit) != 0; }
+  /// In 16384ths.
+  [[nodiscard]] std::int32_t lead() const { return lead_bits & (firm_bit - 1); }
+  /// Whether constants are not to make a hole there, as in a sheet one voxel thick.
+  [[nodiscard]] bool firm() const { return (lead_bits & firm_bit) != 0; }
   /// Whether the narrow taps were taken.
   [[nodiscard]] bool thin() const { return (bits & thin_bit) != 0; }
 };

@@ -186,6 +186,7 @@ OnCentres on_centres(const Image& image, double size) {
 Rules rules_of(const Image& image, const InterfaceSmoothing& smoothing) {
   Rules rules;
   if (!smoothing.sigma) return rules;
+  rules.slope_treads = false;  // who asks for little smoothing wants the voxels' steps
   check_geometry(image);
   refuse_sigma(image, *smoothing.sigma);
   for (std::size_t a = 0; a < 3; ++a)

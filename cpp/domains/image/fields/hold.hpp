@@ -15,10 +15,11 @@ namespace certet::fields {
 using Constants = std::vector<std::int32_t>;
 
 /// `out` has a value for each of the block's.  Where the own label's value o is not above
-/// the best other value q (0 at least) by a 64th, values u become (1-m) u, and that of the own
-/// label m more, with the m by which it then is.  By no more, or single voxels would stand out
-/// of smooth surfaces; but near thin voxels by a quarter, or a constant that raises a thin
-/// label would add little to it.  A value of 0 says that the label is not near, and stays so.
+/// the best other value q (0 at least) by the node's lead, values u become (1-m) u, and that of
+/// the own label m more, with the m by which it then is; what a lead is above 1 is added to the
+/// own label's.  Where constants lower the own label of a firm node against the best other,
+/// the lead grows to that much more than 5/8 and 1/64, or than itself and 1/64 if it is less
+/// than 5/8.  A value of 0 says that the label is not near, and stays so.
 void raise_and_hold(const BlockView& block, const Constants& constants, bool hold,
                     std::span<std::int32_t> out);
 

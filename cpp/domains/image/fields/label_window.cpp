@@ -17,10 +17,30 @@ std::vector<Material> different_ones(const std::vector<Material>& all) {
   return found;
 }
 
+std::uint16_t rank_of(const LabelWindow& window, Material material) {
+  return static_cast<std::uint16_t>(std::ranges::lower_bound(window.materials, material) -
+                                    window.materials.begin());
+}
+
+void add_shares(const Treads& treads, const VoxelCube& cube, LabelWindow& window) {
+  treads.for_each_within(cube, [&](const auto& voxel, std::uint16_t part, Material to) {
+    const std::uint16_t rank = rank_of(window, to);
+    // A label that lies beyond the window has no field there.
+    if (rank == window.materials.size() || window.materials[rank] != to) return;
+    window.parts.resize(window.ranks.size(), 0);
+    window.receivers.resize(window.ranks.size(), 0);
+    const std::size_t at = window.at(static_cast<int>(voxel[0] - cube.low[0]),
+                                     static_cast<int>(voxel[1] - cube.low[1]),
+                                     static_cast<int>(voxel[2] - cube.low[2]));
+    window.parts[at] = part;
+    window.receivers[at] = rank;
+  });
+}
+
 }  // namespace
 
-LabelWindow window_around(const MaterialImage& image, const std::array<std::int64_t, 3>& first,
-                          int halo) {
+LabelWindow window_around(const MaterialImage& image, const Treads& treads,
+                          const std::array<std::int64_t, 3>& first, int halo) {
   LabelWindow window;
   window.halo = halo;
   window.width = tile_nodes + 2 * halo;
@@ -37,11 +57,11 @@ LabelWindow window_around(const MaterialImage& image, const std::array<std::int6
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i] != last) {
       last = all[i];
-      rank = static_cast<std::uint16_t>(std::ranges::lower_bound(window.materials, last) -
-                                        window.materials.begin());
+      rank = rank_of(window, last);
     }
     window.ranks[i] = rank;
   }
+  add_shares(treads, cube, window);
   return window;
 }
 

@@ -10,6 +10,23 @@
 namespace certet::fields {
 namespace {
 
+/// By how much the own label is ahead at least: by no more, or single voxels would stand out
+/// of smooth surfaces; but near thin voxels by a quarter, or a constant that raises a thin label
+/// would add little to it.
+constexpr std::int32_t least_lead = field_one / 64, thin_lead = field_one / 4;
+
+/// The same by the own label's value, where one or two voxels are in a row.
+constexpr std::int32_t row_lead(std::int32_t own) { return 3 * field_one / 4 - own; }
+/// In sheets and wires: what brings the surface to the faces of voxels in a sheet along the
+/// axes, where the value is 5/8, and near them in a wire.
+constexpr std::int32_t part_lead(std::int32_t own) {
+  return std::clamp(13 * field_one / 8 - 2 * own, 0, 5 * field_one / 4);
+}
+/// The same where they are one voxel thick, and the taps narrower.
+constexpr std::int32_t thin_part_lead(std::int32_t own) {
+  return std::clamp(55 * field_one / 32 - 7 * own / 4, 0, 5 * field_one / 4);
+}
+
 /// The fields of a whole tile, and what its blocks take from them.
 class TileFields {
  public:
@@ -17,6 +34,8 @@ class TileFields {
     wide_.compute(window, rules.taps);
     const auto whole = whole_blocks(window);
     find_at_risk(window, whole, at_risk_);
+    find_slender(window, whole, slender_);
+    if (!rules.hold_slender) slender_.fill(Slender::no);
     if (!rules.narrow_thin || !find_thin(window, whole, thin_)) return;
     some_thin_ = true;
     std::array<Taps, 3> taps;
@@ -40,7 +59,7 @@ class TileFields {
       return;
     }
     block.nodes = static_cast<std::uint16_t>(tile.nodes.size() / nodes_of_block);
-    add_nodes(corner, tile);
+    add_nodes(corner, block, tile);
   }
 
  private:
@@ -68,23 +87,45 @@ class TileFields {
     return some != 0;
   }
 
-  void add_nodes(const std::array<int, 3>& corner, Tile& tile) const {
+  void add_nodes(const std::array<int, 3>& corner, const Block& block, Tile& tile) const {
+    const std::int16_t* values = &tile.values[nodes_of_block * block.first];
+    std::size_t n = 0;
     for (int z = corner[2]; z < corner[2] + block_nodes; ++z)
       for (int y = corner[1]; y < corner[1] + block_nodes; ++y)
-        for (int x = corner[0]; x < corner[0] + block_nodes; ++x) {
+        for (int x = corner[0]; x < corner[0] + block_nodes; ++x, ++n) {
           const int halo = window_.halo;
-          unsigned bits =
+          const unsigned own =
               block_rank_[window_.ranks[window_.at(x + halo, y + halo, z + halo)]];
+          unsigned bits = own;
           if (some_thin_ && thin_[tile_node_number(x, y, z)]) bits |= Node::thin_bit;
           if (at_risk_[tile_node_number(x, y, z)]) bits |= Node::at_risk_bit;
-          tile.nodes.push_back({static_cast<std::uint16_t>(bits)});
+          tile.nodes.push_back({static_cast<std::uint16_t>(bits),
+                                lead_bits_of(x, y, z, values[own * nodes_of_block + n])});
         }
+  }
+
+  /// `own` is the value of the node's own label.
+  [[nodiscard]] std::uint16_t lead_bits_of(int x, int y, int z, std::int32_t own) const {
+    const std::size_t node = tile_node_number(x, y, z);
+    std::int32_t lead = some_thin_ && thin_[node] ? thin_lead : least_lead;
+    // A voxel that shares is meant to have the surface nearer to its centre.
+    if (slender_[node] != Slender::no && !shares(x, y, z)) lead = std::max(lead, row_lead(own));
+    if (slender_[node] == Slender::part) lead = std::max(lead, part_lead(own));
+    if (slender_[node] == Slender::thin_part) lead = std::max(lead, thin_part_lead(own));
+    const bool firm = slender_[node] == Slender::thin_part;
+    return static_cast<std::uint16_t>(lead | (firm ? Node::firm_bit : 0));
+  }
+
+  [[nodiscard]] bool shares(int x, int y, int z) const {
+    const int halo = window_.halo;
+    return !window_.parts.empty() && window_.parts[window_.at(x + halo, y + halo, z + halo)] != 0;
   }
 
   const LabelWindow& window_;
   SmoothedLabels wide_, narrow_;
   bool some_thin_ = false;
   NodeFlags thin_{}, at_risk_{};
+  Slenderness slender_{};
   std::array<std::int16_t, nodes_of_block> gathered_{};
   std::vector<std::uint16_t> block_rank_ = std::vector<std::uint16_t>(window_.materials.size());
 };

@@ -110,6 +110,21 @@ void MaterialImage::read(const VoxelCube& cube, std::span<Material> out) const {
       image_->voxels);
 }
 
+void MaterialImage::read_row(const std::array<std::int64_t, 3>& first, std::int64_t count,
+                             Material* out, std::int64_t stride) const {
+  std::visit(
+      [&](const auto& voxels) {
+        MaterialOfVoxel material(set_, table_);
+        const auto row = voxels.data() + (first[2] * size()[1] + first[1]) * size()[0] + first[0];
+        Material last = material(static_cast<std::int64_t>(row[0]));
+        for (std::int64_t x = 0; x < count; ++x) {
+          if (x > 0 && row[x] != row[x - 1]) last = material(static_cast<std::int64_t>(row[x]));
+          out[x * stride] = last;
+        }
+      },
+      image_->voxels);
+}
+
 std::uint64_t MaterialImage::bytes() const {
   const std::uint64_t voxels = std::visit(
       [](const auto& buffer) { return buffer.size() * sizeof(buffer[0]); }, image_->voxels);

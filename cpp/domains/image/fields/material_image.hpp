@@ -40,6 +40,11 @@ class MaterialImage {
   /// image its outermost voxels go on.  `out` has width^3 elements.
   void read(const VoxelCube& cube, std::span<Material> out) const;
 
+  /// Materials of some voxels of the image along its first axis, each written `stride` elements
+  /// behind the one before.
+  void read_row(const std::array<std::int64_t, 3>& first, std::int64_t count, Material* out,
+                std::int64_t stride) const;
+
   [[nodiscard]] std::uint64_t bytes() const;
 
  private:

@@ -36,8 +36,9 @@ NodeFields::NodeFields(const MaterialImage& image, const Rules& rules, const Con
 void NodeFields::make_tiles(const MaterialImage& image, const Rules& rules,
                             const Context& context) {
   const int halo = halo_of(rules);
+  const Treads treads = rules.slope_treads ? Treads(image, context) : Treads();
   for_each_tile(context, tiles_.size(), [&](std::size_t t) {
-    const LabelWindow window = window_around(image, first_cell(t), halo);
+    const LabelWindow window = window_around(image, treads, first_cell(t), halo);
     only_[t] = window.materials.front();
     tiles_[t] = make_tile(window, rules);
   });

@@ -24,7 +24,8 @@ struct CellBox {
 
 /// A field u for each label, in 16384ths at nodes and trilinear between them:
 ///   - the share of its voxels among those around a node, weighted by the taps, or by
-///     (3 10 3)/16 near thin voxels;
+///     (3 10 3)/16 near thin voxels, where surfaces that run almost along the planes of
+///     voxels have become slopes (`Treads`);
 ///   - and a constant for each label by which the region where it is the greatest has
 ///     the volume of its voxels (`volume_constants`);
 ///   - changed so that at every voxel's centre its own label is the greatest (`hold`).

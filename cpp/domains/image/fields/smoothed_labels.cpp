@@ -31,11 +31,19 @@ void smooth_across(const std::uint16_t* rows, std::size_t stride, int low, int h
 }
 
 /// The indicator of a label along a row of the window, smoothed at the tile's nodes.
-void smooth_row(std::span<const std::uint16_t> ranks, std::uint16_t rank, int halo,
+void smooth_row(const LabelWindow& window, std::size_t first, std::uint16_t rank,
                 const Taps& taps, std::uint16_t* sum) {
   std::array<std::uint16_t, length + 2 * greatest_radius + 8> is{};
-  for (std::size_t x = 0; x < ranks.size(); ++x) is[x] = ranks[x] == rank ? field_one : 0;
-  const std::uint16_t* from = is.data() + halo - taps.radius();
+  const auto width = static_cast<std::size_t>(window.width);
+  const std::uint16_t* ranks = &window.ranks[first];
+  for (std::size_t x = 0; x < width; ++x) is[x] = ranks[x] == rank ? field_one : 0;
+  if (!window.parts.empty()) {
+    const std::uint16_t *part = &window.parts[first], *receiver = &window.receivers[first];
+    for (std::size_t x = 0; x < width; ++x)
+      is[x] = static_cast<std::uint16_t>(is[x] - (ranks[x] == rank ? part[x] : 0) +
+                                         (receiver[x] == rank ? part[x] : 0));
+  }
+  const std::uint16_t* from = is.data() + window.halo - taps.radius();
   if (taps.weights.empty()) {
     std::copy_n(from, length, sum);
   } else {
@@ -60,10 +68,20 @@ void SmoothedLabels::find_supports(const LabelWindow& window) {
     for (int y = 0; y < window.width; ++y)
       for (int x = 0; x < window.width; ++x, ++rank) {
         if (x > 0 && *rank == rank[-1]) continue;
-        Support& s = supports_[*rank];
-        s.low = {std::min(s.low[0], y), std::min(s.low[1], z)};
-        s.high = {std::max(s.high[0], y), std::max(s.high[1], z)};
+        reach(*rank, y, z);
       }
+  if (window.parts.empty()) return;
+  for (std::size_t n = 0; n < window.parts.size(); ++n) {
+    if (window.parts[n] == 0) continue;
+    const auto row = static_cast<int>(n / static_cast<std::size_t>(window.width));
+    reach(window.receivers[n], row % window.width, row / window.width);
+  }
+}
+
+void SmoothedLabels::reach(std::size_t rank, int y, int z) {
+  Support& s = supports_[rank];
+  s.low = {std::min(s.low[0], y), std::min(s.low[1], z)};
+  s.high = {std::max(s.high[0], y), std::max(s.high[1], z)};
 }
 
 void SmoothedLabels::smooth(const LabelWindow& window, std::size_t rank,
@@ -86,8 +104,7 @@ void SmoothedLabels::smooth(const LabelWindow& window, std::size_t rank,
   std::uint16_t* out = along_x_.data();
   for (int z = voxels.low[1]; z <= voxels.high[1]; ++z)
     for (int y = voxels.low[0]; y <= voxels.high[0]; ++y, out += length)
-      smooth_row({&window.ranks[window.at(0, y, z)], static_cast<std::size_t>(window.width)},
-                 static_cast<std::uint16_t>(rank), window.halo, taps[0], out);
+      smooth_row(window, window.at(0, y, z), static_cast<std::uint16_t>(rank), taps[0], out);
 
   along_y_.resize(layers * rows_out * length);
   out = along_y_.data();

@@ -38,6 +38,8 @@ class SmoothedLabels {
   };
 
   void find_supports(const LabelWindow& window);
+  /// Makes a support hold a row.
+  void reach(std::size_t rank, int y, int z);
   void smooth(const LabelWindow& window, std::size_t rank, const std::array<Taps, 3>& taps);
 
   std::vector<Support> supports_;

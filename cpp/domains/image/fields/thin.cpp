@@ -21,6 +21,25 @@ bool at_risk(const LabelWindow& window, const std::vector<std::uint8_t>& whole,
   return false;
 }
 
+/// Whether at most two in a row have the label of a voxel.
+bool is_short(const std::uint16_t* rank, std::size_t along) {
+  const bool before = rank[0] == *(rank - along), after = rank[0] == rank[along];
+  if (before == after) return !before;
+  return before ? rank[0] != *(rank - 2 * along) : rank[0] != rank[2 * along];
+}
+
+using Strides = std::array<std::size_t, 3>;
+
+Slender slender_along(const std::uint16_t* rank, std::size_t along, const Strides& strides) {
+  if (!is_short(rank, along)) return Slender::no;
+  for (const std::size_t beside : strides) {
+    if (beside == along) continue;
+    for (const std::uint16_t* other : {rank - beside, rank + beside})
+      if (*other == *rank && !is_short(other, along)) return Slender::row;
+  }
+  return Slender::part;
+}
+
 }  // namespace
 
 /// In loops over all voxels, as if each row went on in the next one: that is wrong in
@@ -60,6 +79,20 @@ bool find_thin(const LabelWindow& window, const std::vector<std::uint8_t>& whole
               some = flags[tile_node_number(i, j, k)] = true;
       }
   return some;
+}
+
+void find_slender(const LabelWindow& window, const std::vector<std::uint8_t>& whole,
+                  Slenderness& slender) {
+  const auto width = static_cast<std::size_t>(window.width);
+  const Strides strides{1, width, width * width};
+  for_each_of_cube(tile_nodes, [&](int x, int y, int z) {
+    const std::size_t voxel = window.at(x + window.halo, y + window.halo, z + window.halo);
+    Slender& most = slender[tile_node_number(x, y, z)] = Slender::no;
+    if (whole[voxel] == 0xff) return;
+    for (const std::size_t along : strides)
+      most = std::max(most, slender_along(&window.ranks[voxel], along, strides));
+    if (most == Slender::part && whole[voxel] == 0) most = Slender::thin_part;
+  });
 }
 
 void find_at_risk(const LabelWindow& window, const std::vector<std::uint8_t>& whole,

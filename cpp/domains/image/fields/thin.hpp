@@ -24,6 +24,20 @@ using NodeFlags = std::array<bool, std::size_t{tile_nodes} * tile_nodes * tile_n
 bool find_thin(const LabelWindow& window, const std::vector<std::uint8_t>& whole,
                NodeFlags& flags);
 
+enum class Slender : std::uint8_t {
+  no,
+  row,   ///< along some axis it is one of one or two of its label in a row
+  part,  ///< so are its face neighbours of that label beside the row: a part of a sheet or a
+         ///< wire, which does not stand out of something thick
+  thin_part,  ///< and it is thin
+};
+
+/// How slender the voxels of nodes are.
+using Slenderness = std::array<Slender, std::size_t{tile_nodes} * tile_nodes * tile_nodes>;
+
+void find_slender(const LabelWindow& window, const std::vector<std::uint8_t>& whole,
+                  Slenderness& slender);
+
 /// Whether a voxel may be lost, or lose a neighbour, where no point of the lattice is at
 /// its centre: it is thin, or has no whole block in common with a face neighbour of its
 /// label, or its whole blocks do not hang together by faces.

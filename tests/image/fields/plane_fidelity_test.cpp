@@ -1,0 +1,111 @@
+// Whether planes in which two labels meet are flat, whatever their slope to the planes of
+// voxels: also those that are stairs with long treads.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "certet/image.hpp"
+#include "deviation.hpp"
+#include "label_images.hpp"
+#include "lattice_materials.hpp"
+#include "seed.hpp"
+
+namespace certet {
+namespace {
+
+using lattice_materials::Cuts;
+using lattice_materials::domain_of;
+
+/// A plane that rises by `slope` voxels per voxel, in an image that is `wide` across it.
+class Plane {
+ public:
+  Plane(double slope, double direction, std::size_t axis, double offset)
+      : axis_(axis), tread_(1 / slope) {
+    normal_ = {slope * std::cos(direction), slope * std::sin(direction), 1};
+    std::swap(normal_[axis], normal_[2]);
+    // A tread that the border cuts off is no part of a slope.
+    margin_ = 4 + std::min(static_cast<int>(std::ceil(1.42 * tread_)), 32);
+    const int across = 2 * margin_ + 16;
+    size_.fill(across);
+    size_[axis] = static_cast<std::int64_t>(1.5 * slope * across) + 14;
+    for (std::size_t a = 0; a < 3; ++a)
+      offset_ += normal_[a] * (0.5 * static_cast<double>(size_[a]) - 0.5);
+    offset_ += offset;
+  }
+
+  [[nodiscard]] double height(const Point3& p) const {
+    return (normal_[0] * p[0] + normal_[1] * p[1] + normal_[2] * p[2] - offset_) /
+           label_images::norm(normal_);
+  }
+
+  [[nodiscard]] double flatness(const fields::Rules& rules) const {
+    const auto domain = domain_of(label_images::image_of(size_, [&](int i, int j, int k) {
+      return height({double(i), double(j), double(k)}) < 0 ? 1 : 2;
+    }), 1, rules);
+    const Cuts cuts(*domain);
+    std::vector<Point3> points;
+    for (std::size_t e = 0; e < cuts.edges.size(); ++e)
+      if (const Point3 p = domain->frame().world(cuts.position(e)); is_inside(p)) points.push_back(p);
+    EXPECT_GT(points.size(), 300U);
+    return Flatness(points, [&](const Point3& p) { return height(p); }).half_width;
+  }
+
+ private:
+  [[nodiscard]] bool is_inside(const Point3& p) const {
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double margin = a == axis_ ? 1 : margin_;  // there the image ends
+      if (p[a] < margin || p[a] > static_cast<double>(size_[a] - 1) - margin) return false;
+    }
+    return true;
+  }
+
+  std::size_t axis_;
+  double tread_;
+  int margin_;
+  Point3 normal_{};
+  double offset_ = 0;
+  std::array<std::int64_t, 3> size_{};
+};
+
+const std::vector<double> slopes{0.05, 0.07, 0.1, 0.13, 0.17, 0.2, 0.23, 0.26, 0.3, 0.4, 0.6, 0.8, 1};
+
+/// The image's border bends planes; a constant would move all of them for it.
+fields::Rules without_constants() {
+  fields::Rules rules;
+  rules.keep_volumes = false;
+  return rules;
+}
+
+/// Planes of all slopes, in directions that a seed draws.
+void expect_flat(std::uint64_t seed, double bar) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (const double slope : slopes)
+    for (int n = 0; n < 5; ++n) {
+      const double direction = n == 0 ? 0 : n == 1 ? 0.785398 : 6.283185 * unit(random);
+      const double offset = unit(random);
+      EXPECT_LE(Plane(slope, direction, static_cast<std::size_t>(n) % 3, offset)
+                    .flatness(without_constants()), bar)
+          << "slope " << slope << ", direction " << direction << ", offset " << offset;
+    }
+}
+
+TEST(PlaneFidelity, PlanesAreFlat) { expect_flat(1, 0.2); }
+
+/// Some are a little more than 0.2 voxels off.
+TEST(PlaneFidelity, PlanesInAnyDirectionAreAlmostAsFlat) { expect_flat(test_seed(), 0.25); }
+
+TEST(PlaneFidelity, TreadsThatStayAreCaught) {
+  fields::Rules rules = without_constants();
+  rules.slope_treads = false;
+  for (const double slope : {0.05, 0.07, 0.1, 0.13})
+    EXPECT_GT(Plane(slope, 0.4, 2, 0.3).flatness(rules), 0.25) << slope;
+}
+
+}  // namespace
+}  // namespace certet
