@@ -35,7 +35,7 @@ From Certet Require Material.MaterialReducesProof Material.MaterialMeshProof.
 From Certet Require Material.MaterialPatternsProof.
 From Certet Require Material.MaterialTwiceProof Material.MaterialFillProof.
 From Certet Require Material.MaterialBoundsProof Material.MaterialWarpProof.
-From Certet Require Material.SettleMaterialsProof.
+From Certet Require Material.SettleMaterialsProof Material.SettleReducesProof.
 From Certet Require Material.MaterialDegreesProof.
 
 Open Scope Z_scope.
@@ -230,6 +230,31 @@ Theorem DemotedReduces :
          (fun _ => Outside) tid)
     = StuffedTets th sign cut tid.
 Proof. exact MaterialWarpProof.DemotedReduces. Qed.
+
+(** And so has the rule that runs, of samples of which none is 0: turns come in the
+    same order, the same vertices move, equally far, and the mesh is the same. *)
+Theorem MaterialsInTurnReduce :
+  forall th sign cut m, Outside < m -> (forall v, sign v <> OnSurface) ->
+    let material v := match sign v with Plus => m | _ => Outside end in
+    forall vs, MaterialsInTurn th material cut vs = InTurn th sign cut vs.
+Proof. exact SettleReducesProof.MaterialsInTurnReduce. Qed.
+
+Theorem SettleReduces :
+  forall bounds th sign cut m, Outside < m -> (forall v, sign v <> OnSurface) ->
+    let material v := match sign v with Plus => m | _ => Outside end in
+    forall vs,
+      SettleMaterials bounds th material cut vs = Settle th sign cut LevelGap vs.
+Proof. exact SettleReducesProof.SettleReduces. Qed.
+
+Theorem SettledTetsReduce :
+  forall bounds th sign cut m, Outside < m -> (forall v, sign v <> OnSurface) ->
+    let material v := match sign v with Plus => m | _ => Outside end in
+    forall vs tid,
+      OfMaterial m
+        (SettledMaterialTets th material cut
+           (SettleMaterials bounds th material cut vs) tid)
+      = SettledTets th sign cut (Settle th sign cut LevelGap vs) tid.
+Proof. exact SettleReducesProof.SettledTetsReduce. Qed.
 
 (** ** Three materials or four
 

@@ -315,6 +315,16 @@ Section One.
     exact (FoldSame AtTargets _ _ OneSame OneAtTargets vs NoZeros NobodyAtTargets).
   Qed.
 
+  Theorem MaterialsInTurnReduce vs :
+    MaterialsInTurn th material cut vs = InTurn th sign cut vs.
+  Proof.
+    unfold MaterialsInTurn, InTurn. cbv zeta.
+    rewrite (map_ext _ (fun v => (Turn th sign cut v, v)))
+      by (intros v; rewrite TurnSame; reflexivity).
+    rewrite (filter_ext _ (Violated th sign cut)); [reflexivity|].
+    intros v. rewrite TargetSame. reflexivity.
+  Qed.
+
   Theorem SettledTetsReduce vs tid :
     OfMaterial m
       (SettledMaterialTets th material cut

@@ -148,7 +148,9 @@ TEST(MaterialsMesh, AWallThatTwoSolidsHaveIsOneInterface) {
           farthest = std::max(farthest, std::fabs(p[0] - wall.at));
     EXPECT_LT(farthest, 0.06 * 0.125) << wall.at << (wall.priority.empty() ? "" : " left");
     // A wall of lattice points is met exactly, whichever solid is the stronger.
-    if (wall.at == 0) EXPECT_EQ(farthest, 0) << (wall.priority.empty() ? "" : "left");
+    if (wall.at == 0) {
+      EXPECT_EQ(farthest, 0) << (wall.priority.empty() ? "" : "left");
+    }
     EXPECT_FALSE(has_slit(found));
     EXPECT_TRUE(check(found.mesh).failures.empty());
   }

@@ -139,7 +139,7 @@ TEST(Rims, HaveTheSameNumbersEverywhere) {
 TEST(SteadyRest, IsTheWholeNumberNearTheRest) {
   std::mt19937_64 random(test_seed());
   constexpr std::int32_t reach = 1 << 24;
-  const auto any = [&] { return between(random, -reach, reach); };
+  const auto any = [&] { return ::between(random, -reach, reach); };
   std::vector<RimLoop> loops;
   for (int n = 0; n < 12; ++n) {
     const Coord3 middle{any() / 2, any() / 2, any() / 2};

@@ -126,7 +126,7 @@ TEST(MeshFidelity, ObliquePlanesAreFlat) {
 /// How far off the volume of a sheet is that lies between two planes in a ball, one voxel apart.
 double change_of_sheet(const Point3& normal, int inside, int outside) {
   const Point3 middle{23.37, 23.21, 23.6};
-  const auto domain = interface_domain(image_of({48, 48, 48}, [&](int i, int j, int k) {
+  const auto domain = interface_domain(label_images::image_of({48, 48, 48}, [&](int i, int j, int k) {
     const Point3 q = label_images::minus({double(i), double(j), double(k)}, middle);
     const double height = (normal[0] * q[0] + normal[1] * q[1] + normal[2] * q[2]) /
                           label_images::norm(normal);
