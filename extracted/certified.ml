@@ -1441,6 +1441,46 @@ let turns =
   S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S (S
     (S (S (S (S (S (S (S O)))))))))))))))))))))))))))))))
 
+module PositiveMap =
+ struct
+  type key = positive
+
+  type 'a tree =
+  | Leaf
+  | Node of 'a tree * 'a option * 'a tree
+
+  type 'a t = 'a tree
+
+  (** val empty : 'a1 t **)
+
+  let empty =
+    Leaf
+
+  (** val find : key -> 'a1 t -> 'a1 option **)
+
+  let rec find i = function
+  | Leaf -> None
+  | Node (l, o, r) ->
+    (match i with
+     | XI ii -> find ii r
+     | XO ii -> find ii l
+     | XH -> o)
+
+  (** val add : key -> 'a1 -> 'a1 t -> 'a1 t **)
+
+  let rec add i v = function
+  | Leaf ->
+    (match i with
+     | XI ii -> Node (Leaf, None, (add ii v Leaf))
+     | XO ii -> Node ((add ii v Leaf), None, Leaf)
+     | XH -> Node (Leaf, (Some v), Leaf))
+  | Node (l, o, r) ->
+    (match i with
+     | XI ii -> Node (l, o, (add ii v r))
+     | XO ii -> Node ((add ii v l), o, r)
+     | XH -> Node (l, (Some v), r))
+ end
+
 type 'a link =
 | L14 of 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a
 
@@ -1562,46 +1602,6 @@ let diskOf plus =
 
 let isDisk link0 =
   diskOf (gather (isInner (at link0))) (gather (isZero (at link0)))
-
-module PositiveMap =
- struct
-  type key = positive
-
-  type 'a tree =
-  | Leaf
-  | Node of 'a tree * 'a option * 'a tree
-
-  type 'a t = 'a tree
-
-  (** val empty : 'a1 t **)
-
-  let empty =
-    Leaf
-
-  (** val find : key -> 'a1 t -> 'a1 option **)
-
-  let rec find i = function
-  | Leaf -> None
-  | Node (l, o, r) ->
-    (match i with
-     | XI ii -> find ii r
-     | XO ii -> find ii l
-     | XH -> o)
-
-  (** val add : key -> 'a1 -> 'a1 t -> 'a1 t **)
-
-  let rec add i v = function
-  | Leaf ->
-    (match i with
-     | XI ii -> Node (Leaf, None, (add ii v Leaf))
-     | XO ii -> Node ((add ii v Leaf), None, Leaf)
-     | XH -> Node (Leaf, (Some v), Leaf))
-  | Node (l, o, r) ->
-    (match i with
-     | XI ii -> Node (l, o, (add ii v r))
-     | XO ii -> Node ((add ii v l), o, r)
-     | XH -> Node (l, (Some v), r))
- end
 
 (** val openSigns : signField -> signField **)
 

@@ -370,6 +370,23 @@ val turn : thresholds -> signField -> cutField -> coord3 -> nat
 
 val turns : nat
 
+module PositiveMap :
+ sig
+  type key = positive
+
+  type 'a tree =
+  | Leaf
+  | Node of 'a tree * 'a option * 'a tree
+
+  type 'a t = 'a tree
+
+  val empty : 'a1 t
+
+  val find : key -> 'a1 t -> 'a1 option
+
+  val add : key -> 'a1 -> 'a1 t -> 'a1 t
+ end
+
 type 'a link =
 | L14 of 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a * 'a
 
@@ -398,23 +415,6 @@ val walls : bool link -> (direction * direction) list
 val diskOf : bool link -> bool link -> bool
 
 val isDisk : sign link -> bool
-
-module PositiveMap :
- sig
-  type key = positive
-
-  type 'a tree =
-  | Leaf
-  | Node of 'a tree * 'a option * 'a tree
-
-  type 'a t = 'a tree
-
-  val empty : 'a1 t
-
-  val find : key -> 'a1 t -> 'a1 option
-
-  val add : key -> 'a1 -> 'a1 t -> 'a1 t
- end
 
 val openSigns : signField -> signField
 
