@@ -80,8 +80,10 @@ void expect_the_same_files(const PlacedDomain& domain, Method method) {
   Context context;
   for (const Format format : formats) {
     if (format == Format::vtu_zlib && !can_compress()) continue;
-    const fs::path ours = folder / "ours.node";
-    const fs::path theirs = folder / "theirs.node";
+    // Of one name, for some files say the names of those beside them.
+    const fs::path ours = folder / "ours" / "a.node", theirs = folder / "theirs" / "a.node";
+    fs::create_directories(ours.parent_path());
+    fs::create_directories(theirs.parent_path());
     write(made, ours, format, context);
     write_by_slabs(domain, method, theirs, format);
     for (std::size_t f = 0; f < files_of(ours, format).size(); ++f) {
