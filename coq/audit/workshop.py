@@ -84,9 +84,10 @@ class Workshop:
 
     def shorten(self):
         """Leaves of the last page the theorems that are KEPT, which is then what was agreed, and
-        of that before it none."""
+        of those before it none."""
         # No proofs but theirs; and nothing of Mesh, which would have to follow every change of a Spec.
-        self.shorten_page("MaterialCertificate.v", r"Export (?!.*(?:Degrees|Range))")
+        for page in ("WholeMeshCertificate.v", "MaterialCertificate.v"):
+            self.shorten_page(page, r"Export (?!.*(?:Degrees|Range|Mesh\.))")
         self.shorten_page("Certificate.v", "Export (?!Mesh)")
 
     def shorten_page(self, page, left):
