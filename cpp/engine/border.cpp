@@ -7,15 +7,6 @@
 namespace certet {
 namespace {
 
-/// In lattice units; what Frame::world turns round.
-Point3 lattice_position(const Frame& frame, const Point3& world) {
-  Point3 position{};
-  for (std::size_t a = 0; a < 3; ++a)
-    for (std::size_t r = 0; r < 3; ++r)
-      position[a] += 2 / frame.size * frame.axes[r][a] * (world[r] - frame.origin[r]);
-  return position;
-}
-
 /// The frame by which the world's coordinates are the lattice's.
 constexpr Frame lattice_frame{.size = 2};
 
@@ -33,7 +24,7 @@ BorderBox::BorderBox(const Frame& place, const Point3& corner, const Point3& opp
 
 BorderBox BorderBox::along_frame(const Frame& frame, const Point3& corner,
                                  const Point3& opposite) {
-  return {lattice_frame, lattice_position(frame, corner), lattice_position(frame, opposite),
+  return {lattice_frame, frame.position(corner), frame.position(opposite),
           corner_rounding};
 }
 
@@ -44,7 +35,7 @@ BorderBox BorderBox::along_world(const Frame& frame, const Point3& corner,
 
 BorderBox BorderBox::seen_from(const Frame& other, const Frame& own) const {
   BorderBox box = *this;
-  const Point3 origin = lattice_position(own, other.origin);
+  const Point3 origin = own.position(other.origin);
   box.place_.size *= other.size / own.size;
   box.rounding_ += corner_rounding * box.place_.size;
   for (std::size_t r = 0; r < 3; ++r)

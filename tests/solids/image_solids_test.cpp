@@ -265,7 +265,7 @@ TEST(ImageSolids, TurnedOver) {
   const Solid turned = turned_over(solids::block({1, 2, 3}, {2, 4, 6}));
   EXPECT_EQ(turned.bounds.low, (Point3{-2, -4, 3}));
   EXPECT_EQ(turned.bounds.high, (Point3{-1, -2, 6}));
-  const auto domain = materials_domain({{"turned", turned}}, {.size = 0.5});
+  const auto domain = solid_domain(turned, 0.5);
   const Mesh found = mesh(*domain);
   for (const Coord3 point : found.points)
     EXPECT_LE(beyond(turned.bounds, domain->frame().world(point)), 1e-9);

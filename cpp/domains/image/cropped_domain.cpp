@@ -113,17 +113,6 @@ class CroppedDomain final : public PlacedDomain {
     return world;
   }
 
-  /// Lattice coordinates of a world point.
-  [[nodiscard]] Point3 in_lattice(const Point3& world) const {
-    const Frame& f = frame();
-    Point3 at{};
-    for (std::size_t a = 0; a < 3; ++a) {
-      for (std::size_t r = 0; r < 3; ++r) at[a] += (world[r] - f.origin[r]) * f.axes[r][a];
-      at[a] *= 2 / f.size;
-    }
-    return at;
-  }
-
   /// Leaves out the cells that lie beyond the box, but for two, so that no point of
   /// the box is among the outermost.  The points stay where they are.
   void crop_lattice() {
@@ -131,7 +120,7 @@ class CroppedDomain final : public PlacedDomain {
     low.fill(std::numeric_limits<double>::infinity());
     high.fill(-std::numeric_limits<double>::infinity());
     for (int corner = 0; corner < 8; ++corner) {
-      const Point3 at = in_lattice({corner & 1 ? box_.high[0] : box_.low[0],
+      const Point3 at = frame().position({corner & 1 ? box_.high[0] : box_.low[0],
                                     corner & 2 ? box_.high[1] : box_.low[1],
                                     corner & 4 ? box_.high[2] : box_.low[2]});
       for (std::size_t a = 0; a < 3; ++a) {

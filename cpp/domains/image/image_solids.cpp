@@ -165,7 +165,8 @@ Solid turned_over(const Solid& solid) {
     turned.bounds.high[a] = 0.0 - solid.bounds.low[a];
   }
   turned.on = [solid](const PlacedLattice& around) {
-    return placed_on(solid, {around.lattice, turned_over(around.frame)});
+    const Frame there = turned_over(around.frame);
+    return moved_domain(placed_on(solid, {around.lattice, there}), around, there);
   };
   if (solid.own)
     turned.own = [own = solid.own](double size, std::int32_t margin) {

@@ -86,10 +86,11 @@ class Way {
 
 class MovedDomain final : public PlacedDomain {
  public:
-  MovedDomain(std::shared_ptr<const PlacedDomain> domain, const PlacedLattice& around)
-      : domain_(std::move(domain)), around_(around), way_(around.frame, domain_->frame()) {
+  MovedDomain(std::shared_ptr<const PlacedDomain> domain, const PlacedLattice& around,
+              const Frame& there)
+      : domain_(std::move(domain)), around_(around), way_(there, domain_->frame()) {
     for (const BorderBox& box : domain_->border())
-      border_.push_back(box.seen_from(around_.frame, domain_->frame()));
+      border_.push_back(box.seen_from(there, domain_->frame()));
     const auto& [origin, cells] = domain_->lattice();
     low_ = wide(origin);
     for (std::size_t a = 0; a < 3; ++a) high_[a] = low_[a] + 2 * cells[a];
@@ -255,7 +256,12 @@ class MovedDomain final : public PlacedDomain {
 
 std::shared_ptr<const PlacedDomain> moved_domain(std::shared_ptr<const PlacedDomain> domain,
                                                  const PlacedLattice& around) {
-  return std::make_shared<MovedDomain>(std::move(domain), around);
+  return moved_domain(std::move(domain), around, around.frame);
+}
+
+std::shared_ptr<const PlacedDomain> moved_domain(std::shared_ptr<const PlacedDomain> domain,
+                                                 const PlacedLattice& around, const Frame& there) {
+  return std::make_shared<MovedDomain>(std::move(domain), around, there);
 }
 
 }  // namespace certet

@@ -7,18 +7,6 @@
 #include "certet/solid.hpp"
 
 namespace certet {
-namespace {
-
-Point3 in_lattice(const Frame& frame, const Point3& world) {
-  Point3 at{};
-  for (std::size_t a = 0; a < 3; ++a) {
-    for (std::size_t r = 0; r < 3; ++r) at[a] += (world[r] - frame.origin[r]) * frame.axes[r][a];
-    at[a] *= 2 / frame.size;
-  }
-  return at;
-}
-
-}  // namespace
 
 std::shared_ptr<const PlacedDomain> placed_on(const Solid& solid, const PlacedLattice& around) {
   const Frame& frame = around.frame;
@@ -32,9 +20,9 @@ Lattice lattice_holding(const Frame& frame, const Bounds& bounds, std::int32_t m
   low.fill(INFINITY);
   high.fill(-INFINITY);
   for (int corner = 0; corner < 8; ++corner) {
-    const Point3 at = in_lattice(frame, {corner & 1 ? bounds.high[0] : bounds.low[0],
-                                         corner & 2 ? bounds.high[1] : bounds.low[1],
-                                         corner & 4 ? bounds.high[2] : bounds.low[2]});
+    const Point3 at = frame.position({corner & 1 ? bounds.high[0] : bounds.low[0],
+                                      corner & 2 ? bounds.high[1] : bounds.low[1],
+                                      corner & 4 ? bounds.high[2] : bounds.low[2]});
     for (std::size_t a = 0; a < 3; ++a) {
       low[a] = std::min(low[a], at[a]);
       high[a] = std::max(high[a], at[a]);

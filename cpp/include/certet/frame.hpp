@@ -35,6 +35,16 @@ struct Frame {
             origin[2] + (axes[2][0] * x + axes[2][1] * y + axes[2][2] * z)};
   }
 
+  /// The position of a world point, in lattice units: what `world` turns round, but for rounding.
+  [[nodiscard]] Point3 position(const Point3& world) const {
+    Point3 at{};
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t r = 0; r < 3; ++r) at[a] += (world[r] - origin[r]) * axes[r][a];
+      at[a] *= 2 / size;
+    }
+    return at;
+  }
+
   /// How far `world` may move a coordinate by rounding, in long edges; for
   /// positions whose coordinates are at most `reach` lattice units.  Each
   /// coordinate is a sum of three products and the origin: with u = 2^-53, three

@@ -31,9 +31,7 @@ Solid interface_solid(std::shared_ptr<const Image> image, std::vector<LabelRange
 /// \throws Error `bad_input` for voxels that are no whole numbers.
 Image chosen_as_one(const Image& image, std::vector<LabelRange> labels);
 
-/// The same shape where both x and y change their signs: from LPS to RAS, and back.  It is one of
-/// several materials, or what another domain is trimmed by: meshed by itself alone, `solid_domain`
-/// has it in the axes that it had before.
+/// The same shape where both x and y change their signs: from LPS to RAS, and back.
 Solid turned_over(const Solid& solid);
 
 }  // namespace certet

@@ -19,4 +19,9 @@ namespace certet {
 std::shared_ptr<const PlacedDomain> moved_domain(std::shared_ptr<const PlacedDomain> domain,
                                                  const PlacedLattice& around);
 
+/// The same of a shape whose world is seen turned: `there` is the lattice's frame in the domain's
+/// own world, `around.frame` in that of whoever asks.
+std::shared_ptr<const PlacedDomain> moved_domain(std::shared_ptr<const PlacedDomain> domain,
+                                                 const PlacedLattice& around, const Frame& there);
+
 }  // namespace certet
