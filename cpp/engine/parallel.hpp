@@ -51,6 +51,11 @@ inline int thread_count(const Context& context) {
 #endif
 }
 
+/// For what the engine does within a single layer.
+struct OneThread : Context {
+  OneThread() { threads = 1; }
+};
+
 /// Calls work() on up to `threads` threads at once.
 template <class Work>
 void on_threads(int threads, const Work& work) {

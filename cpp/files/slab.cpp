@@ -7,20 +7,11 @@
 #include "mesh/quality/lattice_measurement.hpp"
 
 namespace certet::pipeline {
-namespace {
-
-/// For what the engine does within a single layer.
-struct OneThread : Context {
-  OneThread() { threads = 1; }
-};
-
-}  // namespace
-
 void PointSlab::make_layer(Source& source, std::int32_t layer) {
   const Timer timer(source.emitting);
   const std::uint64_t begin = source.stuffing.first_point(layer) - first_;
   const std::uint64_t end = source.stuffing.first_point(layer + 1) - first_;
-  OneThread context;
+  core::OneThread context;
   source.stuffing.emit_points(layer, layer + 1, {steps_.begin() + begin, steps_.begin() + end},
                               context);
   if (!has_world()) return;
@@ -70,7 +61,7 @@ void MiddleSlab::make_layer(std::span<const Coord3> points, std::uint64_t first_
 template <class Index>
 void TetSlab<Index>::find_materials(const Source& source, std::int32_t layer,
                                     std::span<Material> materials) const {
-  OneThread context;
+  core::OneThread context;
   if (!source.known.empty()) source.known.get(layer, materials);
   else if (source.stuffing.has_interfaces())
     source.stuffing.emit_materials(layer, layer + 1, materials, context);
@@ -113,7 +104,7 @@ Findings TetSlab<Index>::make_layer(Source& source, const PointSlab& points, std
   const std::span<const Tet<Index>> made = tets(stuffing, layer);
   {
     const Timer timer(source.emitting);
-    OneThread context;
+    core::OneThread context;
     stuffing.emit_tets(layer, layer + 1, {tets_.begin() + (first_tet - first_), made.size()},
                        context);
   }

@@ -145,7 +145,7 @@ Quality Check<Index>::measure(std::size_t begin, std::size_t end) const {
 template <class Index>
 Quality Check<Index>::measure_all() const {
   const auto parts =
-      core::in_ranges(tets_.size(), core::tets_per_task, context_,
+      core::in_ranges(tets_.size(), core::tets_per_task, Stage::count, context_,
                       [&](std::size_t begin, std::size_t end) { return measure(begin, end); });
   Quality quality;
   for (const Quality& part : parts) quality += part;

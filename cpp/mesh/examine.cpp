@@ -43,7 +43,8 @@ template <class Index>
 Qualities measure_all(std::span<const Point3> points, std::span<const Tet<Index>> tets,
                       std::span<const std::int32_t> labels, Context& context) {
   const auto parts = core::in_ranges(
-      tets.size(), core::tets_per_task, context, [&](std::size_t begin, std::size_t end) {
+      tets.size(), core::tets_per_task, Stage::count, context,
+      [&](std::size_t begin, std::size_t end) {
         return measure(points, tets.subspan(begin, end - begin),
                        labels.empty() ? labels : labels.subspan(begin, end - begin));
       });

@@ -15,10 +15,11 @@ namespace certet::core {
 /// What find(begin, end) gives for each range of at most `length` of the numbers below `count`,
 /// in order, so that sums of rounded numbers are always the same.
 template <class Find>
-auto in_ranges(std::size_t count, std::size_t length, Context& context, const Find& find) {
+auto in_ranges(std::size_t count, std::size_t length, Stage stage, Context& context,
+               const Find& find) {
   std::vector<std::invoke_result_t<const Find&, std::size_t, std::size_t>> parts(
       (count + length - 1) / length);
-  parallel_for(context, Stage::count, static_cast<std::int64_t>(parts.size()),
+  parallel_for(context, stage, static_cast<std::int64_t>(parts.size()),
                [&](std::int64_t task) {
                  const auto part = static_cast<std::size_t>(task);
                  const std::size_t begin = part * length;

@@ -143,7 +143,7 @@ AllSheetFaults find_sheet_faults(const Survey& survey, std::span<const FacePoint
                                  std::span<const Point3> points, Context& context) {
   Surfaces surfaces(survey, misoriented, points);
   const std::vector<Found> parts = in_ranges(
-      points.size(), vertices_per_task, context,
+      points.size(), vertices_per_task, Stage::count, context,
       [&](std::size_t begin, std::size_t end) { return surfaces.look_around(begin, end); });
   std::vector<SheetFaults> all(surfaces.sheets());
   AllSheetFaults found;

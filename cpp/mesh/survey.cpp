@@ -27,11 +27,6 @@ struct LayerFindings {
   std::vector<core::DoubtfulFace> doubtful;
 };
 
-/// For what the engine does within a single layer.
-struct OneThread : Context {
-  OneThread() { threads = 1; }
-};
-
 template <class Index>
 class LayerSurvey {
  public:
@@ -50,7 +45,7 @@ class LayerSurvey {
 
   const Stuffing& stuffing_;
   std::int32_t layer_;
-  OneThread context_;
+  core::OneThread context_;
   std::uint64_t first_point_, first_tet_;
   Buffer<Tet<Index>> tets_;
   Buffer<std::uint8_t> on_surface_;

@@ -50,6 +50,15 @@ class Order(unittest.TestCase):
             radii.extend(np.linalg.norm(nodes[np.abs(nodes - (a + b) / 2).max(1) > 1e-9], axis=1))
         np.testing.assert_allclose(radii, 1, atol=1e-5)
 
+    def test_solids(self):
+        """Alone, and several; the weaker one's surfaces as well as the stronger one's."""
+        one = certet.mesh(certet.Solid("sphere:1"), size=0.3, order=2, curved=True)
+        self.assertEqual(one.curve.moved + one.curve.on_surface, one.curve.edges)
+        solids = {"ball": "sphere:1", "rod": "cylinder:0.5,3"}
+        for options in ({}, {"priority": ["ball"]}):
+            several = certet.mesh(solids, size=0.15, order=2, curved=True, **options)
+            self.assertLess(several.curve.far, several.curve.moved / 10)
+
     def test_files(self):
         mesh = ball(order=2, curved=True)
         with tempfile.TemporaryDirectory() as folder:

@@ -43,14 +43,14 @@ has (estimated, of what is in no stronger solid), is named in a warning.
 named in the same way; the lattice and its size stay those of what is trimmed, labels keep
 their numbers, and formulas and shapes need no --bounds where --inside gives them room.
 
-World coordinates are the image's own: millimetres, LPS (x to the left, y to the
-back, z to the head), as ITK has them, for NIfTI too, whose sform is taken where it
-is set, else its qform.  --frame ras gives what nibabel, FreeSurfer and models of 3D
-Slicer have; table and JSON tell the axes of the output, and .vtu, .stl and .ply have them
-in a comment, SPACE=LPS.  --crop means LPS all the same, and all lengths are those before
---scale; surfaces, volumes, formulas and shapes beside an image have the axes of the output.  The slices of a DICOM series, and the frames of a DICOM
-file, are ordered by their positions.  The first voxel of a TIFF file is at the
-origin, x along its rows, y down its columns, z through its pages.
+World coordinates are the image's own: millimetres, LPS (x to the left, y to the back, z to the
+head), as ITK has them, for NIfTI too, whose sform is taken where it is set, else its qform.
+--frame ras gives what nibabel, FreeSurfer and models of 3D Slicer have; table and JSON tell the
+axes of the output, and .vtu, .stl and .ply have them in a comment, SPACE=LPS.  --crop means LPS
+all the same, and all lengths are those before --scale; surfaces, volumes, formulas and shapes
+beside an image have the axes of the output.  The slices of a DICOM series, and the frames of a
+DICOM file, are ordered by their positions.  The first voxel of a TIFF file is at the origin, x
+along its rows, y down its columns, z through its pages.
 
 With --iso A..B the solid is where the lesser of the distances to both values,
 interpolated between the centres of voxels, is positive: between a voxel below both and
@@ -82,16 +82,16 @@ then no label and no piece is lost; not with --crop.  With --iso the pieces are 
 mesh, at any size.  With --iso, and with --smooth and --method paper, a size is looked for that
 keeps them all, and the volume.
 
-The pieces of every mesh are counted, by faces and by vertices, and of several labels
-those of each; with --method paper the latter by --label-pieces alone, for it takes long.
-So are the edges and vertices at which its surface is no manifold, of which --method
-paper may leave some.  By the other methods one label has none; of several, two and the
-outside may leave such vertices, as three may on the surface of one of them: at the cut of
-an edge between two, where the third is on opposite sides of the edge and not between, or
-all around.  A tetrahedron with four corners that moved may, rarely, leave such an edge.  --keep largest drops all pieces by faces but the one of the most
-tetrahedra, --keep N all but the N largest, --keep percolating:x (y, z) all that do not go
-from one end of the solid to the other along that axis of the lattice, which is the
-image's or the world's, but for a --size at either end.  What was dropped is told.
+The pieces of every mesh are counted, by faces and by vertices, and of several labels those of
+each; with --method paper the latter by --label-pieces alone, for it takes long.  So are the
+edges and vertices at which its surface is no manifold, of which --method paper may leave some.
+By the other methods one label has none; of several, two and the outside may leave such
+vertices, as three may on the surface of one of them: at the cut of an edge between two, where
+the third is on opposite sides of the edge and not between, or all around.  A tetrahedron with
+four corners that moved may, rarely, leave such an edge.  --keep largest drops all pieces by
+faces but the one of the most tetrahedra, --keep N all but the N largest, --keep percolating:x
+(y, z) all that do not go from one end of the solid to the other along that axis of the lattice,
+which is the image's or the world's, but for a --size at either end.  What was dropped is told.
 
 A surface need not be clean: equal corners that differ by rounding, triangles that are
 repeated, turned or without an area, T-junctions, and walls between two solids that are
@@ -134,43 +134,40 @@ nearer, it stays, and the cuts around it are moved away from it (clamped), by at
 samples, which are + where the lattice's points are inside.
 
 With --order 2 middle nodes come behind the corners, by the lower and then the higher end of
-their edges; mesh.points counts the corners.  Each format has its own order of the ten nodes.  All that is said of angles, and of theorems, is of the tetrahedra with straight
-edges.  --curved looks for the surface along the mean normal of the triangles around an edge,
-within a quarter of its length, and puts the middle node there.  Edges stay straight
-where more than two regions meet, and where else the Jacobian determinant of an element could fall
-below a quarter of what it is while straight: this is bounded by its Bernstein coefficients, in
-whole numbers.
+their edges; mesh.points counts the corners.  Each format has its own order of the ten nodes.
+All that is said of angles, and of theorems, is of the tetrahedra with straight edges.  --curved
+looks for the surface along the mean normal of the triangles around an edge, within a quarter of
+its length, and puts the middle node there.  Edges stay straight where more than two regions
+meet, and where else the Jacobian determinant of an element could fall below a quarter of what
+it is while straight: this is bounded by its Bernstein coefficients, in whole numbers.
 
-Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file,
-format, bytes, origin, frame (lps, ras, or input where the axes are not known), scale}, lattice
-{cells, size, cuts, and with --target-tets: target_tets, tries}, method {name, and of embedded:
+Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file, format,
+bytes, origin, frame (lps, ras, or input where the axes are not known), scale}, lattice {cells,
+size, cuts, and with --target-tets: target_tets, tries}, method {name, and of embedded:
 violated, stayed, shortened, missed (the surface, by shortened moves) {greatest, rms,
 greatest_edges, rms_edges}, clamped {cuts and the same}}, theorem, mesh {points, tets, volume,
-volume_fraction (of shapes without an end), checksum, file_checksum,
-pieces {by_faces, by_vertices, largest_tets}, nonmanifold {edges, vertices, edge_places,
-vertex_places: in the world, of the first 8}}, with --order 2: order2 {middle_nodes, curved, and with
---curved: surface_edges, moved, on_surface, straight {guarded (would spoil an element), far (from
-the surface), seams}, greatest_move, greatest_move_edges, least_jacobian (a lower bound, of
-what it is while straight)}, with --keep: dropped {keep, pieces, kept,
-tets, volume}, dihedral
-{min, max, lattice_min, lattice_max, rounding, histogram}, guarantee {asked, used,
-theorem, min_dihedral, max_dihedral, inverted_tets, holds,
-of several labels: surface (a sentence on it)}, seconds {read, sample,
-cut, warp, count, pieces, emit, measure, write, total}, memory {limit, needed, least,
-peak}, warnings, where pieces were not compared: losses {not_compared (a sentence), size (of
-the finer lattice), cells (of it, to be looked at)}, and for images regions [{label, voxels, tets, name where the file or
---label-names has one, volume, voxel_volume, change_percent, pieces (by faces) and pieces_by_vertices; of several
-labels with --method paper by --label-pieces alone, else pieces is of the samples, and told
-where the image's are: image_pieces {by_corners, by_faces}}], of several solids regions
-[{label, name, tets, volume, solid_volume (estimated), pieces, pieces_by_vertices}], of labels
-that are smoothed: smoothing {sigma (left out where it is one voxel), voxel_volume, mesh_volume,
-change}.  Lengths are in world units, volumes and places in those of the output, angles in
-degrees, memory in bytes; the
-histogram has 36 bins of 5 degrees, counted before coordinates are rounded; rounding
-is what the doubles of the world can turn an angle by; output.origin is where in the
-world the output has its 0; file_checksum is what `certet check` tells of a file with
-this mesh, checksum is of the lattice and the same wherever the mesh is; the
-seconds of emit, measure and write overlap and are those of all threads together;
-a dry run leaves out what it does not know.)";
+volume_fraction (of shapes without an end), checksum, file_checksum, pieces {by_faces,
+by_vertices, largest_tets}, nonmanifold {edges, vertices, edge_places, vertex_places: in the
+world, of the first 8}}, with --order 2: order2 {middle_nodes, curved, and with --curved:
+surface_edges, moved, on_surface, straight {guarded (would spoil an element), far (from the
+surface), seams}, greatest_move, greatest_move_edges, least_jacobian (a lower bound, of what it
+is while straight)}, with --keep: dropped {keep, pieces, kept, tets, volume}, dihedral {min,
+max, lattice_min, lattice_max, rounding, histogram}, guarantee {asked, used, theorem,
+min_dihedral, max_dihedral, inverted_tets, holds, of several labels: surface (a sentence on
+it)}, seconds {read, sample, cut, warp, count, pieces, emit, measure, write, total}, memory
+{limit, needed, least, peak}, warnings, where pieces were not compared: losses {not_compared (a
+sentence), size (of the finer lattice), cells (of it, to be looked at)}, and for images regions
+[{label, voxels, tets, name where the file or --label-names has one, volume, voxel_volume,
+change_percent, pieces (by faces) and pieces_by_vertices; of several labels with --method paper
+by --label-pieces alone, else pieces is of the samples, and told where the image's are:
+image_pieces {by_corners, by_faces}}], of several solids regions [{label, name, tets, volume,
+solid_volume (estimated), pieces, pieces_by_vertices}], of labels that are smoothed: smoothing
+{sigma (left out where it is one voxel), voxel_volume, mesh_volume, change}.  Lengths are in
+world units, volumes and places in those of the output, angles in degrees, memory in bytes; the
+histogram has 36 bins of 5 degrees, counted before coordinates are rounded; rounding is what the
+doubles of the world can turn an angle by; output.origin is where in the world the output has
+its 0; file_checksum is what `certet check` tells of a file with this mesh, checksum is of the
+lattice and the same wherever the mesh is; the seconds of emit, measure and write overlap and
+are those of all threads together; a dry run leaves out what it does not know.)";
 
 }  // namespace certet::command

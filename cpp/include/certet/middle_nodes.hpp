@@ -63,7 +63,6 @@ class MiddleNodes {
 
   /// Of those that are not in the middle of their edges, by growing numbers.
   [[nodiscard]] std::span<const Bend> bends() const { return bends_; }
-  [[nodiscard]] Coord3 bend(std::uint64_t node) const;
   /// By growing numbers; none is zero.
   void set_bends(std::vector<Bend> bends) { bends_ = std::move(bends); }
 
@@ -74,6 +73,9 @@ class MiddleNodes {
   std::vector<std::uint32_t> reach_;
   std::vector<Bend> bends_;
 };
+
+/// That of a node, 0 where it has none.  `bends` are by growing numbers.
+Coord3 bend_of(std::span<const Bend> bends, std::uint64_t node);
 
 /// The middle nodes of a mesh, in the middle of their edges.
 /// \throws Error `too_large` (out of memory, or an edge between points whose numbers differ by

@@ -9,10 +9,10 @@ namespace {
 
 enum class Side { within, upon, beyond };
 
-/// The material that a label stands for.
+/// The material that a label stands for; labels are in no order.
 Material material_of(const Domain& domain, std::int32_t label) {
   const std::span<const std::int32_t> labels = domain.labels();
-  const auto found = std::ranges::lower_bound(labels, label);
+  const auto found = std::ranges::find(labels, label);
   return labels.empty() ? 1 : static_cast<Material>(found - labels.begin()) + 1;
 }
 
@@ -24,12 +24,14 @@ constexpr std::int64_t rounded(std::int64_t a, std::int64_t b) {
 /// The positions along the normal of an edge, and how far the search has come.
 class Path {
  public:
-  explicit Path(const SurfaceEdge& edge) : edge_(&edge) {
+  Path(const SurfaceEdge& edge, const Domain& domain)
+      : edge_(&edge), material_(material_of(domain, edge.label)) {
     for (const std::int64_t n : edge.normal) greatest_ = std::max(greatest_, std::abs(n));
     end_ = greatest_ == 0 ? 0 : std::max(edge.length / 4, 1);
   }
 
   [[nodiscard]] const SurfaceEdge& edge() const { return *edge_; }
+  [[nodiscard]] Material material() const { return material_; }  ///< within
   [[nodiscard]] bool is_open() const { return !done_; }
   /// Where the domain is to be asked next.
   [[nodiscard]] Coord3 position() const { return at(next_) + edge_->inward; }
@@ -57,6 +59,7 @@ class Path {
   }
 
   const SurfaceEdge* edge_;
+  Material material_;
   std::int64_t greatest_ = 0;  ///< extent of the normal
   std::int64_t end_;           ///< the search goes no farther
   std::int64_t next_ = 0;      ///< where it looks
@@ -120,7 +123,7 @@ class Question {
  private:
   [[nodiscard]] Side side(const Path& path, std::size_t i) const {
     if (!path.edge().outer)
-      return materials_[i] == material_of(domain_, path.edge().label) ? Side::within : Side::beyond;
+      return materials_[i] == path.material() ? Side::within : Side::beyond;
     switch (signs_[i]) {
       case Sign::plus: return Side::within;
       case Sign::on_surface: return Side::upon;
@@ -139,7 +142,8 @@ class Question {
 
 void find_crossings(std::span<const SurfaceEdge> edges, const Domain& domain,
                     std::span<Crossing> out) {
-  std::vector<Path> paths(edges.begin(), edges.end());
+  std::vector<Path> paths;
+  for (const SurfaceEdge& edge : edges) paths.emplace_back(edge, domain);
   std::vector<Path*> open;
   for (Path& path : paths) open.push_back(&path);
   Question question(domain);

@@ -22,11 +22,6 @@ using namespace quadratic;
 constexpr std::size_t edges_at_once = 512;
 constexpr std::int64_t tets_at_once = 1 << 16;
 
-/// For what the engine does within a single layer.
-struct OneThread : Context {
-  OneThread() { threads = 1; }
-};
-
 /// Which middle nodes and points are those of the surfaces.
 class SurfaceMarks {
  public:
@@ -98,7 +93,7 @@ AtSurface gathered_of(const Stuffing& stuffing, const SurfaceMarks& marks, Conte
     const auto layer = static_cast<std::int32_t>(task);
     const std::int32_t behind = std::min(layer + 2, stuffing.layers());
     const std::uint64_t first = stuffing.first_point(layer);
-    OneThread own;
+    core::OneThread own;
     Buffer<Tet<Index>> tets(stuffing.first_tet(layer + 1) - stuffing.first_tet(layer));
     Buffer<Coord3> points(stuffing.first_point(behind) - first);
     stuffing.emit_tets(layer, layer + 1, std::span<Tet<Index>>(tets), own);

@@ -3,18 +3,13 @@
 #include <algorithm>
 
 #include "certet/curve.hpp"
-#include "engine/parallel.hpp"
 #include "jacobian.hpp"
+#include "mesh/ranges.hpp"
 
 namespace certet::quadratic {
 namespace {
 
 constexpr std::size_t elements_at_once = 1024;
-
-Coord3 bend_of(std::span<const Bend> bends, std::uint64_t node) {
-  const auto found = std::ranges::lower_bound(bends, node, {}, &Bend::node);
-  return found == bends.end() || found->node != node ? Coord3{0, 0, 0} : found->by;
-}
 
 std::int64_t squared(Coord3 bend) {
   return std::int64_t{bend.x} * bend.x + std::int64_t{bend.y} * bend.y +
@@ -50,15 +45,14 @@ void look_at(const SurfaceElement& element, std::span<const Bend> bends, Look& l
 /// At all elements, from the bends as they are.
 Look look_at_all(std::span<const SurfaceElement> elements, std::span<const Bend> bends,
                  Context& context) {
-  std::vector<Look> parts((elements.size() + elements_at_once - 1) / elements_at_once);
-  core::parallel_for(context, Stage::emit, static_cast<std::int64_t>(parts.size()),
-                     [&](std::int64_t task) {
-                       const auto first = static_cast<std::size_t>(task) * elements_at_once;
-                       const std::size_t count =
-                           std::min(elements_at_once, elements.size() - first);
-                       for (const SurfaceElement& element : elements.subspan(first, count))
-                         look_at(element, bends, parts[static_cast<std::size_t>(task)]);
-                     });
+  const auto parts = core::in_ranges(
+      elements.size(), elements_at_once, Stage::emit, context,
+      [&](std::size_t begin, std::size_t end) {
+        Look look;
+        for (const SurfaceElement& element : elements.subspan(begin, end - begin))
+          look_at(element, bends, look);
+        return look;
+      });
   Look all;
   for (const Look& part : parts) {
     all.spoiling.insert(all.spoiling.end(), part.spoiling.begin(), part.spoiling.end());

@@ -6,8 +6,8 @@
 #include "certet/curved_quality.hpp"
 #include "certet/error.hpp"
 #include "certet/middle_nodes.hpp"
-#include "engine/parallel.hpp"
 #include "jacobian.hpp"
+#include "mesh/ranges.hpp"
 
 namespace certet {
 namespace {
@@ -107,13 +107,13 @@ void measure(const Elements& elements, std::size_t i, CurvedQuality& found) {
 
 CurvedQuality measure_all(const Elements& elements, Context& context) {
   const std::size_t all = elements.tets.size();
-  std::vector<CurvedQuality> parts((all + elements_at_once - 1) / elements_at_once);
-  core::parallel_for(context, Stage::emit, static_cast<std::int64_t>(parts.size()),
-                     [&](std::int64_t task) {
-                       const auto from = static_cast<std::size_t>(task) * elements_at_once;
-                       for (std::size_t i = from; i < std::min(all, from + elements_at_once); ++i)
-                         measure(elements, i, parts[static_cast<std::size_t>(task)]);
-                     });
+  const auto parts = core::in_ranges(all, elements_at_once, Stage::emit, context,
+                                     [&](std::size_t begin, std::size_t end) {
+                                       CurvedQuality part;
+                                       for (std::size_t i = begin; i < end; ++i)
+                                         measure(elements, i, part);
+                                       return part;
+                                     });
   CurvedQuality found;
   for (const CurvedQuality& part : parts) {
     found.bad_indices += part.bad_indices;

@@ -13,11 +13,6 @@
 namespace certet {
 namespace {
 
-/// For what the engine does within a single layer.
-struct OneThread : Context {
-  OneThread() { threads = 1; }
-};
-
 /// The edges whose lower ends are some points one behind the other.
 struct EdgeLists {
   std::vector<std::uint64_t> first;  ///< of each point, from 0; and of all
@@ -80,7 +75,7 @@ template <class Index>
 EdgeLists edges_of_layer(const Stuffing& stuffing, std::int32_t layer) {
   const std::int32_t before = std::max(layer - 1, 0);
   Buffer<Tet<Index>> tets(stuffing.first_tet(layer + 1) - stuffing.first_tet(before));
-  OneThread context;
+  core::OneThread context;
   stuffing.emit_tets(before, layer + 1, std::span<Tet<Index>>(tets), context);
   return edges_of(std::span<const Tet<Index>>(tets), stuffing.first_point(layer),
                   stuffing.first_point(layer + 1));
@@ -137,9 +132,9 @@ std::uint64_t MiddleNodes::between(std::uint64_t a, std::uint64_t b) const {
                                          : static_cast<std::uint64_t>(found - reach_.begin());
 }
 
-Coord3 MiddleNodes::bend(std::uint64_t node) const {
-  const auto found = std::ranges::lower_bound(bends_, node, {}, &Bend::node);
-  return found == bends_.end() || found->node != node ? Coord3{0, 0, 0} : found->by;
+Coord3 bend_of(std::span<const Bend> bends, std::uint64_t node) {
+  const auto found = std::ranges::lower_bound(bends, node, {}, &Bend::node);
+  return found == bends.end() || found->node != node ? Coord3{0, 0, 0} : found->by;
 }
 
 std::uint64_t MiddleNodes::bytes() const {

@@ -441,8 +441,8 @@ def mesh(shape: Any, **options: Any) -> Mesh:
     ----------
     shape : a function that is negative inside, as `mesh_function` takes; a pair (points,
         triangles), as `mesh_surface` does; a dictionary of these, as `mesh_solids` does; an
-        array of voxels, as `mesh_image` does; or a `Solid`, with `size`, `margin`, `method` and
-        `threads` as options
+        array of voxels, as `mesh_image` does; or a `Solid`, with `size`, `margin`, `method`,
+        `threads`, `order` and `curved` as options
     options : those of that function, by name; `bounds` is required for a function
 
     Raises
@@ -771,10 +771,12 @@ def _mesh_solid(
     cuts: Cuts = "bisect",
     guarantee: Guarantee | None = None,
     threads: int = 0,
+    order: Literal[1, 2] = 1,
+    curved: bool = False,
 ) -> Mesh:
     return _told(_certet.mesh_solid(solid._inner, _arguments.size(size),
                                     _arguments.whole("margin", margin),
-                                    _options(method, cuts, guarantee, threads)))
+                                    _options(method, cuts, guarantee, threads, order, curved)))
 
 
 def _one_of_several(name: str, solid: Any, bounds: Sequence[Sequence[float]] | None,

@@ -11,6 +11,7 @@
 #include "certet/curved_quality.hpp"
 #include "certet/error.hpp"
 #include "certet/formats.hpp"
+#include "certet/materials_domain.hpp"
 #include "certet/write_mesh.hpp"
 #include "format/sample_mesh.hpp"
 #include "format/scratch_folder.hpp"
@@ -61,6 +62,28 @@ TEST(Curve, TheVolumeOfABallIsNearerByAnOrder) {
                                figures.seams);
   EXPECT_GE(figures.least_jacobian, 1.0 / least_jacobian_divisor);
   EXPECT_EQ(middles.bends().size(), figures.moved);
+}
+
+/// Whatever the order of the labels: the stronger of two balls is the second, or the first.
+TEST(Curve, LabelsMayBeInAnyOrder) {
+  const auto ball_at = [](double x) {
+    return function_solid([x](Point3 p) { return std::hypot(p[0] - x, p[1], p[2]) - 1; },
+                          Bounds{{x - 1.1, -1.1, -1.1}, {x + 1.1, 1.1, 1.1}});
+  };
+  const auto figures_of = [](const PlacedDomain& domain) {
+    Context context;
+    const Mesh made = mesh(domain);
+    MiddleNodes middles = middle_nodes(made);
+    return curve(middles, made, survey(made, context), domain, context);
+  };
+  const NamedSolid weak{"weak", ball_at(0)}, strong{"strong", ball_at(0.9)};
+  const CurveFigures last = figures_of(*materials_domain({weak, strong}, {.size = 0.2}));
+  const CurveFigures first = figures_of(*materials_domain({strong, weak}, {.size = 0.2}, {"strong"}));
+  EXPECT_GT(last.moved, 1000u);
+  EXPECT_LT(last.far, last.moved / 20);
+  EXPECT_EQ(first.moved, last.moved);
+  EXPECT_EQ(first.far, last.far);
+  EXPECT_EQ(first.greatest_move, last.greatest_move);
 }
 
 /// Where bounds cut a ball off, the flat side stays flat; the straight mesh has not all of the rim
