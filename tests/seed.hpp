@@ -40,3 +40,9 @@ constexpr std::uint64_t mixed(std::uint64_t seed, Keys... keys) {
   (mix(static_cast<std::uint64_t>(keys)), ...);
   return h;
 }
+
+/// That of one of many trials.  `mixed` of both would be that of their sum: the trials of one seed
+/// would be those of the next one, but for the first.
+constexpr std::uint64_t trial_seed(std::uint64_t seed, std::uint64_t number) {
+  return mixed(seed, 0, number);
+}

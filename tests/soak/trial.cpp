@@ -238,7 +238,7 @@ std::optional<int> LabelImage::at(const certet::Point3& world) const {
 
 Trial make_trial(std::uint64_t seed, std::uint64_t number) {
   Trial trial;
-  trial.seed = mixed(seed, number);
+  trial.seed = trial_seed(seed, number);
   Random random(trial.seed);
   trial.kind = static_cast<Kind>(number % kind_count);
   for (auto& cells : trial.lattice.cells) cells = between(random, 6, 24);

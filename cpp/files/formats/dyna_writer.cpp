@@ -45,8 +45,7 @@ class DynaWriter final : public StreamedWriter {
 
   void put_points(std::uint64_t first, std::span<const Point3> points) override {
     for (const Point3& p : points) {
-      const std::array text{field16(p[0]), field16(p[1]), field16(p[2])};
-      check_.add(p, text);
+      const std::array<std::string, 3> text = fields_.fields(p);
       Line line;
       line << Padded{++first, dyna_field};
       for (const std::string& number : text)
@@ -56,7 +55,7 @@ class DynaWriter final : public StreamedWriter {
   }
 
   void open_tets() override {
-    check_.finish(file_);
+    fields_.finish(file_);
     text_.append_text("*ELEMENT_SOLID\n");
   }
 
@@ -114,7 +113,7 @@ class DynaWriter final : public StreamedWriter {
 
   NumberedGroups groups_;
   LatestGroup latest_;
-  Field16Check check_;
+  Fields16 fields_;
   Section text_;
 };
 

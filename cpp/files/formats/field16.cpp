@@ -52,16 +52,18 @@ std::string field16(double number) {
   return fixed && error(*fixed) <= error(scientific) ? *fixed : scientific;
 }
 
-void Field16Check::add(const Point3& point, const std::array<std::string, 3>& fields) {
+std::array<std::string, 3> Fields16::fields(const Point3& point) {
+  const std::array fields{field16(point[0]), field16(point[1]), field16(point[2])};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     low_[axis] = any_ ? std::min(low_[axis], point[axis]) : point[axis];
     high_[axis] = any_ ? std::max(high_[axis], point[axis]) : point[axis];
     rounding_ = std::max(rounding_, std::abs(value_of(fields[axis]) - point[axis]));
   }
   any_ = true;
+  return fields;
 }
 
-void Field16Check::finish(const OutputFile& file) const {
+void Fields16::finish(const OutputFile& file) const {
   constexpr double most = 1e-9;
   double length = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) length = std::max(length, high_[axis] - low_[axis]);

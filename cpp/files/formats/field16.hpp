@@ -14,11 +14,11 @@ namespace certet::formats {
 /// significant digits, and at least 13 from a thousandth to 10^13.
 std::string field16(double number);
 
-/// Whether such fields hold a mesh.
-class Field16Check {
+/// Such fields for the points of a mesh, and whether they hold it.
+class Fields16 {
  public:
-  /// A point, and its coordinates as they are written.
-  void add(const Point3& point, const std::array<std::string, 3>& fields);
+  /// The coordinates of a point, as they are to be written.
+  [[nodiscard]] std::array<std::string, 3> fields(const Point3& point);
   /// The greatest rounding of a coordinate may be a thousand millionth of the mesh's length along
   /// its longest axis.
   /// \throws Error `write_failed`, by `file`, where it is more.

@@ -52,8 +52,7 @@ class NastranWriter final : public StreamedWriter {
 
   void put_points(std::uint64_t first, std::span<const Point3> points) override {
     for (const Point3& p : points) {
-      const std::array text{field16(p[0]), field16(p[1]), field16(p[2])};
-      check_.add(p, text);
+      const std::array<std::string, 3> text = fields_.fields(p);
       Line line;
       line << "GRID*   " << Padded{++first, nastran_wide} << std::string(nastran_wide, ' ');
       put_field(line, text[0]);
@@ -67,7 +66,7 @@ class NastranWriter final : public StreamedWriter {
     line << std::string(nastran_wide - text.size(), ' ') << text;
   }
 
-  void open_tets() override { check_.finish(file_); }
+  void open_tets() override { fields_.finish(file_); }
 
   void put_tets(std::uint64_t first, std::span<const Tet<std::uint64_t>> tets,
                 std::span<const std::int32_t> labels) override {
@@ -101,7 +100,7 @@ class NastranWriter final : public StreamedWriter {
 
   NumberedGroups groups_;
   LatestGroup latest_;
-  Field16Check check_;
+  Fields16 fields_;
   Section text_;
 };
 

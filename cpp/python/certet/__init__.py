@@ -153,7 +153,29 @@ class Interface(NamedTuple):
     """In world units squared."""
 
 
-class FileMesh:
+class _MiddleNodes:
+    """The middle nodes of tetrahedra, where they have ten nodes."""
+
+    _inner: Any
+
+    @property
+    def middle_points(self) -> NDArray[np.float64] | None:
+        """Shape (k, 3): of tetrahedra of ten nodes those in the middle of edges, else None."""
+        return self._inner.middle_points
+
+    @property
+    def middles(self) -> NDArray[np.uint64] | None:
+        """Shape (m, 6): the rows of `middle_points` between the corners 0-1, 1-2, 0-2, 0-3, 1-3 and
+        2-3 of each tetrahedron, which is the order of VTK and Abaqus; else None."""
+        return self._inner.middles
+
+    @property
+    def order(self) -> Literal[1, 2]:
+        """2 where tetrahedra have ten nodes."""
+        return 1 if self._inner.middles is None else 2
+
+
+class FileMesh(_MiddleNodes):
     """A mesh as a file holds it.  Its arrays share the memory of the mesh and keep it alive."""
 
     def __init__(self, inner: _certet.FileMesh) -> None:
@@ -173,17 +195,6 @@ class FileMesh:
     def labels(self) -> NDArray[np.int32] | None:
         """Shape (m,): the label of each tetrahedron, where the file has any."""
         return self._inner.labels
-
-    @property
-    def middle_points(self) -> NDArray[np.float64] | None:
-        """Shape (k, 3): of tetrahedra of ten nodes those in the middle of edges, else None."""
-        return self._inner.middle_points
-
-    @property
-    def middles(self) -> NDArray[np.uint64] | None:
-        """Shape (m, 6): the rows of `middle_points` between the corners 0-1, 1-2, 0-2, 0-3, 1-3 and
-        2-3 of each tetrahedron, which is the order of VTK and Abaqus; else None."""
-        return self._inner.middles
 
     @property
     def names(self) -> dict[int, str]:
@@ -207,7 +218,7 @@ class FileMesh:
         return f"<certet.FileMesh of {len(self.points)} points and {len(self.tets)} tetrahedra>"
 
 
-class Mesh:
+class Mesh(_MiddleNodes):
     """A finished mesh.  Its arrays share the memory of the mesh and keep it alive."""
 
     def __init__(self, inner: _certet.Mesh) -> None:
@@ -239,22 +250,6 @@ class Mesh:
         """Shape (m,): the label of each tetrahedron; None but for images of labels and several
         solids."""
         return self._inner.labels
-
-    @property
-    def middle_points(self) -> NDArray[np.float64] | None:
-        """Shape (k, 3): of tetrahedra of ten nodes those in the middle of edges, else None."""
-        return self._inner.middle_points
-
-    @property
-    def middles(self) -> NDArray[np.uint64] | None:
-        """Shape (m, 6): the rows of `middle_points` between the corners 0-1, 1-2, 0-2, 0-3, 1-3 and
-        2-3 of each tetrahedron, which is the order of VTK and Abaqus; else None."""
-        return self._inner.middles
-
-    @property
-    def order(self) -> Literal[1, 2]:
-        """2 where tetrahedra have ten nodes."""
-        return 1 if self._inner.middles is None else 2
 
     @property
     def curve(self) -> Curve | None:

@@ -103,7 +103,7 @@ class Painter {
 }  // namespace
 
 ThinImage make_image(std::uint64_t seed, std::uint64_t number) {
-  Random random(mixed(seed, number));
+  Random random(trial_seed(seed, number));
   ThinImage image;
   image.kind = number % image_kinds.size();
   const bool fine = between(random, 0, 2) == 0;

@@ -120,7 +120,7 @@ Subject image_subject(std::uint64_t seed, std::uint64_t number) {
 /// Noise at every position, or at lattice points with cuts anywhere, near the ends, or
 /// next to the thresholds; some with samples on the surface.
 Subject field_subject(std::uint64_t seed, std::uint64_t number) {
-  const std::uint64_t own = mixed(seed, number);
+  const std::uint64_t own = trial_seed(seed, number);
   std::mt19937_64 random(own);
   const unsigned zeros = between(random, 0, 1) == 0 ? 0 : static_cast<unsigned>(between(random, 1, 80));
   static const std::array<std::vector<std::int32_t>, 4> cuts{{
