@@ -2,10 +2,11 @@
 
     Everything that is proved about the mesher, here or on three pages that this
     one exports.  The first theorem is the one to read: what is certified of every
-    mesh that the product makes.  What follows it is the rest, each theorem spelled out in full over the
-    functions that are extracted and run; the definitions that they speak of are
-    in the files exported here, which hold no proofs.  Proof files are only
-    required for the [exact] of each theorem, which has the same name there.
+    mesh that the product makes.  What follows it is the rest, each theorem
+    spelled out in full over the functions that are extracted and run; the
+    definitions that they speak of are in the files exported here, which hold no
+    proofs.  Proof files are only required for the [exact] of each theorem, which
+    has the same name there.
 
     [make audit] checks these statements against the committed ones, and that
     none of them rests on an axiom; but for those in degrees, [CertifiedMesh]

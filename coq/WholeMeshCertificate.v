@@ -10,8 +10,9 @@
 From Coq Require Import ZArith Reals List Permutation.
 
 (** What runs. *)
-From Certet Require Export Lattice.Direction Lattice.StructuredTet.
-From Certet Require Export Stencil.UnstructuredTet.
+From Certet Require Export Lattice.Coord3 Lattice.Direction.
+From Certet Require Export Lattice.StructuredTet.
+From Certet Require Export Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Export Warp.Cut Warp.Warp.
 From Certet Require Export Stuffing.Stuffing Stuffing.Domain.
 From Certet Require Export Mesh.Method Mesh.CertifiedSpec.
