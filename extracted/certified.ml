@@ -2285,6 +2285,12 @@ let haveMoved zeros0 tid =
     | Stays -> false
     | Moves (_, _) -> true) (corners tid)
 
+(** val isLowestAt : (coord3 -> material) -> material -> coord3 -> bool **)
+
+let isLowestAt material0 lowest v =
+  forallb (fun d -> Z.leb lowest (material0 (translate v (offset d))))
+    allDirections
+
 (** val mayShare :
     angleBounds -> (coord3 -> material) -> cutField -> zeros ->
     structuredTetId -> bool **)
@@ -2295,7 +2301,7 @@ let mayShare bounds material0 cut zeros0 tid =
        (&&)
          (forallb (fun v ->
            match lowerIn material0 zeros0 v with
-           | Some m -> Z.eqb m shared
+           | Some m -> (&&) (Z.eqb m shared) (isLowestAt material0 shared v)
            | None -> false) (corners tid))
          ((||) (Z.eqb shared outside)
            (isWellShaped bounds (placedWhole (placeIn zeros0) cut tid)))

@@ -580,6 +580,8 @@ val sharedIn : (coord3 -> material) -> zeros -> structuredTetId -> material
 
 val haveMoved : zeros -> structuredTetId -> bool
 
+val isLowestAt : (coord3 -> material) -> material -> coord3 -> bool
+
 val mayShare :
   angleBounds -> (coord3 -> material) -> cutField -> zeros -> structuredTetId
   -> bool

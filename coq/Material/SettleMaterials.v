@@ -16,8 +16,9 @@
        material would touch each other in an edge alone ([FillsWouldTouch]).
     4. It stays, too, where a tetrahedron would then have four corners that moved
        and could not be kept: one whose corners do not all have the same lower
-       material, or have one that is not the outside, so that it is part of the
-       mesh, but is not well shaped ([MayShare]).
+       material, or have one lower than that beside them, so that it might touch
+       others of its material in an edge alone, or one that is not the outside, so
+       that it is part of the mesh, but is not well shaped ([MayShare]).
     5. Otherwise it becomes part of an interface at its target, or short of it, or
        stays because that is nearer to where the interface is, as with one material:
        - and + are who is of the lower and of the higher of two materials.
@@ -113,12 +114,18 @@ Section SettleMaterials.
     forallb (fun v => match PlaceIn zeros v with Moves _ _ => true | Stays => false end)
       (Corners tid).
 
+  (** No sample around [v] is of a lower one. *)
+  Definition IsLowestAt (lowest : Material) (v : Coord3) : bool :=
+    forallb (fun d => lowest <=? material (Translate v (Offset d))) AllDirections.
+
   Definition MayShare (zeros : Zeros) (tid : StructuredTetId) : bool :=
     if HaveMoved zeros tid then
       let shared := SharedIn zeros tid in
       forallb (fun v =>
-        match LowerIn zeros v with Some m => m =? shared | None => false end)
-        (Corners tid) &&
+        match LowerIn zeros v with
+        | Some m => (m =? shared) && IsLowestAt shared v
+        | None => false
+        end) (Corners tid) &&
       ((shared =? Outside) || IsWellShaped bounds (PlacedWhole (PlaceIn zeros) cut tid))
     else true.
 

@@ -276,7 +276,8 @@ Section One.
     apply forallb_forall. intros v I. unfold HaveMoved in H.
     rewrite forallb_forall in H. specialize (H v I).
     destruct (LowerIn material zeros v) as [k|] eqn:L.
-    - apply Z.eqb_eq. exact (LowerIsOutside zeros v k A L).
+    - rewrite (LowerIsOutside zeros v k A L). apply forallb_forall. intros d _.
+      apply Z.leb_le. unfold material. destruct (sign _); lia.
     - unfold LowerIn in L. destruct (PlaceIn zeros v); [discriminate H|discriminate L].
   Qed.
 

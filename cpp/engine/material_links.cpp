@@ -60,13 +60,20 @@ bool MaterialLinks::are_disks(const VertexIndex& v, const Displacement& move,
   return are_strict_disks(sets.entries(), zero) && !fills_would_touch(around);
 }
 
+bool MaterialLinks::is_lowest(Material shared, const VertexIndex& v) const {
+  for (std::size_t d = 0; d < direction_count; ++d)
+    if (material(v.next(d)) < shared) return false;
+  return lower(v) == shared;
+}
+
 bool MaterialLinks::may_share(const VertexIndex& v, const Displacement& move,
                               LinkSet zero) const {
   const Material shared = lower(v);
   for (const auto& triangle : link_triangles) {
     if (!std::ranges::all_of(triangle, [&](int d) { return (zero >> d & 1) != 0; })) continue;
+    if (!is_lowest(shared, v)) return false;
     for (const std::size_t d : triangle)
-      if (lower(v.next(d)) != shared) return false;
+      if (!is_lowest(shared, v.next(d))) return false;
     if (shared == 0) continue;
     std::array<Coord3, 4> corners{moved_place(lattice_, v, move)};
     for (std::size_t n = 0; n < 3; ++n) {

@@ -44,6 +44,9 @@ class MaterialLinks {
                                LinkSet zero) const;
 
  private:
+  /// Whether a violated vertex is between such a material and a higher one, and no sample
+  /// around it is of a lower one.
+  [[nodiscard]] bool is_lowest(Material shared, const VertexIndex& v) const;
   [[nodiscard]] Material material(const VertexIndex& v) const {
     return materials_->at(v.grid, v.i, v.j, v.k);
   }

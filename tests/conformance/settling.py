@@ -209,7 +209,8 @@ class Settled:
         if not all(p in self.moved for p in points):
             return True
         lower = {min(self.pair(p, self.moved[p][0])) for p in points}
-        if len(lower) > 1:
+        around = {self.domain.material(plus(p, d)) for p in points for d in DIRECTIONS}
+        if len(lower) > 1 or min(around) < min(lower):
             return False
         return lower == {0} or \
             is_well_shaped(oriented([self.position(p) for p in points], right_handed(case)))

@@ -85,13 +85,13 @@ keeps them all, and the volume.
 The pieces of every mesh are counted, by faces and by vertices, and of several labels those of
 each; with --method paper the latter by --label-pieces alone, for it takes long.  So are the
 edges and vertices at which its surface is no manifold, of which --method paper may leave some.
-By the other methods one label has none; of several, two and the outside may leave such
-vertices, as three may on the surface of one of them: at the cut of an edge between two, where
-the third is on opposite sides of the edge and not between, or all around.  A tetrahedron with
-four corners that moved may, rarely, leave such an edge.  --keep largest drops all pieces by
-faces but the one of the most tetrahedra, --keep N all but the N largest, --keep percolating:x
-(y, z) all that do not go from one end of the solid to the other along that axis of the lattice,
-which is the image's or the world's, but for a --size at either end.  What was dropped is told.
+By the other methods there is no such edge, and of one label no such vertex; of several, two and
+the outside may leave some, as three may on the surface of one of them: at the cut of an edge
+between two, where the third is on opposite sides of the edge and not between, or all around.
+--keep largest drops all pieces by faces but the one of the most tetrahedra, --keep N all but
+the N largest, --keep percolating:x (y, z) all that do not go from one end of the solid to the
+other along that axis of the lattice, which is the image's or the world's, but for a --size at
+either end.  What was dropped is told.
 
 A surface need not be clean: equal corners that differ by rounding, triangles that are
 repeated, turned or without an area, T-junctions, and walls between two solids that are

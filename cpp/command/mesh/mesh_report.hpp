@@ -78,7 +78,7 @@ struct MeshReport {
 
 /// What holds of the surfaces of several labels and of all together, tested and not proved.
 inline constexpr std::string_view surface_of_several =
-    "closed, and a manifold but for single points, and rare edges, where labels meet";
+    "closed, and a manifold but for single points where labels meet";
 
 /// How the mesh that was measured stands to its theorem.
 Standing standing(const MeshReport& report);

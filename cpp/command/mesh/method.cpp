@@ -37,7 +37,7 @@ void check_choice(const MethodChoice& choice, Method method) {
 void declare_method(CLI::App& app, MethodChoice& choice) {
   app.add_option("--method", choice.method,
                  "embedded: no tetrahedra overlap, the surface is a manifold (of several labels "
-                 "but for single points and rare edges), and no piece is lost, cut or joined to another "
+                 "but for single points), and no piece is lost, cut or joined to another "
                  "(default); paper: as published, vertices move "
                  "onto the surface whatever becomes of thin parts; midpoint: none moves, cuts "
                  "are in the middle of edges")

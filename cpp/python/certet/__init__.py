@@ -585,11 +585,11 @@ def mesh_image(
     size : the long edge of the lattice, in world units (default: the smallest spacing)
     margin : cells of the lattice around the solid, at least 1
     method : "embedded" (default: dihedral angles from 10.77 to 164.76 degrees, no tetrahedra
-        overlap, the surface is a manifold, of several labels but for single points and rare
-        edges, and no piece of the samples is lost, cut or joined to another), "angles" and
-        "embedding" (the paper's rule with either of its thresholds; from 9.27 to 161.46 degrees
-        with the second) or "midpoint" (from 30 to 135: edges are cut in the middle, whatever
-        the surface does between its ends)
+        overlap, the surface is a manifold, of several labels but for single points, and no piece
+        of the samples is lost, cut or joined to another), "angles" and "embedding" (the paper's
+        rule with either of its thresholds; from 9.27 to 161.46 degrees with the second) or
+        "midpoint" (from 30 to 135: edges are cut in the middle, whatever the surface does
+        between its ends)
     cuts, guarantee : the same in two older words, where there is no `method`: cuts="midpoint",
         or guarantee="angles" or "embedding"
     threads : 0 takes all cores; the mesh does not depend on it

@@ -11,7 +11,6 @@
 #include "certet/stuffing.hpp"
 #include "certet/survey.hpp"
 #include "certet/write_mesh.hpp"
-#include "domains.hpp"
 #include "labelled_mesh.hpp"
 #include "planted.hpp"
 #include "samples.hpp"
@@ -108,7 +107,7 @@ class Judge {
     for (const auto& [label, surface] : surfaces_) {
       const std::string name = "the surface of label " + std::to_string(label);
       const std::uint64_t pinches = check_manifold(name, surface, material_of(label));
-      if (pinches > 0 || verdict_.crowded_edges > 0) touching_.insert(label);
+      if (pinches > 0) touching_.insert(label);
       verdict_.region_pinches += pinches;
       check_volume(name, surface, {label});
     }
@@ -209,35 +208,15 @@ class Judge {
     return 1 + static_cast<certet::Material>(std::ranges::find(labels, label) - labels.begin());
   }
 
-  /// Whether a point is a lattice point that moved: the end of its edge that it comes from is
-  /// not in the mesh any more.  One that stayed where it was is taken for moved too.
-  [[nodiscard]] bool is_moved(std::uint32_t point) const {
-    const auto [first, last, t] = domains::edge_of(mesh_.points[point]);
-    return t == 0 || !places_.contains(certet::steps * first) ||
-           !places_.contains(certet::steps * last);
-  }
-
-  /// Whether a tetrahedron of four such points has an edge.  It is of the lower of the two
-  /// materials of each, which no rule looks at where a still lower one is around them: there
-  /// a region may touch itself along that edge.
-  [[nodiscard]] bool has_moved_tet(const std::array<std::uint32_t, 2>& edge) const {
-    return std::ranges::any_of(mesh_.tets, [&](const Tet& tet) {
-      return std::ranges::count(tet, edge[0]) + std::ranges::count(tet, edge[1]) == 2 &&
-             std::ranges::all_of(tet, [&](std::uint32_t p) { return is_moved(p); });
-    });
-  }
-
   /// A surface is closed, and a manifold but for points in which what is of the material
-  /// touches itself, and for edges of a tetrahedron whose corners all moved.  \returns how
-  /// many points these are.
+  /// touches itself.  \returns how many these are.
   std::uint64_t check_manifold(const std::string& name, const std::vector<Triangle>& surface,
                                certet::Material material) {
     const SurfaceCounts counts = counts_of(surface);
     if (counts.open_edges != 0) fault(name + " is open");
-    verdict_.crowded_edges += counts.crowded.size();
-    for (const auto& edge : counts.crowded)
-      if (!has_moved_tet(edge)) fault(name + " has an edge in more than two triangles");
-    if (counts.crowded.empty() && !std::ranges::all_of(counts.pinched, [&](std::uint32_t p) {
+    if (counts.crowded_edges != 0)
+      fault(name + " has " + std::to_string(counts.crowded_edges) + " edges in more than two triangles");
+    if (!std::ranges::all_of(counts.pinched, [&](std::uint32_t p) {
           return samples_.may_touch_itself(material, mesh_.points[p]);
         }))
       fault(name + " is no manifold at a vertex where it should be");

@@ -37,7 +37,6 @@ struct Verdict {
   std::uint64_t streamed = 0;  ///< meshes that were compared with the same one, streamed
   /// Points in which a region touches itself, and the surface of all together.
   std::uint64_t region_pinches = 0, outer_pinches = 0;
-  std::uint64_t crowded_edges = 0;  ///< along which one of them does
   std::uint64_t parted = 0;  ///< pieces of all together by faces that hang together in points
   std::vector<std::string> faults;
 };

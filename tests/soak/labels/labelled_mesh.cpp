@@ -74,7 +74,7 @@ SurfaceCounts counts_of(const std::vector<Triangle>& surface) {
   SurfaceCounts counts;
   for (const auto& [edge, triangles] : edges) {
     counts.open_edges += turns.at(edge) != 0;
-    if (triangles.size() > 2) counts.crowded.insert(edge);
+    counts.crowded_edges += triangles.size() > 2;
   }
   for (const auto& [point, fans] : fans_of(surface, edges))
     if (fans > 1) counts.pinched.insert(point);

@@ -39,9 +39,9 @@ std::vector<Triangle> surface_of(const std::vector<Tet>& tets);
 
 /// What a surface is like.
 struct SurfaceCounts {
-  std::uint64_t open_edges = 0;  ///< not as often one way as the other
-  std::set<std::array<std::uint32_t, 2>> crowded;  ///< edges in more than two triangles
-  std::set<std::uint32_t> pinched;  ///< points with several fans
+  std::uint64_t open_edges = 0;       ///< not as often one way as the other
+  std::uint64_t crowded_edges = 0;    ///< in more than two triangles
+  std::set<std::uint32_t> pinched;    ///< points with several fans
 };
 SurfaceCounts counts_of(const std::vector<Triangle>& surface);
 

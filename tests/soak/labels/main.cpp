@@ -91,7 +91,6 @@ struct Row {
     sum.streamed += v.streamed;
     sum.region_pinches += v.region_pinches;
     sum.outer_pinches += v.outer_pinches;
-    sum.crowded_edges += v.crowded_edges;
     sum.parted += v.parted;
     faulty += !v.faults.empty();
   }
@@ -100,7 +99,7 @@ struct Row {
         << sum.interfaces << " | " << sum.pieces << " | " << sum.tunnels << " | " << sum.cavities
         << " | " << sum.min_dihedral << " | " << sum.max_dihedral << " | " << sum.pairs << " | "
         << sum.joined << " | " << sum.lost << " | " << sum.streamed << " | " << sum.region_pinches << " | "
-        << sum.outer_pinches << " | " << sum.crowded_edges << " | " << sum.parted << " | " << faulty << " |\n";
+        << sum.outer_pinches << " | " << sum.parted << " | " << faulty << " |\n";
   }
 };
 
@@ -126,9 +125,9 @@ std::uint64_t tell_all(const Arguments& arguments) {
   table << "seed " << arguments.seed << ", from " << arguments.first
         << "\n\n| labels | meshes | tetrahedra | regions | interfaces | pieces | tunnels | cavities | "
            "least angle | greatest | pairs compared | pieces joined at a distance | labels lost and named | streamed | points where a "
-           "region touches itself | where all together do | edges | pieces that hang together by such | with "
+           "region touches itself | where all together do | pieces that hang together by such | with "
            "a fault |\n"
-           "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+           "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (std::size_t kind = 0; kind < kinds; ++kind) rows[kind].tell(table, labelled::subject_kinds[kind]);
   all.tell(table, "all");
   table << sentences.str();
