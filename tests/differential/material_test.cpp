@@ -402,6 +402,24 @@ TEST(Materials, MeshesOfRandomDomainsAreTheSame) {
   EXPECT_TRUE(differences.empty()) << differences;
 }
 
+/// Of two materials, and hardly anything outside, that are cut near one end of their edges: there
+/// tetrahedra with four corners that moved are kept.
+Differences compare_shared(const Engine& production_engine, int first) {
+  Differences all;
+  for (int n = 0; n < first && all.empty(); ++n) {
+    const unsigned outside = n % 2 == 0 ? 0 : 4;
+    all = compare(production_engine,
+                  materials::random_cuts(mixed(test_seed(), n), {1, 2}, outside, {40, 9000, 15000}),
+                  {{0, 0, 0}, {7, 7, 7}}, Method::embedded);
+  }
+  return all;
+}
+
+TEST(Materials, MeshesOfSharedTetrahedraAreTheSame) {
+  const Differences differences = compare_shared(engine, 40);
+  EXPECT_TRUE(differences.empty()) << differences;
+}
+
 using Spoil = std::function<void(MaterialMesh&, const materials::Positional&, const Lattice&)>;
 
 Engine spoiled(const Spoil& spoil) {
