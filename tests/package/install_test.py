@@ -115,7 +115,8 @@ class Subfolder(PackageTest):
             "target_link_libraries(outer certet::certet certet::image certet::formula)\n")
         build = self.configure_and_build(project, "outer", "-DCMAKE_BUILD_TYPE=None",
                                          "-DCMAKE_POLICY_DEFAULT_CMP0077=NEW",
-                                         "-DCMAKE_POLICY_DEFAULT_CMP0126=NEW", *without(*OPTIONAL))
+                                         "-DCMAKE_POLICY_DEFAULT_CMP0126=NEW",
+                                         "-DCERTET_UNITY=ON", *without(*OPTIONAL), target="outer")
         program = next(p for p in (build / "outer", build / "bin" / "outer") if p.exists())
         self.run_program(program, cwd=self.folder)
 

@@ -31,9 +31,9 @@ class PackageTest(unittest.TestCase):
         return run.stdout
 
     @classmethod
-    def configure_and_build(cls, source, name, *options):
+    def configure_and_build(cls, source, name, *options, target="all"):
         """Builds a project in a folder of its own, which is returned."""
         build = cls.folder / name
         cls.run_program(CMAKE, "-S", source, "-B", build, "-G", "Ninja", *options)
-        cls.run_program(CMAKE, "--build", build, "-j", "2")
+        cls.run_program(CMAKE, "--build", build, "-j", "2", "--target", target)
         return build
