@@ -38,6 +38,26 @@ class Positional : public certet::Domain {
   SignAt sign_at_;
 };
 
+/// One whose even points alone tell what hangs together.
+class Parted final : public Positional {
+ public:
+  using Positional::Positional;
+  [[nodiscard]] bool even_points_tell_pieces() const override { return true; }
+};
+
+/// The signs of another domain, and nothing else that is known of it.
+class SignsAlone : public certet::Domain {
+ public:
+  explicit SignsAlone(const certet::Domain& domain) : domain_(domain) {}
+  void row(Coord3 first, std::span<Sign> out) const override { domain_.row(first, out); }
+  void at(std::span<const Coord3> positions, std::span<Sign> out) const override {
+    domain_.at(positions, out);
+  }
+
+ private:
+  const certet::Domain& domain_;
+};
+
 /// A domain that is negative inside, of lattice coordinates.
 using Level = std::function<double(double x, double y, double z)>;
 

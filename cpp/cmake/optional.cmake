@@ -18,6 +18,18 @@ macro(certet_find part package)
   message(STATUS "certet: ${part} ${CERTET_HAS_${part}}")
 endmacro()
 
+# certet_optional(<target> <part> SOURCES <file>... LIBRARIES <target>... ABSENT <file>...)
+# What a target has of a part that certet_find looked for, or has in its place.
+function(certet_optional target part)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SOURCES;LIBRARIES;ABSENT")
+  if(CERTET_HAS_${part})
+    target_sources(${target} PRIVATE ${arg_SOURCES})
+    target_link_libraries(${target} PRIVATE ${arg_LIBRARIES})
+  else()
+    target_sources(${target} PRIVATE ${arg_ABSENT})
+  endif()
+endfunction()
+
 # What every target of the project is compiled with.  Contraction to fused
 # multiply-add would make results depend on compiler and machine; a square root
 # that need not set errno vectorises.

@@ -6,6 +6,7 @@
 #include <CLI/App.hpp>
 #include <array>
 #include <functional>
+#include <memory>
 
 #include "status.hpp"
 
@@ -13,6 +14,17 @@ namespace certet::command {
 
 /// Carries out a subcommand.  \throws Error.
 using Run = std::function<Status()>;
+
+/// A subcommand whose options are one struct: `declare` tells where each is read to, the notes
+/// stand at the end of its help.
+template <class Options, class CarryOut>
+Run subcommand(CLI::App& app, void (*declare)(CLI::App&, Options&), const char* notes,
+               const CarryOut& carry_out) {
+  const auto options = std::make_shared<Options>();
+  declare(app, *options);
+  app.footer(notes);
+  return [options, carry_out] { return carry_out(*options); };
+}
 
 /// From an image, a surface, a volume, a formula or a shape to a mesh file.
 Run declare_mesh(CLI::App& app);

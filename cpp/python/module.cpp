@@ -159,15 +159,7 @@ py::dict warp_of(const PythonMesh& mesh) {
 
 std::uint64_t checksum_of(const PythonMesh& mesh) {
   const py::gil_scoped_release unlocked;
-  Checksum checksum;
-  checksum.points(0, mesh.mesh.points);
-  std::visit(
-      [&](const auto& tets) {
-        using Index = std::remove_cvref_t<decltype(tets[0][0])>;
-        checksum.tets(0, std::span<const Tet<Index>>(tets));
-      },
-      mesh.mesh.tets);
-  return checksum.value();
+  return checksum(mesh.mesh);
 }
 
 py::object tets_of(const py::object& self) {

@@ -126,8 +126,8 @@ using Engine = std::function<NumberedMesh(const certet::Domain&, const Lattice&,
 NumberedMesh engine(const certet::Domain& domain, const Lattice& lattice, Method method) {
   certet::Context context;
   context.threads = 2;
-  const certet::Stuffing stuffing(domain, lattice, method, context);
-  const certet::Mesh mesh = certet::emit(stuffing, {}, context);
+  const certet::Mesh mesh =
+      certet::emit(certet::Stuffing(domain, lattice, method, context), {}, context);
   NumberedMesh numbered{{mesh.points.begin(), mesh.points.end()}, {}};
   std::ranges::sort(numbered.points);
   std::visit(

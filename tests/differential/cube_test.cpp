@@ -96,19 +96,12 @@ TEST(Cubes, CatchesOneGroupMoreOrLess) {
   EXPECT_FALSE(compare_cubes(with_groups(1)).empty());
 }
 
-/// Noise whose even points alone tell what hangs together.
-class Parted final : public domains::Positional {
- public:
-  using Positional::Positional;
-  [[nodiscard]] bool even_points_tell_pieces() const override { return true; }
-};
-
 /// Every sample of a lattice, some rows of which are longer than a word.
 Differences compare_samples(const MethodFacts& method) {
   Differences differences;
   constexpr Lattice lattice{{-4, 2, -6}, {70, 5, 6}};
   const auto noise = domains::noise(test_seed(), 0);
-  const Parted domain([&](Coord3 p) { return noise.sign_at(p); });
+  const domains::Parted domain([&](Coord3 p) { return noise.sign_at(p); });
   const auto holds = [&](Coord3 v) {
     const Coord3 d = v - lattice.origin;
     const auto within = [](std::int32_t c, std::int32_t cells) { return c >= 2 && c < 2 * cells - 2; };

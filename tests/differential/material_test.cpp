@@ -234,8 +234,8 @@ using Engine = std::function<MaterialMesh(const materials::Positional&, const La
 MaterialMesh engine(const materials::Positional& domain, const Lattice& lattice, Method method) {
   certet::Context context;
   context.threads = 1;
-  const certet::Stuffing stuffing(domain, lattice, method, context);
-  const certet::Mesh mesh = certet::emit(stuffing, {}, context);
+  const certet::Mesh mesh =
+      certet::emit(certet::Stuffing(domain, lattice, method, context), {}, context);
   MaterialMesh placed;
   std::visit(
       [&](const auto& tets) {

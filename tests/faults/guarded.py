@@ -91,6 +91,22 @@ class GuardedTest(unittest.TestCase):
         self.assertRegex(run.err, SENTENCE)
         self.assertEqual(contents(self.folder), before)
 
+    def assert_noticed(self, faults, refuse):
+        """Each fault of a program is refused, in a folder of its own.
+
+        Parameters
+        ----------
+        faults : of each a shell script in the place of the program, and words of what is said of it
+        refuse : runs the program and fails
+        """
+        for script, words in faults:
+            with self.subTest(script):
+                self.setUp()
+                (self.folder / "bin").mkdir()
+                self.program = fake_program(self.folder / "bin", script)
+                with self.assertRaisesRegex(AssertionError, words):
+                    refuse()
+
 
 def fake_program(folder, script):
     """A shell script in the place of `certet`; its arguments end with `-o OUTPUT`."""

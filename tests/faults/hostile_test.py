@@ -6,7 +6,7 @@ import struct
 import unittest
 import zlib
 
-from guarded import BAD_INPUT, EMPTY, OK, TOO_LARGE, USAGE, GuardedTest, fake_program, limits
+from guarded import BAD_INPUT, EMPTY, OK, TOO_LARGE, USAGE, GuardedTest, limits
 from images import IDENTITY, voxels, write_meta, write_nifti, write_nrrd
 
 SIZE = (5, 5, 5)
@@ -452,34 +452,23 @@ class Grids(HostileTest):
 class HostileNotices(HostileTest):
     """A program with each of the faults is refused."""
 
-    def planted(self, script, words):
-        self.folder.joinpath("bin").mkdir()
-        self.program = fake_program(self.folder / "bin", script)
-        (self.folder / "a.nrrd").write_text("input")
-        with self.assertRaisesRegex(AssertionError, words):
+    FAULTS = (
+        ("echo 'certet: a.' >&2; echo b >&2; exit 3\n", "Regex didn't match"),
+        ("echo 'certet: a.' >&2; exit 1\n", "1 not found"),
+        ("echo 'certet: a.' >&2; kill -SEGV $$\n", "-11 not found"),
+        ("echo x > out.msh; echo 'certet: a.' >&2; exit 3\n", "out.msh"),
+        ("echo x > .out.tmp; echo 'certet: a.' >&2; exit 3\n", "out.tmp"),
+        ("echo x >> a.nrrd; echo 'certet: a.' >&2; exit 3\n", "a.nrrd"),
+        ("python3 -c 'bytes(range(256)) * 2000000'; echo 'certet: a.' >&2; exit 3\n",
+         "not less than"),
+    )
+
+    def test_faults(self):
+        def refuse():
+            (self.folder / "a.nrrd").write_text("input")
             self.refused("a.nrrd")
 
-    def test_two_lines(self):
-        self.planted("echo 'certet: a.' >&2; echo b >&2; exit 3\n", "Regex didn't match")
-
-    def test_status(self):
-        self.planted("echo 'certet: a.' >&2; exit 1\n", "1 not found")
-
-    def test_signal(self):
-        self.planted("echo 'certet: a.' >&2; kill -SEGV $$\n", "-11 not found")
-
-    def test_partial_file(self):
-        self.planted("echo x > out.msh; echo 'certet: a.' >&2; exit 3\n", "out.msh")
-
-    def test_leftover(self):
-        self.planted("echo x > .out.tmp; echo 'certet: a.' >&2; exit 3\n", "out.tmp")
-
-    def test_input_touched(self):
-        self.planted("echo x >> a.nrrd; echo 'certet: a.' >&2; exit 3\n", "a.nrrd")
-
-    def test_memory(self):
-        self.planted("python3 -c 'bytes(range(256)) * 2000000'; "
-                     "echo 'certet: a.' >&2; exit 3\n", "not less than")
+        self.assert_noticed(self.FAULTS, refuse)
 
 
 if __name__ == "__main__":

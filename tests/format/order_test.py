@@ -18,20 +18,8 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "cli"))
 import vtu  # noqa: E402
 from program import ProgramTest  # noqa: E402
-
-try:
-    import meshio
-except ImportError:
-    meshio = None
-try:
-    import gmsh
-except ImportError:
-    gmsh = None
-try:
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
-except ImportError:
-    vtkXMLUnstructuredGridReader = None
+from readers import (arrays_of, gmsh, meshio, open_in_gmsh, read_by_vtk,  # noqa: E402
+                     vtkXMLUnstructuredGridReader)
 
 # The edges that the middle nodes of an element are in the middle of, by its corners.
 VTK = ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))
@@ -257,13 +245,7 @@ class Meshio(Order):
 class Gmsh(Order):
     def elements(self, name, kind, nodes, *options):
         told, path = self.make(name, *options)
-        gmsh.initialize()
-        self.addCleanup(gmsh.finalize)
-        gmsh.option.setNumber("General.Terminal", 0)
-        gmsh.open(path)
-        tags, places, _ = gmsh.model.mesh.getNodes()
-        points = np.empty((int(max(tags)), 3))
-        points[np.asarray(tags, np.int64) - 1] = np.reshape(places, (-1, 3))
+        points = open_in_gmsh(path, self)
         found = []
         for tets in (11, 9):
             _, numbers = gmsh.model.mesh.getElementsByType(tets)
@@ -295,14 +277,10 @@ class Vtk(Order):
     def test_vtu(self):
         for options in ((), ("--compress",)):
             told, path = self.make("a.vtu", *options)
-            reader = vtkXMLUnstructuredGridReader()
-            reader.SetFileName(path)
-            reader.Update()
-            grid = reader.GetOutput()
+            grid = read_by_vtk(vtkXMLUnstructuredGridReader(), path)
             self.assertEqual({grid.GetCellType(i) for i in range(grid.GetNumberOfCells())}, {24})
-            points = vtk_to_numpy(grid.GetPoints().GetData())
-            cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 10)
-            self.assert_in_the_middle(points, cells.astype(np.int64), VTK, told)
+            points, cells = arrays_of(grid)
+            self.assert_in_the_middle(points, cells.reshape(-1, 10).astype(np.int64), VTK, told)
 
 
 class Curved(ProgramTest):

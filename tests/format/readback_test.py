@@ -17,25 +17,9 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "cli"))
 import vtu  # noqa: E402
 from images import voxels, write_nrrd  # noqa: E402
 from program import ProgramTest  # noqa: E402
-
-try:
-    import meshio
-except ImportError:
-    meshio = None
-try:
-    import h5py
-except ImportError:
-    h5py = None
-try:
-    import gmsh
-except ImportError:
-    gmsh = None
-try:
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkIOHDF import vtkHDFReader
-    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
-except ImportError:
-    vtkXMLUnstructuredGridReader = None
+from readers import (arrays_of, gmsh, h5py, meshio, open_in_gmsh, read_by_vtk,  # noqa: E402
+                     vtk_to_numpy, vtkHDFReader, vtkXMLPolyDataReader,
+                     vtkXMLUnstructuredGridReader)
 
 SIZE = (9, 8, 7)
 FACES = ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1))
@@ -316,14 +300,7 @@ def rotated_places(points, triangles):
 @unittest.skipIf(gmsh is None, "gmsh was not found")
 class Gmsh(Readback):
     def read(self, name, *options):
-        path = self.make(name, *options)
-        gmsh.initialize()
-        self.addCleanup(gmsh.finalize)
-        gmsh.option.setNumber("General.Terminal", 0)
-        gmsh.open(path)
-        tags, places, _ = gmsh.model.mesh.getNodes()
-        points = np.empty((len(tags), 3))
-        points[np.asarray(tags) - 1] = np.reshape(places, (-1, 3))
+        points = open_in_gmsh(self.make(name, *options), self)
         tets = self.elements(3, 4)
         triangles = self.elements(2, 2)
         return Mesh(points, tets[:, 2:], tets[:, 1], triangles[:, 2:], triangles[:, 1])
@@ -356,34 +333,22 @@ class Gmsh(Readback):
 
 @unittest.skipIf(vtkXMLUnstructuredGridReader is None, "VTK was not found")
 class Vtk(Readback):
+    def assert_grid(self, grid):
+        self.assertEqual(set(vtk_to_numpy(grid.GetCellTypesArray())), {10})
+        labels = vtk_to_numpy(grid.GetCellData().GetArray("label"))
+        self.assert_same(self.truth, Mesh(*arrays_of(grid), labels))
+
     def test_vtu(self):
         for options in ((), ("--compress",), ("--label-names", "names.txt")):
-            reader = vtkXMLUnstructuredGridReader()
-            reader.SetFileName(self.make("a.vtu", *options))
-            reader.Update()
-            grid = reader.GetOutput()
-            self.assertEqual(set(vtk_to_numpy(grid.GetCellTypesArray())), {10})
-            self.assert_same(self.truth, Mesh(
-                vtk_to_numpy(grid.GetPoints().GetData()),
-                vtk_to_numpy(grid.GetCells().GetConnectivityArray()),
-                vtk_to_numpy(grid.GetCellData().GetArray("label"))))
+            self.assert_grid(read_by_vtk(vtkXMLUnstructuredGridReader(),
+                                         self.make("a.vtu", *options)))
 
     def test_vtkhdf(self):
-        reader = vtkHDFReader()
-        reader.SetFileName(self.make("a.vtkhdf"))
-        reader.Update()
-        grid = reader.GetOutput()
-        self.assertEqual(set(vtk_to_numpy(grid.GetCellTypesArray())), {10})
-        self.assert_same(self.truth, Mesh(
-            vtk_to_numpy(grid.GetPoints().GetData()),
-            vtk_to_numpy(grid.GetCells().GetConnectivityArray()),
-            vtk_to_numpy(grid.GetCellData().GetArray("label"))))
+        self.assert_grid(read_by_vtk(vtkHDFReader(), self.make("a.vtkhdf")))
 
     def test_vtp(self):
-        reader = vtkXMLPolyDataReader()
-        reader.SetFileName(self.make("a.vtp", "--label-names", "names.txt"))
-        reader.Update()
-        data = reader.GetOutput()
+        data = read_by_vtk(vtkXMLPolyDataReader(),
+                           self.make("a.vtp", "--label-names", "names.txt"))
         points = vtk_to_numpy(data.GetPoints().GetData())
         triangles = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
         sheet, label, behind = (vtk_to_numpy(data.GetCellData().GetArray(name))

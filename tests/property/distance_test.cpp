@@ -8,13 +8,11 @@
 #include <cmath>
 #include <cstdio>
 
-#include "settling_model.hpp"
+#include "topology.hpp"
 
 namespace {
 
 using namespace certet;
-using domains::Positional;
-using settling::Model;
 using settling::Rule;
 using settling::Tets;
 
@@ -44,7 +42,7 @@ struct Torus {
     const double tube = std::hypot(p[0] - middle, p[1] - middle) - 2 * major;
     return std::abs(std::hypot(tube, p[2] - middle) - 2 * minor) / 2;
   }
-  [[nodiscard]] Positional domain() const {
+  [[nodiscard]] domains::Positional domain() const {
     return domains::of_level(domains::torus(middle, middle, middle, 2 * major, 2 * minor));
   }
   [[nodiscard]] Lattice lattice() const {
@@ -55,31 +53,15 @@ struct Torus {
 };
 
 Distances distances(const Torus& torus, const Tets& mesh) {
-  std::vector<std::array<std::uint32_t, 3>> faces;
-  for (const auto& tet : mesh.tets)
-    for (std::size_t across = 0; across < 4; ++across) {
-      std::array<std::uint32_t, 3> face{};
-      std::size_t n = 0;
-      for (std::size_t corner = 0; corner < 4; ++corner)
-        if (corner != across) face[n++] = tet[corner];
-      std::ranges::sort(face);
-      faces.push_back(face);
-    }
-  std::ranges::sort(faces);
   Distances found;
-  double triangles = 0;
+  const std::vector<topology::Triangle> faces = topology::surface_of(mesh);
+  const auto triangles = static_cast<double>(faces.size());
   const auto square = [&](const Point& p) {
     const double distance = torus.distance(p);
     found.greatest = std::max(found.greatest, distance);
     return distance * distance;
   };
-  for (std::size_t n = 0; n < faces.size(); ++n) {
-    if (n + 1 < faces.size() && faces[n] == faces[n + 1]) {
-      ++n;  // from both sides
-      continue;
-    }
-    const auto [a, b, c] = faces[n];
-    ++triangles;
+  for (const auto& [a, b, c] : faces) {
     found.faces += square(middle(mesh, {a, b, c}));
     found.edges += square(middle(mesh, {a, b})) + square(middle(mesh, {b, c})) +
                    square(middle(mesh, {c, a}));
@@ -91,15 +73,11 @@ Distances distances(const Torus& torus, const Tets& mesh) {
 
 Distances by_engine(const Torus& torus, Method method) {
   Context context;
-  const Mesh mesh = stuff(torus.domain(), torus.lattice(), {}, method, context);
-  Tets tets;
-  tets.points.assign(mesh.points.begin(), mesh.points.end());
-  for (const auto& tet : std::get<0>(mesh.tets)) tets.tets.push_back(tet);
-  return distances(torus, tets);
+  return distances(torus, settling::tets_of(stuff(torus.domain(), torus.lattice(), {}, method, context)));
 }
 
 Distances by_model(const Torus& torus, const Rule& rule) {
-  return distances(torus, Model(torus.domain(), torus.lattice(), rule).mesh());
+  return distances(torus, settling::Model(torus.domain(), torus.lattice(), rule).mesh());
 }
 
 /// The torus of radii 1 and 0.4, at a size.

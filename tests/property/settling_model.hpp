@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <variant>
 #include <vector>
 
 #include "certet/stuffing.hpp"
@@ -40,6 +41,14 @@ struct Tets {
   std::vector<Coord3> points;
   std::vector<std::array<std::uint32_t, 4>> tets;
 };
+
+/// Those of an engine's mesh.
+inline Tets tets_of(const certet::Mesh& mesh) {
+  Tets tets;
+  tets.points.assign(mesh.points.begin(), mesh.points.end());
+  for (const auto& tet : std::get<0>(mesh.tets)) tets.tets.push_back(tet);
+  return tets;
+}
 
 /// A domain's samples, and what has become of them.
 class Model {

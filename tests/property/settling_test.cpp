@@ -23,11 +23,7 @@ Tets engine_mesh(const Positional& domain, const Lattice& lattice, WarpFigures& 
   context.threads = 1;
   const Stuffing stuffing(domain, lattice, {}, context);
   figures = stuffing.warp_figures();
-  const Mesh mesh = emit(stuffing, {}, context);
-  Tets tets;
-  tets.points.assign(mesh.points.begin(), mesh.points.end());
-  for (const auto& tet : std::get<0>(mesh.tets)) tets.tets.push_back(tet);
-  return tets;
+  return settling::tets_of(emit(stuffing, {}, context));
 }
 
 std::string angle_fault(const Tets& mesh) {

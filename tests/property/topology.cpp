@@ -11,7 +11,6 @@ namespace {
 using settling::Tets;
 
 using Edge = std::array<std::uint32_t, 2>;
-using Triangle = std::array<std::uint32_t, 3>;
 using Tet = std::array<std::uint32_t, 4>;
 
 template <class Simplex>
@@ -66,18 +65,13 @@ std::vector<std::pair<Triangle, std::size_t>> faces_of(const Tets& mesh) {
   return faces;
 }
 
+}  // namespace
+
 std::vector<Triangle> surface_of(const Tets& mesh) {
-  const auto faces = faces_of(mesh);
   std::vector<Triangle> surface;
-  for (std::size_t n = 0; n < faces.size(); ++n) {
-    const bool twice = (n > 0 && faces[n - 1].first == faces[n].first) ||
-                       (n + 1 < faces.size() && faces[n + 1].first == faces[n].first);
-    if (!twice) surface.push_back(faces[n].first);
-  }
+  for_each_single(faces_of(mesh), [&](const Triangle& face, std::size_t) { surface.push_back(face); });
   return surface;
 }
-
-}  // namespace
 
 Shape of_samples(const settling::Model& model) {
   return of_samples(model.vertices(), [&](certet::Coord3 v) { return model.sampled_plus(v); });

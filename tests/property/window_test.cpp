@@ -6,6 +6,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <numeric>
 #include <set>
 #include <vector>
 
@@ -139,50 +140,47 @@ RC_GTEST_PROP(Window, WindowsMakeTheWhole, ()) {
   RC_ASSERT(in_windows(domain, lattice, random_bounds(layers), method) == whole);
 }
 
+constexpr Lattice twelve_layers{{0, 0, 0}, {9, 9, 12}};
+
+/// Where windows end, if each is of one layer.
+std::vector<int> of_each_layer(const Lattice& lattice) {
+  std::vector<int> bounds(static_cast<std::size_t>(lattice.cells[2]) + 1);
+  std::iota(bounds.begin(), bounds.end(), 0);
+  return bounds;
+}
+
 TEST(Window, OneLayerAtATime) {
-  const Lattice lattice{{0, 0, 0}, {9, 9, 12}};
   const auto domain = domains::of_level(domains::gyroid(11, 0.8));
-  std::vector<int> bounds(13);
-  for (int k = 0; k < 13; ++k) bounds[static_cast<std::size_t>(k)] = k;
+  const std::vector<int> bounds = of_each_layer(twelve_layers);
   for (const Method one : {Method::embedded, Method::embedding}) {
     const MethodFacts& method = facts(one);
-    const Made whole = in_windows(domain, lattice, {0, 12}, method);
+    const Made whole = in_windows(domain, twelve_layers, {0, 12}, method);
     EXPECT_GT(whole.tets.size(), 500u);
-    EXPECT_EQ(in_windows(domain, lattice, bounds, method), whole);
+    EXPECT_EQ(in_windows(domain, twelve_layers, bounds, method), whole);
   }
 }
 
-/// Whose even points alone tell what hangs together.
-class Parted final : public domains::Positional {
- public:
-  using Positional::Positional;
-  [[nodiscard]] bool even_points_tell_pieces() const override { return true; }
-};
-
 /// A window's last odd points look at even ones a layer behind it.
 TEST(Window, CubesArePartedAcrossWindows) {
-  const Lattice lattice{{0, 0, 0}, {9, 9, 12}};
   const auto noise = domains::noise(5, 0);
-  const Parted parted([&](Coord3 p) { return noise.sign_at(p); });
-  std::vector<int> bounds(13);
-  for (int k = 0; k < 13; ++k) bounds[static_cast<std::size_t>(k)] = k;
+  const domains::Parted parted([&](Coord3 p) { return noise.sign_at(p); });
+  const std::vector<int> bounds = of_each_layer(twelve_layers);
   const MethodFacts& method = facts(Method::embedded);
-  const Made whole = in_windows(parted, lattice, {0, 12}, method);
-  EXPECT_EQ(in_windows(parted, lattice, bounds, method), whole);
-  EXPECT_NE(in_windows(noise, lattice, {0, 12}, method), whole);
+  const Made whole = in_windows(parted, twelve_layers, {0, 12}, method);
+  EXPECT_EQ(in_windows(parted, twelve_layers, bounds, method), whole);
+  EXPECT_NE(in_windows(noise, twelve_layers, {0, 12}, method), whole);
   const MethodFacts& paper = facts(Method::embedding);
-  EXPECT_EQ(in_windows(parted, lattice, bounds, paper), in_windows(noise, lattice, bounds, paper));
+  EXPECT_EQ(in_windows(parted, twelve_layers, bounds, paper), in_windows(noise, twelve_layers, bounds, paper));
 }
 
 /// What `Stuffing` makes is what the stages make of the whole.
 TEST(Window, TheWholeIsTheEnginesMesh) {
-  const Lattice lattice{{0, 0, 0}, {9, 9, 12}};
   const auto domain = domains::of_level(domains::gyroid(11, 0.8));
   Context context;
   for (const Method method : {Method::embedded, Method::embedding}) {
-    const Stuffing stuffing(domain, lattice, method, context);
+    const Stuffing stuffing(domain, twelve_layers, method, context);
     const Mesh mesh = emit(stuffing, {}, context);
-    const Made made = in_windows(domain, lattice, {0, 12}, facts(method));
+    const Made made = in_windows(domain, twelve_layers, {0, 12}, facts(method));
     EXPECT_TRUE(std::ranges::equal(mesh.points, made.points));
     EXPECT_TRUE(std::ranges::equal(std::get<0>(mesh.tets), made.tets));
     if (facts(method).settles) {
@@ -257,11 +255,10 @@ RC_GTEST_PROP(Window, MaterialsOfWindowsAreThoseOfTheWhole, ()) {
 /// They are the whole mesh's, tetrahedron by tetrahedron, and do depend on where the
 /// corners are: those of the tetrahedron before would be other ones.
 TEST(Window, MaterialsAreThoseOfTheCorners) {
-  const Lattice lattice{{0, 0, 0}, {9, 9, 12}};
   const auto domain = materials::cubes(3, 2, {1, 2, 3}, 60);
   const MethodFacts& method = facts(Method::embedding);
-  const Made made = in_windows(domain, lattice, {0, 12}, method);
-  const auto found = materials_in_windows(domain, lattice, {0, 5, 6, 12}, method, 1);
+  const Made made = in_windows(domain, twelve_layers, {0, 12}, method);
+  const auto found = materials_in_windows(domain, twelve_layers, {0, 5, 6, 12}, method, 1);
   ASSERT_EQ(found.size(), made.tets.size());
   const auto differences = [&](std::size_t shift) {
     std::size_t count = 0;
@@ -280,13 +277,12 @@ TEST(Window, MaterialsAreThoseOfTheCorners) {
 
 /// Without the layer behind there is no room for its points, which is said.
 TEST(Window, MaterialsNeedTheLayerBehind) {
-  const Lattice lattice{{0, 0, 0}, {9, 9, 12}};
   const auto domain = materials::cubes(3, 2, {1, 2, 3}, 60);
   const MethodFacts& method = facts(Method::embedding);
-  EXPECT_NO_THROW(materials_in_windows(domain, lattice, {4, 6}, method, 1));
-  EXPECT_THROW(materials_in_windows(domain, lattice, {4, 6}, method, 0), Error);
+  EXPECT_NO_THROW(materials_in_windows(domain, twelve_layers, {4, 6}, method, 1));
+  EXPECT_THROW(materials_in_windows(domain, twelve_layers, {4, 6}, method, 0), Error);
   // The last layer has none behind it.
-  EXPECT_NO_THROW(materials_in_windows(domain, lattice, {4, 12}, method, 0));
+  EXPECT_NO_THROW(materials_in_windows(domain, twelve_layers, {4, 12}, method, 0));
 }
 
 /// A window with a layer less on either side makes another mesh of some domains.

@@ -24,16 +24,8 @@ class Nowhere final : public certet::MeshWriter {
 std::uint64_t in_memory(const Shape& shape, const Manner& manner, int threads) {
   certet::Context context;
   context.threads = threads;
-  const certet::Mesh mesh =
-      certet::stuff(*shape.domain, shape.lattice, shape.frame, manner.method, context);
-  certet::Checksum sum;
-  sum.points(0, mesh.points);
-  std::visit(
-      [&sum]<class Index>(const certet::Buffer<certet::Tet<Index>>& tets) {
-        sum.tets(0, std::span<const certet::Tet<Index>>(tets));
-      },
-      mesh.tets);
-  return sum.value();
+  return certet::checksum(
+      certet::stuff(*shape.domain, shape.lattice, shape.frame, manner.method, context));
 }
 
 std::uint64_t streamed(const Shape& shape, const Manner& manner, int threads,

@@ -10,6 +10,7 @@
 
 #include "cases.hpp"
 #include "certet/function_domain.hpp"
+#include "domains.hpp"
 
 namespace repeatability {
 namespace {
@@ -50,22 +51,15 @@ TEST(Repeatability, AnyNumberOfThreadsSlabBySlab) {
 }
 
 /// The same domain, but for a single position that differs.
-class OneSignWrong final : public certet::Domain {
+class OneSignWrong final : public domains::SignsAlone {
  public:
-  explicit OneSignWrong(const certet::Domain& domain) : domain_(domain) {}
+  using SignsAlone::SignsAlone;
   void row(certet::Coord3 first, std::span<certet::Sign> out) const override {
-    domain_.row(first, out);
+    SignsAlone::row(first, out);
     if (first.y == 0 && first.z == 0)
       for (std::size_t i = 0; i < out.size(); ++i)
         if (first.x + 2 * static_cast<std::int32_t>(i) == 0) out[i] = certet::Sign::minus;
   }
-  void at(std::span<const certet::Coord3> positions,
-          std::span<certet::Sign> out) const override {
-    domain_.at(positions, out);
-  }
-
- private:
-  const certet::Domain& domain_;
 };
 
 TEST(Repeatability, CatchesOneSignOfManyThousands) {

@@ -12,6 +12,7 @@
 #include "certet/shape.hpp"
 #include "certet/stuffing.hpp"
 #include "distances.hpp"
+#include "domains.hpp"
 #include "extents.hpp"
 
 namespace {
@@ -87,27 +88,11 @@ TEST(Shape, ExtentAgreesWithRows) {
     }
 }
 
-/// Hides what is known of blocks.
-class WithoutExtents final : public certet::Domain {
- public:
-  explicit WithoutExtents(const certet::Domain& domain) : domain_(domain) {}
-  void row(certet::Coord3 first, std::span<certet::Sign> out) const override {
-    domain_.row(first, out);
-  }
-  void at(std::span<const certet::Coord3> positions,
-          std::span<certet::Sign> out) const override {
-    domain_.at(positions, out);
-  }
-
- private:
-  const certet::Domain& domain_;
-};
-
 TEST(Shape, SkippedBlocksDoNotChangeTheMesh) {
   for (const char* name : {"torus:1,0.4", "gyroid:1,0.2"}) {
     const ShapeDomain shape(name, {}, 0.05, 2);
     const certet::Mesh one = mesh(shape, shape);
-    const certet::Mesh two = mesh(WithoutExtents(shape), shape);
+    const certet::Mesh two = mesh(domains::SignsAlone(shape), shape);
     EXPECT_TRUE(std::ranges::equal(one.points, two.points)) << name;
   }
 }

@@ -8,11 +8,49 @@
 #include <cstdint>
 #include <exception>
 #include <iostream>
+#include <random>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 namespace soak {
+
+/// Hands out the values of options by their names, `--name value` each.
+/// \param take whether it knows the name
+/// \throws std::exception on wrong usage
+template <class Take>
+void read_options(int argc, char** argv, const Take& take) {
+  for (int i = 1; i < argc; i += 2) {
+    const std::string name = argv[i];
+    if (i + 1 == argc) throw std::invalid_argument(name + " has no value");
+    if (!take(name, std::string(argv[i + 1]))) throw std::invalid_argument(name + " is no option");
+  }
+}
+
+/// \throws std::exception where a name is not among those there are.
+template <class Names>
+std::size_t number_of(const Names& names, const std::string& name) {
+  const auto at = std::ranges::find(names, name);
+  if (at == names.end()) throw std::invalid_argument("there is no " + name);
+  return static_cast<std::size_t>(at - names.begin());
+}
+
+/// What every campaign may be told.
+struct CampaignArguments {
+  std::uint64_t seed = std::random_device{}();
+  unsigned threads = 2;
+  std::string report;
+
+  /// \returns whether it is one of these options
+  bool take(const std::string& name, const std::string& value) {
+    if (name == "--seed") seed = std::stoull(value);
+    else if (name == "--threads") threads = static_cast<unsigned>(std::stoul(value));
+    else if (name == "--report") report = value;
+    else return false;
+    return true;
+  }
+};
 
 /// The verdicts on trials 0 to count - 1, by the trial.
 template <class Judge>

@@ -6,11 +6,9 @@
 ///
 /// Ends with status 1 if a mesh has a fault, 2 on wrong usage.
 
-#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <iostream>
-#include <stdexcept>
 
 #include "campaign.hpp"
 #include "report.hpp"
@@ -19,39 +17,27 @@
 
 namespace {
 
-struct Arguments {
-  std::uint64_t count = 200, seed = 0, first = 0;
-  unsigned threads = 2;
+struct Arguments : soak::CampaignArguments {
+  std::uint64_t count = 200, first = 0;
   soak::Plant plant = soak::Plant::nothing;
-  std::string report;
 };
 
 /// \throws std::exception on wrong usage
 Arguments parse(int argc, char** argv) {
   Arguments arguments;
-  bool seeded = false;
-  for (int i = 1; i < argc; i += 2) {
-    const std::string name = argv[i];
-    if (i + 1 == argc) throw std::invalid_argument(name + " has no value");
-    const std::string value = argv[i + 1];
-    if (name == "--count") arguments.count = std::stoull(value);
-    else if (name == "--threads") arguments.threads = static_cast<unsigned>(std::stoul(value));
-    else if (name == "--report") arguments.report = value;
-    else if (name == "--seed") {
-      arguments.seed = std::stoull(value);
-      seeded = true;
+  soak::read_options(argc, argv, [&](const std::string& name, const std::string& value) {
+    if (name == "--count") {
+      arguments.count = std::stoull(value);
     } else if (name == "--only") {
       arguments.first = std::stoull(value);
       arguments.count = 1;
     } else if (name == "--plant") {
-      const auto at = std::ranges::find(soak::plant_names, value);
-      if (at == soak::plant_names.end()) throw std::invalid_argument(value + " is no plant");
-      arguments.plant = static_cast<soak::Plant>(at - soak::plant_names.begin());
+      arguments.plant = static_cast<soak::Plant>(soak::number_of(soak::plant_names, value));
     } else {
-      throw std::invalid_argument(name + " is no option");
+      return arguments.take(name, value);
     }
-  }
-  if (!seeded) arguments.seed = std::random_device{}();
+    return true;
+  });
   return arguments;
 }
 

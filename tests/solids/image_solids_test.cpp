@@ -64,17 +64,6 @@ struct Scan {
   }
 };
 
-std::uint64_t checksum_of(const Mesh& mesh) {
-  Checksum checksum;
-  checksum.points(0, mesh.points);
-  std::visit(
-      [&]<class Index>(const Buffer<Tet<Index>>& tets) {
-        checksum.tets(0, std::span<const Tet<Index>>(tets));
-      },
-      mesh.tets);
-  return checksum.value();
-}
-
 /// On the lattice of the image a solid is what the image alone is, to the bit.
 TEST(ImageSolids, OnItsOwnLatticeItIsTheImage) {
   for (const double angle : {0., 0.4})
@@ -83,7 +72,7 @@ TEST(ImageSolids, OnItsOwnLatticeItIsTheImage) {
       const ImageLattice lattice{size, 3, false};
       const auto same = [&](const Solid& solid, const std::unique_ptr<PlacedDomain>& alone) {
         const Mesh one = mesh(*solid_domain(solid, size, 3)), other = mesh(*alone);
-        EXPECT_EQ(checksum_of(one), checksum_of(other));
+        EXPECT_EQ(checksum(one), checksum(other));
         EXPECT_TRUE(std::ranges::equal(one.labels, other.labels));
         EXPECT_GT(one.points.size(), 100u);
       };
@@ -280,7 +269,7 @@ TEST(ImageSolids, ThreadsDoNotMatter) {
   for (const int threads : {1, 2}) {
     Context context;
     context.threads = threads;
-    sums.push_back(checksum_of(mesh(*domain, Method::embedded, context)));
+    sums.push_back(checksum(mesh(*domain, Method::embedded, context)));
   }
   EXPECT_EQ(sums[0], sums[1]);
 }

@@ -68,25 +68,36 @@ std::vector<PartedEdge> parted_edges(const materials::Positional& domain, std::u
   return edges;
 }
 
-TEST(Part, BisectsTheMaterialOfTheLastEndAgainstTheRest) {
-  const std::uint64_t seed = test_seed();
+/// What it says of its edges, all at once.
+struct PartedCrowd {
+  materials::Positional domain;
+  std::vector<PartedEdge> edges;
+  std::vector<std::uint16_t> cuts;
+};
+
+PartedCrowd parted_crowd(std::uint64_t seed) {
   const materials::Positional domain = crowd(seed);
-  const std::vector<PartedEdge> edges = parted_edges(domain, seed);
-  std::vector<std::uint16_t> cuts(edges.size());
-  domain.part(edges, cuts);
+  PartedCrowd parted{domain, parted_edges(domain, seed), {}};
+  parted.cuts.resize(parted.edges.size());
+  domain.part(parted.edges, parted.cuts);
+  return parted;
+}
+
+TEST(Part, BisectsTheMaterialOfTheLastEndAgainstTheRest) {
+  const PartedCrowd crowd = parted_crowd(test_seed());
   const auto wrong = [&](const Rule& rule) {
     std::size_t count = 0;
-    for (std::size_t e = 0; e < edges.size(); ++e) count += cuts[e] != bisected(edges[e], rule);
+    for (std::size_t e = 0; e < crowd.edges.size(); ++e) count += crowd.cuts[e] != bisected(crowd.edges[e], rule);
     return count;
   };
-  EXPECT_GT(edges.size(), 500u);
+  EXPECT_GT(crowd.edges.size(), 500u);
   EXPECT_EQ(wrong([&](Coord3 p, const PartedEdge& edge) {
-              return domain.material_at(p) != edge.of_last;
+              return crowd.domain.material_at(p) != edge.of_last;
             }),
             0u);
   // Another rule would be noticed: a third material belongs to the first end.
   EXPECT_GT(wrong([&](Coord3 p, const PartedEdge& edge) {
-              return domain.material_at(p) == domain.material_at(steps * edge.first);
+              return crowd.domain.material_at(p) == crowd.domain.material_at(steps * edge.first);
             }),
             0u);
 }
@@ -111,17 +122,13 @@ TEST(Part, IsExactToOneStepWhereNothingIsInBetween) {
 
 /// However they are mixed, and however many there are at once.
 TEST(Part, EdgesDoNotTouchEachOther) {
-  const std::uint64_t seed = test_seed();
-  const materials::Positional domain = crowd(seed);
-  const std::vector<PartedEdge> edges = parted_edges(domain, seed);
-  std::vector<std::uint16_t> together(edges.size());
-  domain.part(edges, together);
-  for (std::size_t e = 0; e < edges.size(); ++e) {
+  const PartedCrowd together = parted_crowd(test_seed());
+  for (std::size_t e = 0; e < together.edges.size(); ++e) {
     std::uint16_t alone = 0;
-    domain.part({&edges[e], 1}, {&alone, 1});
-    ASSERT_EQ(together[e], alone);
+    together.domain.part({&together.edges[e], 1}, {&alone, 1});
+    ASSERT_EQ(together.cuts[e], alone);
   }
-  domain.part({}, {});
+  together.domain.part({}, {});
 }
 
 /// Out of the solid it is the bisection of signs, which ends on the surface.

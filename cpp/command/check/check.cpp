@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <memory>
 #include <utility>
 
 #include "certet/error.hpp"
@@ -10,6 +9,7 @@
 #include "curved.hpp"
 #include "memory.hpp"
 #include "outputs.hpp"
+#include "shared_options.hpp"
 #include "signals.hpp"
 #include "stopwatch.hpp"
 
@@ -47,11 +47,9 @@ the theorem is named only where nothing is wrong.)";
 
 /// What the user asks of `certet check`.
 struct CheckOptions {
-  std::filesystem::path mesh;
-  std::filesystem::path run;
+  std::filesystem::path mesh, run_file;
   AngleBounds asked{0, 180, {}};
-  std::string json;
-  int threads = 0;
+  RunOptions run;
 };
 
 /// The bounds asked for and those of the run, if there is one.
@@ -70,13 +68,13 @@ void check_angles(CheckedFile& checked) {
 void check_options(const CheckOptions& options) {
   if (options.asked.min_dihedral > options.asked.max_dihedral)
     throw Error(ErrorCode::bad_option, "--min-angle is above --max-angle");
-  if (options.json.empty() || options.json == "-") return;
+  if (!options.run.has_json_file()) return;
   for (const auto& [input, name] :
-       {std::pair(options.mesh, "the mesh"), std::pair(options.run, "--run")})
-    if (!input.empty() && same_file(input, options.json))
+       {std::pair(options.mesh, "the mesh"), std::pair(options.run_file, "--run")})
+    if (!input.empty() && same_file(input, options.run.json))
       throw Error(ErrorCode::bad_option, std::string(name) + " and --json are the same file '" +
                                              input.string() + "'");
-  check_output(options.json);
+  check_output(options.run.json);
 }
 
 /// The mesh, its regions and interfaces, and the surfaces that the file holds beside it.
@@ -102,13 +100,13 @@ void examine_file(const FileMesh& mesh, CheckedFile& checked, Context& context) 
 Status check(const CheckOptions& options) {
   const Stopwatch clock;
   Context context;
-  context.threads = options.threads;
+  context.threads = options.run.threads;
   const Signals signals(context);
   check_options(options);
   CheckedFile checked;
   checked.file = options.mesh.string();
   checked.asked = options.asked;
-  if (!options.run.empty()) checked.run = read_run(options.run);
+  if (!options.run_file.empty()) checked.run = read_run(options.run_file);
   const FileMesh mesh = certet::read(options.mesh, context);
   checked.read_seconds = clock.seconds();
   examine_file(mesh, checked, context);
@@ -121,35 +119,31 @@ Status check(const CheckOptions& options) {
   checked.total_seconds = clock.seconds();
   checked.check_seconds = checked.total_seconds - checked.read_seconds;
   checked.memory_peak = peak_memory();
-  tell(checked, options.json);
+  tell(checked, options.run.json);
   return checked.report.failures.empty() ? Status::ok : Status::check_failed;
+}
+
+void declare(CLI::App& app, CheckOptions& options) {
+  declare_mesh_file(app, "mesh", "MESH", options.mesh);
+  app.add_option("--run", options.run_file,
+                 "What `certet mesh --json` told: the file must hold that mesh, with angles "
+                 "within its theorem")
+      ->option_text("FILE");
+  app.add_option("--min-angle", options.asked.min_dihedral,
+                 "Least dihedral angle that will do, in degrees")
+      ->check(CLI::Range(0.0, 180.0))
+      ->option_text("A");
+  app.add_option("--max-angle", options.asked.max_dihedral,
+                 "Greatest dihedral angle that will do, in degrees")
+      ->check(CLI::Range(0.0, 180.0))
+      ->option_text("A");
+  declare_run(app, options.run);
 }
 
 }  // namespace
 
 Run declare_check(CLI::App& app) {
-  const auto options = std::make_shared<CheckOptions>();
-  app.add_option("mesh", options->mesh, "Mesh: .vtu, .mesh, .meshb or .msh")
-      ->required()->option_text("MESH");
-  app.add_option("--run", options->run,
-                 "What `certet mesh --json` told: the file must hold that mesh, with angles "
-                 "within its theorem")
-      ->option_text("FILE");
-  app.add_option("--min-angle", options->asked.min_dihedral,
-                 "Least dihedral angle that will do, in degrees")
-      ->check(CLI::Range(0.0, 180.0))
-      ->option_text("A");
-  app.add_option("--max-angle", options->asked.max_dihedral,
-                 "Greatest dihedral angle that will do, in degrees")
-      ->check(CLI::Range(0.0, 180.0))
-      ->option_text("A");
-  app.add_option("--threads", options->threads, "Threads (default: as many as there are)")
-      ->check(CLI::Range(0, 1024))
-      ->option_text("N");
-  app.add_option("--json", options->json, "Report for programs; - is stdout")
-      ->option_text("FILE|-");
-  app.footer(check_notes);
-  return [options] { return check(*options); };
+  return subcommand<CheckOptions>(app, declare, check_notes, check);
 }
 
 }  // namespace certet::command

@@ -55,9 +55,7 @@ Json json_of(const SurfaceReport& surface) {
 
 std::string json(const CheckedFile& checked) {
   const CheckReport& report = checked.report;
-  Json json;
-  json["certet"] = CERTET_VERSION;
-  json["command"] = "check";
+  Json json = json_of_command("check");
   json["file"] = checked.file;
   json["ok"] = report.failures.empty();
   json["failures"] = report.failures;

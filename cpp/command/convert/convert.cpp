@@ -9,11 +9,11 @@
 #include "json.hpp"
 #include "option_values.hpp"
 #include "outputs.hpp"
-#include "report.hpp"
-#include "signals.hpp"
+#include "shared_options.hpp"
 #include "stopwatch.hpp"
 #include "surface_choice.hpp"
 #include "table.hpp"
+#include "told_run.hpp"
 
 namespace certet::command {
 namespace {
@@ -36,8 +36,9 @@ warnings.)";
 /// What the user asks of `certet convert`.
 struct ConvertOptions {
   std::filesystem::path input, output, label_names;
-  std::string format, json, origin, surface, scale;
+  std::string format, origin, surface, scale;
   bool compress = false;
+  RunOptions run;
 };
 
 /// What is known at the end.
@@ -75,9 +76,7 @@ std::string table(const ConvertReport& report) {
 }
 
 std::string json(const ConvertReport& report) {
-  Json json;
-  json["certet"] = CERTET_VERSION;
-  json["command"] = "convert";
+  Json json = json_of_command("convert");
   json["input"] = report.input;
   json["output"] = {
       {"file", report.output}, {"format", report.format}, {"bytes", report.bytes},
@@ -96,21 +95,21 @@ std::string json(const ConvertReport& report) {
 }
 
 void check_files(const ConvertOptions& options, Format format) {
-  const bool json_file = !options.json.empty() && options.json != "-";
+  const bool json_file = options.run.has_json_file();
   for (const std::filesystem::path& file : files_of(options.output, format)) {
     if (same_file(options.input, file))
       throw Error(ErrorCode::bad_option,
                   "input and output are the same file '" + options.input.string() + "'");
-    if (json_file && same_file(file, options.json))
+    if (json_file && same_file(file, options.run.json))
       throw Error(ErrorCode::bad_option,
                   "output and --json are the same file '" + file.string() + "'");
     check_output(file);
   }
   if (!json_file) return;
-  if (same_file(options.input, options.json))
+  if (same_file(options.input, options.run.json))
     throw Error(ErrorCode::bad_option,
                 "input and --json are the same file '" + options.input.string() + "'");
-  check_output(options.json);
+  check_output(options.run.json);
 }
 
 /// A writer would say the same, but with no word of the input.
@@ -179,45 +178,33 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
   return report;
 }
 
-Status convert(const ConvertOptions& options) {
-  Context context;
-  const Signals signals(context);
-  const ConvertReport report = run(options, context);
-  warn(report.warnings);
-  tell(report, options.json);
-  return Status::ok;
+void declare(CLI::App& app, ConvertOptions& options) {
+  declare_mesh_file(app, "input", "IN", options.input);
+  app.add_option("output", options.output,
+                 "Mesh: " + mesh_extensions() + "; its surfaces: " + surface_extensions())
+      ->required()
+      ->option_text("OUT");
+  declare_format(app, options.format, options.compress);
+  app.add_option("--origin", options.origin,
+                 "world: coordinates are the input's (default); 0: a mesh that is farther from 0 "
+                 "than it is long is moved there, exactly, which table and JSON tell")
+      ->check(CLI::IsMember({"world", "0"}))
+      ->option_text("world|0");
+  app.add_option("--scale", options.scale,
+                 "Factor of all coordinates, like 0.001 from mm to m (after --origin)")
+      ->option_text("S");
+  app.add_option("--label-names", options.label_names,
+                 "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
+      ->option_text("FILE");
+  declare_surface_choice(app, options.surface);
+  declare_json(app, options.run);
 }
 
 }  // namespace
 
 Run declare_convert(CLI::App& app) {
-  const auto options = std::make_shared<ConvertOptions>();
-  app.add_option("input", options->input, "Mesh: .vtu, .mesh, .meshb or .msh")
-      ->required()
-      ->option_text("IN");
-  app.add_option("output", options->output,
-                 "Mesh: " + mesh_extensions() + "; its surfaces: " + surface_extensions())
-      ->required()
-      ->option_text("OUT");
-  app.add_option("--format", options->format, format_names() + " (default: by the extension)")
-      ->option_text("F");
-  app.add_flag("--compress", options->compress, "Compress .vtu");
-  app.add_option("--origin", options->origin,
-                 "world: coordinates are the input's (default); 0: a mesh that is farther from 0 "
-                 "than it is long is moved there, exactly, which table and JSON tell")
-      ->check(CLI::IsMember({"world", "0"}))
-      ->option_text("world|0");
-  app.add_option("--scale", options->scale,
-                 "Factor of all coordinates, like 0.001 from mm to m (after --origin)")
-      ->option_text("S");
-  app.add_option("--label-names", options->label_names,
-                 "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
-      ->option_text("FILE");
-  declare_surface_choice(app, options->surface);
-  app.add_option("--json", options->json, "Report for programs; - is stdout")
-      ->option_text("FILE|-");
-  app.footer(convert_notes);
-  return [options] { return convert(*options); };
+  return subcommand<ConvertOptions>(app, declare, convert_notes,
+                                    run_and_tell<ConvertOptions, ConvertReport>(run));
 }
 
 }  // namespace certet::command

@@ -19,10 +19,10 @@
 #include "outputs.hpp"
 #include "progress.hpp"
 #include "regions.hpp"
-#include "signals.hpp"
 #include "source.hpp"
 #include "surface_choice.hpp"
 #include "target_size.hpp"
+#include "told_run.hpp"
 
 namespace certet::command {
 namespace {
@@ -253,20 +253,11 @@ MeshReport run(const MeshOptions& options, Context& context) {
   return report;
 }
 
-Status mesh(const MeshOptions& options) {
-  Context context;
-  context.threads = options.threads;
-  const Signals signals(context);
-  const MeshReport report = run(options, context);
-  warn(report.warnings);
-  tell(report, options.json);
-  return Status::ok;
-}
-
 }  // namespace
 
 Run declare_mesh(CLI::App& app) {
-  return [options = declare_mesh_options(app)] { return mesh(options()); };
+  return [options = declare_mesh_options(app),
+          carry_out = run_and_tell<MeshOptions, MeshReport>(run)] { return carry_out(options()); };
 }
 
 }  // namespace certet::command

@@ -25,23 +25,23 @@ std::vector<std::filesystem::path> input_files(const MeshOptions& options) {
 }  // namespace
 
 void check_outputs(const MeshOptions& options) {
-  const bool json_file = !options.json.empty() && options.json != "-";
+  const bool json_file = options.run.has_json_file();
   for (const std::filesystem::path& input : input_files(options)) {
     if (!options.output.empty() && same_file(input, options.output))
       throw Error(ErrorCode::bad_option,
                   "input and output are the same file '" + input.string() + "'");
-    if (json_file && same_file(input, options.json))
+    if (json_file && same_file(input, options.run.json))
       throw Error(ErrorCode::bad_option,
                   "input and --json are the same file '" + input.string() + "'");
   }
   if (!options.output.empty())
     for (const std::filesystem::path& file : files_of(options.output, options.format)) {
-      if (json_file && same_file(file, options.json))
+      if (json_file && same_file(file, options.run.json))
         throw Error(ErrorCode::bad_option,
                     "output and --json are the same file '" + file.string() + "'");
       if (!options.dry_run) check_output(file);
     }
-  if (json_file) check_output(options.json);
+  if (json_file) check_output(options.run.json);
 }
 
 }  // namespace certet::command

@@ -120,9 +120,7 @@ Json smoothing(const MeshReport& report) {
 
 std::string json(const MeshReport& report) {
   const WrittenMesh& written = report.written;
-  Json json;
-  json["certet"] = CERTET_VERSION;
-  json["command"] = "mesh";
+  Json json = json_of_command("mesh");
   json["dry_run"] = report.dry_run;
   json["input"] = {{"kind", report.input_kind},
                    {"name", report.formula.empty() ? report.input_name : report.formula},

@@ -12,6 +12,7 @@
 #include "method.hpp"
 #include "option_values.hpp"
 #include "refusal.hpp"
+#include "shared_options.hpp"
 #include "surface_choice.hpp"
 
 namespace certet::command {
@@ -122,9 +123,7 @@ void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
   mesh.add_option("-o,--output", options.output,
                   "Mesh: " + mesh_extensions() + "; its surfaces: " + surface_extensions())
       ->option_text("OUT");
-  mesh.add_option("--format", raw.format, format_names() + " (default: by the extension)")
-      ->option_text("F");
-  mesh.add_flag("--compress", raw.compress, "Compress .vtu");
+  declare_format(mesh, raw.format, raw.compress);
   mesh.add_option("--origin", raw.origin,
                   "world: coordinates are the input's (default); 0: they are relative to the "
                   "lattice's origin, which lies at the solid and is told in table and JSON")
@@ -136,16 +135,13 @@ void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
                   "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
       ->option_text("FILE");
   declare_surface_choice(mesh, options.surface);
-  mesh.add_option("--threads", options.threads, "Threads (default: as many as there are)")
-      ->check(CLI::Range(0, 1024))
-      ->option_text("N");
+  declare_threads(mesh, options.run);
   mesh.add_option("--max-memory", options.max_memory,
                   "Memory to use, like 800M or 4G (default: three quarters of what is free)")
       ->transform(CLI::AsSizeValue(false))
       ->option_text("BYTES");
   mesh.add_flag("--dry-run", options.dry_run, "Count, but write nothing");
-  mesh.add_option("--json", options.json, "Report for programs; - is stdout")
-      ->option_text("FILE|-");
+  declare_json(mesh, options.run);
 }
 
 /// All solids that the options name.

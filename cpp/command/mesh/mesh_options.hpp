@@ -18,6 +18,7 @@
 #include "certet/pieces.hpp"
 #include "material_options.hpp"
 #include "order.hpp"
+#include "shared_options.hpp"
 
 namespace certet::command {
 
@@ -66,7 +67,7 @@ struct MeshOptions {
   std::string keep_text;         ///< as the user wrote it
   bool label_pieces = false;     ///< counts the pieces of each label
   OrderChoice order;
-  int threads = 0;
+  RunOptions run;
   std::uint64_t max_memory = 0;  ///< 0: by what is available
   bool dry_run = false;
   std::filesystem::path output;
@@ -76,7 +77,6 @@ struct MeshOptions {
   double scale = 1;  ///< of coordinates that go out
   std::filesystem::path label_names;  ///< empty: labels have no names
   std::string surface;                ///< what --surface says; empty: all of the boundary
-  std::string json;  ///< a file, - for stdout, or empty
 };
 
 /// Declares the options and gives what reads them once the command line has

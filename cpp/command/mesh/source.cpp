@@ -92,7 +92,7 @@ bool has_all_voxels(const Image& image, double size) {
 /// The outside alone, as one solid's.
 Source from_smoothed(const std::shared_ptr<const Image>& image, const MeshOptions& options) {
   const auto smoothed = std::make_shared<const Image>(
-      smoothed_labels(*image, options.labels, *options.smooth, options.threads));
+      smoothed_labels(*image, options.labels, *options.smooth, options.run.threads));
   const auto place = [image, smoothed, options](double size) {
     return placed_image(
         smoothed_domain(image, options.labels, smoothed, {size, options.margin}), options);

@@ -8,6 +8,7 @@
 #include "option_values.hpp"
 #include "outputs.hpp"
 #include "refusal.hpp"
+#include "shared_options.hpp"
 
 namespace certet::command {
 namespace {
@@ -56,7 +57,7 @@ Status picture(PictureRequest options) {
 
 Run declare_picture(CLI::App& app) {
   const auto options = std::make_shared<PictureRequest>();
-  app.add_option("mesh", options->mesh, "Mesh: .vtu, .mesh, .meshb or .msh")->required()->option_text("MESH");
+  declare_mesh_file(app, "mesh", "MESH", options->mesh);
   app.add_option("-o,--output", options->output, "Picture: .png")
       ->required()->option_text("FILE");
   app.add_option("--size", options->size, "Pixels (1600x800)")->option_text("WxH");

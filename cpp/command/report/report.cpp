@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <map>
-#include <memory>
 #include <optional>
 
 #include "certet/error.hpp"
@@ -13,6 +12,7 @@
 #include "pieces.hpp"
 #include "refusal.hpp"
 #include "run_file.hpp"
+#include "shared_options.hpp"
 #include "table.hpp"
 
 namespace certet::command {
@@ -127,27 +127,28 @@ Status report(const ReportOptions& options) {
   return page.report.failures.empty() ? Status::ok : Status::check_failed;
 }
 
-}  // namespace
-
-Run declare_report(CLI::App& app) {
-  const auto options = std::make_shared<ReportOptions>();
-  app.add_option("mesh", options->mesh, "Mesh: .vtu, .mesh, .meshb or .msh")->required()->option_text("MESH");
-  app.add_option("-o,--output", options->output, "Page: .html")
+void declare(CLI::App& app, ReportOptions& options) {
+  declare_mesh_file(app, "mesh", "MESH", options.mesh);
+  app.add_option("-o,--output", options.output, "Page: .html")
       ->required()->option_text("FILE");
-  app.add_option("--run", options->run, "What `certet mesh --json` told of this mesh")
+  app.add_option("--run", options.run, "What `certet mesh --json` told of this mesh")
       ->option_text("FILE");
-  app.add_option("--guarantee", options->guarantee,
+  app.add_option("--guarantee", options.guarantee,
                  "Of the run, where there is no --run: embedded, angles or embedding")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Method>{
           {"embedded", Method::embedded}, {"angles", Method::angles},
           {"embedding", Method::embedding}}))
       ->option_text("WHICH");
-  app.add_option("--cuts", options->cuts, "Of the run, where there is no --run: bisect or midpoint")
+  app.add_option("--cuts", options.cuts, "Of the run, where there is no --run: bisect or midpoint")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Cuts>{
           {"bisect", Cuts::bisect}, {"midpoint", Cuts::midpoint}}))
       ->option_text("WHERE");
-  app.footer(report_notes);
-  return [options] { return report(*options); };
+}
+
+}  // namespace
+
+Run declare_report(CLI::App& app) {
+  return subcommand<ReportOptions>(app, declare, report_notes, report);
 }
 
 }  // namespace certet::command

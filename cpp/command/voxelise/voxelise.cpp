@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <memory>
 #include <utility>
 
 #include "certet/formats.hpp"
@@ -7,10 +6,10 @@
 #include "option_values.hpp"
 #include "outputs.hpp"
 #include "refusal.hpp"
-#include "report.hpp"
-#include "signals.hpp"
+#include "shared_options.hpp"
 #include "silence.hpp"
 #include "stopwatch.hpp"
+#include "told_run.hpp"
 #include "voxelise_report.hpp"
 
 namespace certet::command {
@@ -37,8 +36,8 @@ warnings.)";
 /// What the user asks of `certet voxelise`.
 struct VoxeliseOptions {
   std::filesystem::path mesh, output, like, compare;
-  std::string spacing, frame, json;
-  int threads = 0;
+  std::string spacing, frame;
+  RunOptions run;
 };
 
 void check_options(const VoxeliseOptions& options) {
@@ -50,21 +49,21 @@ void check_options(const VoxeliseOptions& options) {
     refuse("voxelise needs --like IMAGE or --spacing a,b,c");
   if (!options.spacing.empty() && !options.compare.empty())
     refuse("--spacing and --compare exclude each other: images are compared voxel by voxel");
-  const bool json_file = !options.json.empty() && options.json != "-";
+  const bool json_file = options.run.has_json_file();
   for (const std::filesystem::path& input : {options.mesh, options.like, options.compare}) {
     if (input.empty()) continue;
     if (!options.output.empty() && same_file(input, options.output))
       refuse("the output would replace the input '" + input.string() + "'");
-    if (json_file && same_file(input, options.json))
+    if (json_file && same_file(input, options.run.json))
       refuse("--json would replace the input '" + input.string() + "'");
   }
   if (!options.output.empty()) {
     check_labels_file(options.output);
     check_output(options.output);
   }
-  if (json_file && !options.output.empty() && same_file(options.output, options.json))
-    refuse("output and --json are the same file '" + options.json + "'");
-  if (json_file) check_output(options.json);
+  if (json_file && !options.output.empty() && same_file(options.output, options.run.json))
+    refuse("output and --json are the same file '" + options.run.json + "'");
+  if (json_file) check_output(options.run.json);
 }
 
 Image image_of(const std::filesystem::path& file) {
@@ -124,44 +123,30 @@ VoxeliseReport run(const VoxeliseOptions& options, Context& context) {
   return report;
 }
 
-Status voxelise(const VoxeliseOptions& options) {
-  Context context;
-  context.threads = options.threads;
-  const Signals signals(context);
-  const VoxeliseReport report = run(options, context);
-  warn(report.warnings);
-  tell(report, options.json);
-  return Status::ok;
+void declare(CLI::App& app, VoxeliseOptions& options) {
+  declare_mesh_file(app, "mesh", "MESH", options.mesh);
+  app.add_option("-o,--output", options.output, "Image of labels: .nrrd, .mha, .nii or .nii.gz")
+      ->option_text("LABELS");
+  app.add_option("--like", options.like, "Voxels lie as in this image (default: as in that of --compare)")
+      ->option_text("IMAGE");
+  app.add_option("--spacing", options.spacing, "Size of a voxel, of a grid that lies around the mesh")
+      ->option_text("a,b,c");
+  app.add_option("--compare", options.compare,
+                 "Image of labels that the voxels are compared with, label by label")
+      ->option_text("IMAGE");
+  app.add_option("--frame", options.frame,
+                 "Which way the mesh's axes go, as --frame of `certet mesh` (default: what the file "
+                 "says, else lps)")
+      ->check(CLI::IsMember({"lps", "ras"}))
+      ->option_text("lps|ras");
+  declare_run(app, options.run);
 }
 
 }  // namespace
 
 Run declare_voxelise(CLI::App& app) {
-  const auto options = std::make_shared<VoxeliseOptions>();
-  app.add_option("mesh", options->mesh, "Mesh: .vtu, .mesh, .meshb or .msh")
-      ->required()
-      ->option_text("MESH");
-  app.add_option("-o,--output", options->output, "Image of labels: .nrrd, .mha, .nii or .nii.gz")
-      ->option_text("LABELS");
-  app.add_option("--like", options->like, "Voxels lie as in this image (default: as in that of --compare)")
-      ->option_text("IMAGE");
-  app.add_option("--spacing", options->spacing, "Size of a voxel, of a grid that lies around the mesh")
-      ->option_text("a,b,c");
-  app.add_option("--compare", options->compare,
-                 "Image of labels that the voxels are compared with, label by label")
-      ->option_text("IMAGE");
-  app.add_option("--frame", options->frame,
-                 "Which way the mesh's axes go, as --frame of `certet mesh` (default: what the file "
-                 "says, else lps)")
-      ->check(CLI::IsMember({"lps", "ras"}))
-      ->option_text("lps|ras");
-  app.add_option("--threads", options->threads, "Threads (default: as many as there are)")
-      ->check(CLI::Range(0, 1024))
-      ->option_text("N");
-  app.add_option("--json", options->json, "Report for programs; - is stdout")
-      ->option_text("FILE|-");
-  app.footer(voxelise_notes);
-  return [options] { return voxelise(*options); };
+  return subcommand<VoxeliseOptions>(app, declare, voxelise_notes,
+                                     run_and_tell<VoxeliseOptions, VoxeliseReport>(run));
 }
 
 }  // namespace certet::command

@@ -66,9 +66,7 @@ std::string table(const VoxeliseReport& report) {
 
 std::string json(const VoxeliseReport& report) {
   const Image& image = report.made.image;
-  Json json;
-  json["certet"] = CERTET_VERSION;
-  json["command"] = "voxelise";
+  Json json = json_of_command("voxelise");
   json["input"] = report.input;
   if (!report.output.empty())
     json["output"] = {{"file", report.output}, {"bytes", report.bytes}};

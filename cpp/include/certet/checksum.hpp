@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <span>
+#include <variant>
 
 #include "certet/mesh.hpp"
 
@@ -64,5 +65,17 @@ class Checksum {
 
   std::uint64_t sum_ = 0;
 };
+
+/// Of a whole mesh.
+inline std::uint64_t checksum(const Mesh& mesh) {
+  Checksum sum;
+  sum.points(0, mesh.points);
+  std::visit(
+      [&sum]<class Index>(const Buffer<Tet<Index>>& tets) {
+        sum.tets(0, std::span<const Tet<Index>>(tets));
+      },
+      mesh.tets);
+  return sum.value();
+}
 
 }  // namespace certet

@@ -152,21 +152,10 @@ LabelImage make_image(std::size_t kind, Random& random) {
     image.size[a] = between(random, 3, 6);
     image.spacing[a] = isotropic ? 1 : between(random, 100, 160) / 100.0;
   }
-  image.voxels.resize(static_cast<std::size_t>(image.size[0] * image.size[1] * image.size[2]));
+  image.clear();
   Painter(image, random).paint(kind);
   have_two_labels(image);
   return image;
-}
-
-certet::Image LabelImage::image() const {
-  certet::Image made;
-  made.name = "soak";
-  made.size = size;
-  made.spacing = spacing;
-  certet::Buffer<std::uint8_t> copy(voxels.size());
-  std::ranges::copy(voxels, copy.begin());
-  made.voxels = std::move(copy);
-  return made;
 }
 
 std::map<std::int32_t, VoxelPieces> LabelImage::pieces() const {
@@ -174,10 +163,9 @@ std::map<std::int32_t, VoxelPieces> LabelImage::pieces() const {
   for_each_voxel(*this, [&](std::size_t n, const Voxel& v) {
     for (int at = 0; at < 27; ++at) {
       const Voxel other{v[0] + at % 3 - 1, v[1] + at / 3 % 3 - 1, v[2] + at / 9 - 1};
-      bool inside = true;
-      for (std::size_t a = 0; a < 3; ++a) inside = inside && other[a] >= 0 && other[a] < size[a];
-      const auto m = static_cast<std::size_t>((other[2] * size[1] + other[1]) * size[0] + other[0]);
-      if (!inside || voxels[m] != voxels[n]) continue;
+      if (!holds(other)) continue;
+      const std::size_t m = number(other);
+      if (voxels[m] != voxels[n]) continue;
       corners.join(n, m);
       const auto apart = std::abs(other[0] - v[0]) + std::abs(other[1] - v[1]) + std::abs(other[2] - v[2]);
       if (apart <= 1) faces.join(n, m);

@@ -7,9 +7,8 @@
 #include <map>
 #include <random>
 #include <string_view>
-#include <vector>
 
-#include "certet/image.hpp"
+#include "../voxel_image.hpp"
 
 namespace labelled {
 
@@ -23,13 +22,8 @@ struct VoxelPieces {
   std::int64_t by_corners = 0, by_faces = 0;
 };
 
-/// Labels 1 to 12, and 0; the first axis runs fastest.  There are two labels at least.
-struct LabelImage {
-  std::array<std::int64_t, 3> size{};
-  certet::Point3 spacing{};
-  std::vector<std::uint8_t> voxels;
-
-  [[nodiscard]] certet::Image image() const;
+/// Labels 1 to 12, and 0.  There are two labels at least.
+struct LabelImage : soak::VoxelImage {
   /// Of each label.
   [[nodiscard]] std::map<std::int32_t, VoxelPieces> pieces() const;
 };

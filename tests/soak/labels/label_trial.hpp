@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "../mesh_counts.hpp"
+
 namespace labelled {
 
 /// Defects that may be planted, and must be noticed.
@@ -27,11 +29,8 @@ inline constexpr std::array<std::string_view, 9> plant_names{
     "torn-interface", "lost-label", "lone-sample", "streamed-step"};
 
 /// What became of a trial, or of many together.
-struct Verdict {
-  std::uint64_t meshes = 1, tets = 0, regions = 0, interfaces = 0;
-  std::int64_t pieces = 0, tunnels = 0, cavities = 0;  ///< of all regions
-  double min_dihedral = 180, max_dihedral = 0;         ///< degrees
-  std::uint64_t pairs = 0;     ///< of tetrahedra, looked at for an overlap
+struct Verdict : soak::MeshCounts {  ///< pieces, tunnels and cavities of all regions
+  std::uint64_t meshes = 1, regions = 0, interfaces = 0;
   std::uint64_t joined = 0;    ///< pieces of smoothed voxels that hang together at a distance
   std::uint64_t lost = 0;      ///< labels that are not in the mesh, and are named
   std::uint64_t streamed = 0;  ///< meshes that were compared with the same one, streamed

@@ -53,11 +53,7 @@ std::vector<Triangle> surface_of(const std::vector<Tet>& tets) {
     }
   std::ranges::sort(faces);
   std::vector<Triangle> surface;
-  for (std::size_t n = 0; n < faces.size(); ++n) {
-    const bool twice = (n > 0 && faces[n - 1].first == faces[n].first) ||
-                       (n + 1 < faces.size() && faces[n + 1].first == faces[n].first);
-    if (!twice) surface.push_back(faces[n].second);
-  }
+  topology::for_each_single(faces, [&](const Triangle&, const Triangle& seen) { surface.push_back(seen); });
   return surface;
 }
 

@@ -13,9 +13,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
-#include <random>
 #include <sstream>
-#include <stdexcept>
 
 #include "../campaign.hpp"
 #include "label_trial.hpp"
@@ -25,33 +23,21 @@ namespace {
 
 using labelled::Verdict;
 
-struct Arguments {
-  std::uint64_t count = 96, first = 0, seed = std::random_device{}();
-  unsigned threads = 2;
+struct Arguments : soak::CampaignArguments {
+  std::uint64_t count = 96, first = 0;
   labelled::Plant plant{};
-  std::string report;
 };
 
 /// \throws std::exception on wrong usage
 Arguments parse(int argc, char** argv) {
   Arguments arguments;
-  for (int i = 1; i < argc; i += 2) {
-    const std::string name = argv[i];
-    if (i + 1 == argc) throw std::invalid_argument(name + " has no value");
-    const std::string value = argv[i + 1];
+  soak::read_options(argc, argv, [&](const std::string& name, const std::string& value) {
     if (name == "--count") arguments.count = std::stoull(value);
     else if (name == "--first") arguments.first = std::stoull(value);
-    else if (name == "--seed") arguments.seed = std::stoull(value);
-    else if (name == "--threads") arguments.threads = static_cast<unsigned>(std::stoul(value));
-    else if (name == "--report") arguments.report = value;
-    else if (name == "--plant") {
-      const auto at = std::ranges::find(labelled::plant_names, value);
-      if (at == labelled::plant_names.end()) throw std::invalid_argument("there is no " + value);
-      arguments.plant = static_cast<labelled::Plant>(at - labelled::plant_names.begin());
-    } else {
-      throw std::invalid_argument(name + " is no option");
-    }
-  }
+    else if (name == "--plant") arguments.plant = static_cast<labelled::Plant>(soak::number_of(labelled::plant_names, value));
+    else return arguments.take(name, value);
+    return true;
+  });
   return arguments;
 }
 
@@ -76,16 +62,10 @@ struct Row {
   std::uint64_t faulty = 0;
 
   void add(const Verdict& v) {
+    sum += v;
     ++sum.meshes;
-    sum.tets += v.tets;
     sum.regions += v.regions;
     sum.interfaces += v.interfaces;
-    sum.pieces += v.pieces;
-    sum.tunnels += v.tunnels;
-    sum.cavities += v.cavities;
-    sum.min_dihedral = std::min(sum.min_dihedral, v.min_dihedral);
-    sum.max_dihedral = std::max(sum.max_dihedral, v.max_dihedral);
-    sum.pairs += v.pairs;
     sum.joined += v.joined;
     sum.lost += v.lost;
     sum.streamed += v.streamed;

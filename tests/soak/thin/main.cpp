@@ -11,7 +11,6 @@
 #include <array>
 #include <fstream>
 #include <iostream>
-#include <random>
 #include <sstream>
 #include <stdexcept>
 
@@ -23,25 +22,15 @@ namespace {
 using thin::Source;
 using thin::Verdict;
 
-struct Arguments {
+struct Arguments : soak::CampaignArguments {
   std::array<std::uint64_t, 2> count{100, 100}, first{0, 0};
-  std::uint64_t seed = std::random_device{}();
-  unsigned threads = 2;
   thin::Plant plant{};
-  std::string report;
 };
-
-template <class Names>
-std::size_t number_of(const Names& names, const std::string& name) {
-  const auto at = std::ranges::find(names, name);
-  if (at == names.end()) throw std::invalid_argument("there is no " + name);
-  return static_cast<std::size_t>(at - names.begin());
-}
 
 void only(Arguments& arguments, const std::string& value) {
   const std::size_t colon = value.find(':');
   if (colon == std::string::npos) throw std::invalid_argument(value + " has no colon");
-  const std::size_t source = number_of(thin::source_names, value.substr(0, colon));
+  const std::size_t source = soak::number_of(thin::source_names, value.substr(0, colon));
   arguments.count = {0, 0};
   arguments.count[source] = 1;
   arguments.first[source] = std::stoull(value.substr(colon + 1));
@@ -50,19 +39,14 @@ void only(Arguments& arguments, const std::string& value) {
 /// \throws std::exception on wrong usage
 Arguments parse(int argc, char** argv) {
   Arguments arguments;
-  for (int i = 1; i < argc; i += 2) {
-    const std::string name = argv[i];
-    if (i + 1 == argc) throw std::invalid_argument(name + " has no value");
-    const std::string value = argv[i + 1];
+  soak::read_options(argc, argv, [&](const std::string& name, const std::string& value) {
     if (name == "--images") arguments.count[0] = std::stoull(value);
     else if (name == "--fields") arguments.count[1] = std::stoull(value);
-    else if (name == "--seed") arguments.seed = std::stoull(value);
-    else if (name == "--threads") arguments.threads = static_cast<unsigned>(std::stoul(value));
-    else if (name == "--report") arguments.report = value;
-    else if (name == "--plant") arguments.plant = static_cast<thin::Plant>(number_of(thin::plant_names, value));
+    else if (name == "--plant") arguments.plant = static_cast<thin::Plant>(soak::number_of(thin::plant_names, value));
     else if (name == "--only") only(arguments, value);
-    else throw std::invalid_argument(name + " is no option");
-  }
+    else return arguments.take(name, value);
+    return true;
+  });
   return arguments;
 }
 
@@ -87,18 +71,12 @@ std::vector<Verdict> run(Source source, const Arguments& arguments) {
 /// A row of the table, and a sentence for each of the first faults.
 std::uint64_t tell(std::ostream& out, Source source, const std::vector<Verdict>& verdicts,
                    std::uint64_t first) {
-  Verdict sum;
+  soak::MeshCounts sum;
   std::uint64_t faulty = 0;
   std::ostringstream sentences;
   for (std::size_t n = 0; n < verdicts.size(); ++n) {
     const Verdict& v = verdicts[n];
-    sum.tets += v.tets;
-    sum.pairs += v.pairs;
-    sum.pieces += v.pieces;
-    sum.tunnels += v.tunnels;
-    sum.cavities += v.cavities;
-    sum.min_dihedral = std::min(sum.min_dihedral, v.min_dihedral);
-    sum.max_dihedral = std::max(sum.max_dihedral, v.max_dihedral);
+    sum += v;
     if (v.fault && ++faulty <= 20)
       sentences << "- " << thin::source_names[static_cast<std::size_t>(source)] << ':'
                 << first + n << ": " << *v.fault << '\n';

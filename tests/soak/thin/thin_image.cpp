@@ -34,9 +34,7 @@ class Painter {
   }
 
   [[nodiscard]] std::uint8_t* at(const Voxel& v) {
-    for (std::size_t a = 0; a < 3; ++a)
-      if (v[a] < 0 || v[a] >= image_.size[a]) return nullptr;
-    return &image_.voxels[static_cast<std::size_t>((v[2] * image_.size[1] + v[1]) * image_.size[0] + v[0])];
+    return image_.holds(v) ? &image_.voxels[image_.number(v)] : nullptr;
   }
   void set(const Voxel& v, std::uint8_t value) {
     if (std::uint8_t* voxel = at(v)) *voxel = value;
@@ -114,21 +112,10 @@ ThinImage make_image(std::uint64_t seed, std::uint64_t number) {
   }
   const double finest = *std::ranges::min_element(image.spacing);
   image.lattice_size = finest * (between(random, 0, 2) != 0 ? 1 : between(random, 80, 100) / 100.0);
-  image.voxels.resize(static_cast<std::size_t>(image.size[0] * image.size[1] * image.size[2]));
+  image.clear();
   Painter(image, random).paint();
   if (std::ranges::count(image.voxels, 1) == 0) image.voxels.front() = 1;
   return image;
-}
-
-certet::Image ThinImage::image() const {
-  certet::Image made;
-  made.name = "soak";
-  made.size = size;
-  made.spacing = spacing;
-  certet::Buffer<std::uint8_t> copy(voxels.size());
-  std::ranges::copy(voxels, copy.begin());
-  made.voxels = std::move(copy);
-  return made;
 }
 
 std::int64_t ThinImage::pieces() const {

@@ -143,11 +143,8 @@ settling::Tets mesh_of(const certet::Domain& domain, const Lattice& lattice, Pla
   context.threads = 1;
   const certet::Method method =
       plant == Plant::published_rule ? certet::Method::angles : certet::Method::embedded;
-  const certet::Stuffing stuffing(domain, lattice, method, context);
-  const certet::Mesh mesh = certet::emit(stuffing, {}, context);
-  settling::Tets tets;
-  tets.points.assign(mesh.points.begin(), mesh.points.end());
-  for (const auto& tet : std::get<0>(mesh.tets)) tets.tets.push_back(tet);
+  settling::Tets tets = settling::tets_of(
+      certet::emit(certet::Stuffing(domain, lattice, method, context), {}, context));
   if (plant == Plant::moved_point && !tets.points.empty())
     tets.points[tets.points.size() / 2] = tets.points[tets.points.size() / 2] + Coord3{60000, 0, 0};
   return tets;

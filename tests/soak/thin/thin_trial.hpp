@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "../mesh_counts.hpp"
+
 namespace thin {
 
 enum class Source : std::uint8_t { image, field };
@@ -24,10 +26,7 @@ enum class Plant : std::uint8_t {
 inline constexpr std::array<std::string_view, 5> plant_names{
     "nothing", "forgotten-rule", "three-groups", "published-rule", "moved-point"};
 
-struct Verdict {
-  std::uint64_t tets = 0, pairs = 0;  ///< pairs looked at for an overlap
-  double min_dihedral = 180, max_dihedral = 0;  ///< degrees
-  std::int64_t pieces = 0, tunnels = 0, cavities = 0;
+struct Verdict : soak::MeshCounts {
   std::optional<std::string> fault;
 };
 
