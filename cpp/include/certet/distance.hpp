@@ -11,6 +11,7 @@
 #include "certet/frame.hpp"
 #include "certet/mesh.hpp"
 #include "certet/placed_domain.hpp"
+#include "certet/solid.hpp"
 #include "certet/stuffing.hpp"
 #include "certet/survey.hpp"
 
@@ -60,16 +61,27 @@ struct DistanceFigures {
 /// where `mesh.interfaces`, else from inside to outside; also where the shape is cut off).  Around
 /// a point a ball grows until one of fourteen probes on it is in another material; then it shrinks
 /// and the probes turn as long as one still is, to a hundredth of its radius and last to a step
-/// of the lattice.  So no distance is less than the true one by more than two steps, and where the
-/// surface is smooth none is more by much over a hundredth.  The shape is measured where lines
-/// along the axes of the lattice, half a long edge apart, pass through its surface: to a step, by
-/// bisection.  Each counts for the area that it stands for, by the normal of the nearest triangle.
+/// of the lattice.  So no distance is less than the true one by more than two steps, and, of what is
+/// within a long edge, where the surface is smooth none is more by a hundredth, and at its corners
+/// by a few.  The shape is measured where lines along the axes of the lattice, half a long edge
+/// apart, pass through its surface: to a step, by bisection.  Each counts for the area that it
+/// stands for, by the normal of the nearest triangle.
 ///
 /// The figures do not depend on the number of threads.
 /// \throws Error `empty_domain` where one of the surfaces has no points, `cancelled`,
 /// `too_large` (out of memory); what the domain throws.
 DistanceFigures measure_distance(const MeshSurface& mesh, const PlacedDomain& shape,
                                  Context& context);
+
+/// The same of any solid, and a mesh with these points: as on a lattice with this long edge, or
+/// with the mean length of the edges of the mesh's surface where it is 0.  Interfaces are part of
+/// the surfaces where both have some: the solid several materials, and the mesh too.
+/// \throws Error as that, and `solid_domain`.
+DistanceFigures measure_distance(std::span<const Point3> points, const Survey& survey,
+                                 const Solid& shape, double edge, Context& context);
+
+/// The mean length of the edges of a surface's triangles, in world units; 0 where it has none.
+double mean_edge(const MeshSurface& surface);
 
 /// Distances of points of the world from the surface of a shape, as `measure_distance` finds
 /// them, in world units; `interfaces` as in `MeshSurface`.

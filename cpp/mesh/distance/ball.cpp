@@ -12,7 +12,7 @@ constexpr double step = 1.0 / steps;
 /// The radii of a ball that grows: most points of a surface are on it.
 constexpr double first_radius = 2 * step, second_radius = 1.0 / 64, last_radius = 2;
 /// Radii and directions are found to these parts, but for the last bisection.
-constexpr double near_enough = 1.0 / 256, least_aside = 1.0 / 32;
+constexpr double near_enough = 1.0 / 256, least_aside = 1.0 / 32, closer = 0.6;
 
 /// Along the edges of the lattice.
 constexpr double d = 0.57735026918962576451;
@@ -20,10 +20,12 @@ constexpr std::array<Point3, 14> around{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -
                                          {0, 0, -1}, {d, d, d}, {d, d, -d}, {d, -d, d}, {d, -d, -d},
                                          {-d, d, d}, {-d, d, -d}, {-d, -d, d}, {-d, -d, -d}}};
 
-/// The corners of a hexagon, across from a direction.
+/// The corners of two hexagons around a direction, which take turns: where the surface has a corner,
+/// what is nearer may lie between those of one.
 constexpr double s = 0.86602540378443864676;
-constexpr std::array<std::array<double, 2>, 6> hexagon{
-    {{1, 0}, {0.5, s}, {-0.5, s}, {-1, 0}, {-0.5, -s}, {0.5, -s}}};
+constexpr std::array<std::array<std::array<double, 2>, 6>, 2> hexagons{
+    {{{{1, 0}, {0.5, s}, {-0.5, s}, {-1, 0}, {-0.5, -s}, {0.5, -s}}},
+     {{{s, 0.5}, {0, 1}, {-s, 0.5}, {-s, -0.5}, {0, -1}, {s, -0.5}}}}};
 
 /// Two directions at right angles to one and to each other.
 std::array<Point3, 2> across(const Point3& direction) {
@@ -50,7 +52,7 @@ Ball::Probes Ball::probes() const {
       const Point3 direction = best_.directions[0];
       const auto [u, v] = across(direction);
       probes.count = 0;
-      for (const auto& [x, y] : hexagon)
+      for (const auto& [x, y] : hexagons[turns_ % 2])
         probes.add(unit(sum(direction, scaled(aside_, sum(scaled(x, u), scaled(y, v))))));
       probes.radius = outer_ - std::max(outer_ * near_enough, step);
       break;
@@ -113,7 +115,8 @@ void Ball::turn(const Probes& changed) {
     stage_ = Stage::shrink;
     return;
   }
-  aside_ /= 2;
+  ++turns_;
+  aside_ *= closer;
   if (aside_ < least_aside) stage_ = Stage::settle;
 }
 

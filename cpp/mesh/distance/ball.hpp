@@ -53,6 +53,7 @@ class Ball {
   double inner_ = 0, outer_ = 0;  ///< no probe is, or one is, in another material
   Probes best_;                   ///< that one or, before they are told apart, all that are
   double aside_ = 0.5;            ///< how far the direction turns next
+  unsigned turns_ = 0;            ///< how often that became less
 };
 
 }  // namespace certet::distance

@@ -55,14 +55,6 @@ Measured measured(const MeshSurface& surface, const Frame& frame) {
   return found;
 }
 
-Point3 in_world(const Frame& frame, const Point3& position) {
-  Point3 place = frame.origin;
-  for (std::size_t r = 0; r < 3; ++r)
-    for (std::size_t a = 0; a < 3; ++a)
-      place[r] += frame.axes[r][a] * position[a] * (frame.size / 2);
-  return place;
-}
-
 /// From distances in lattice units; the first of the greatest.
 Distance figures(const std::vector<Point3>& points, const std::vector<double>& areas,
                  const std::vector<double>& distances, const Frame& frame) {
@@ -75,7 +67,7 @@ Distance figures(const std::vector<Point3>& points, const std::vector<double>& a
   }
   const double unit = frame.size / 2;
   return {unit * distances[greatest], area > 0 ? unit * std::sqrt(squares / area) : 0,
-          in_world(frame, points[greatest]), points.size()};
+          frame.world_at(points[greatest]), points.size()};
 }
 
 /// From the shape's surface to the mesh's, of which these are the points in lattice units.
@@ -121,6 +113,24 @@ DistanceFigures measure_distance(const MeshSurface& mesh, const PlacedDomain& sh
     found.exact = surface.is_exact();
     return found;
   });
+}
+
+double mean_edge(const MeshSurface& surface) {
+  double sum = 0;
+  for (const auto& [a, b, c] : surface.triangles)
+    for (const auto& [i, j] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      sum += length(difference(surface.points[i], surface.points[j]));
+  const auto edges = 3 * static_cast<double>(surface.triangles.size());
+  return edges > 0 ? sum / edges : 0;
+}
+
+DistanceFigures measure_distance(std::span<const Point3> points, const Survey& survey,
+                                 const Solid& shape, double edge, Context& context) {
+  MeshSurface mesh = surface_of(points, survey, false);
+  const auto domain = solid_domain(shape, edge > 0 ? edge : mean_edge(mesh));
+  if (domain->labels().size() > 1 && !survey.interfaces.empty())
+    mesh = surface_of(points, survey, true);
+  return measure_distance(mesh, *domain, context);
 }
 
 std::vector<double> distances_from(const PlacedDomain& shape, bool interfaces,
