@@ -7,6 +7,7 @@
 
 #include "certet/error.hpp"
 #include "certet/method.hpp"
+#include "distance.hpp"
 #include "json.hpp"
 #include "table.hpp"
 
@@ -75,6 +76,10 @@ std::vector<PageRow> rows_of(const Json& json) {
   const std::string used{name(method_of(json))};
   const bool fell_back = text(guarantee.at("used")) != text(guarantee.at("asked"));
   add("method", fell_back ? used + ", instead of " + text(guarantee.at("asked")) : used);
+  if (json.contains("distance")) {
+    const auto rows_of_distance = page_rows(distance_of(json.at("distance")));
+    rows.insert(rows.end(), rows_of_distance.begin(), rows_of_distance.end());
+  }
   add("checksum", text(json.at("mesh").at("checksum")));
   add("time", fmt::format("{:.2f} s", json.at("seconds").at("total").get<double>()));
   add("memory", bytes(json.at("memory").at("peak").get<std::uint64_t>()));
@@ -93,6 +98,7 @@ RunFile understand(const Json& json) {
   run.tets = mesh.at("tets").get<std::uint64_t>();
   run.bounds = bounds_of(json);
   run.rows = rows_of(json);
+  run.edge = json.at("lattice").at("size").get<double>() * json.at("output").value("scale", 1.0);
   if (!mesh.contains("file_checksum"))
     refuse_run("does not tell what its output holds (mesh.file_checksum)");
   run.file_checksum = hexadecimal(text(mesh.at("file_checksum")));

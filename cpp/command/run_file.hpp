@@ -19,6 +19,7 @@ struct RunFile {
   std::uint64_t points = 0, tets = 0;  ///< of the mesh that it made
   std::uint64_t file_checksum = 0;     ///< of what its output holds
   AngleBounds bounds{};                ///< of the theorem that covers that
+  double edge = 0;                     ///< the long edge, in the coordinates of its output
   std::vector<PageRow> rows;           ///< what a page says of it
 };
 

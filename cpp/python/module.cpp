@@ -18,6 +18,7 @@
 #include "certet/method.hpp"
 #include "certet/placed_quality.hpp"
 #include "certet/surface.hpp"
+#include "distance.hpp"
 #include "domains.hpp"
 #include "files.hpp"
 #include "images.hpp"
@@ -270,6 +271,7 @@ PYBIND11_MODULE(_certet, module) {
   declare_interfaces(module);
   declare_pieces(module);
   declare_solids(module);
+  declare_distance(module);
   declare_voxelise(module);
   module.def("mesh_image", mesh_image);
   module.def("mesh_function", mesh_function);

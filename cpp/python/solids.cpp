@@ -17,18 +17,12 @@
 #include "certet/shape.hpp"
 #include "domains.hpp"
 #include "images.hpp"
+#include "python_solid.hpp"
 #include "run.hpp"
 #include "shapes.hpp"
 
 namespace certet::python {
 namespace {
-
-/// A solid, and what the user should know of it.
-struct PythonSolid {
-  Solid solid;
-  std::vector<std::string> notes = {};  ///< a sentence each
-  double cost = 1;                      ///< of asking about a point, as `SizedShape` has it
-};
 
 /// `make` runs without Python's lock, and Ctrl-C stops it.
 template <class Make>

@@ -20,6 +20,12 @@ Rgb region_color(std::size_t hue, std::size_t shade);
 /// The worst angle that a tetrahedron can have at best: that of a regular one.
 inline constexpr double best_angle = 70.528779365509308;
 
+/// From pale where a mesh is on its shape to dark where it is farthest, as a share of that.
+Rgb distance_color(double share);
+
+/// Of what is no part of the surface, where colours tell distances.
+inline constexpr Rgb within_color{0xc4, 0xca, 0xd4};
+
 /// From red at 0° to blue at the best angle.
 Rgb angle_color(double worst_angle);
 

@@ -10,6 +10,7 @@
 #include "canvas.hpp"
 #include "certet/error.hpp"
 #include "certet/tet_shape.hpp"
+#include "legend.hpp"
 #include "palette.hpp"
 #include "mesh/groups.hpp"
 #include "regions.hpp"
@@ -41,6 +42,8 @@ struct Shown {
   std::vector<bool> is_line;  ///< from each corner to the next: where colours meet
   std::uint64_t tet;
   float edges;  ///< how dark the others are
+  std::size_t face = no_face;  ///< of the border
+  static constexpr std::size_t no_face = ~std::size_t{0};
 };
 
 /// Lines of a mesh seen from outside, and where it is cut open; and those between colours.
@@ -57,6 +60,7 @@ class Drawing {
     place_points();
     find_normals();
     find_color_lines();
+    find_distances();
   }
 
   Picture run() {
@@ -65,7 +69,9 @@ class Drawing {
     const float panel = both ? width / 2 : width;
     if (options_.view != PictureView::cut) draw_panel(0, panel, false);
     if (options_.view != PictureView::surface) draw_panel(both ? panel : 0, panel, true);
-    return canvas_.develop();
+    Picture picture = canvas_.develop();
+    if (options_.color == PictureColor::distance) draw_distance_legend(picture, greatest_);
+    return picture;
   }
 
  private:
@@ -145,12 +151,41 @@ class Drawing {
                    });
   }
 
+  /// Of each face of the border the greatest, of its middle and those of its edges.
+  void find_distances() {
+    if (options_.color != PictureColor::distance) return;
+    constexpr std::size_t each = 4;
+    std::vector<Point3> points;
+    for (const SeparatingFace& face : faces_) {
+      if (face.other != no_tet) continue;
+      std::array<Point3, each> middles{};
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t a = 0; a < 3; ++a) {
+          const double p = mesh_.points[face.points[i]][a];
+          middles[i][a] += p / 2;
+          middles[(i + 1) % 3][a] += p / 2;
+          middles[3][a] += p / 3;
+        }
+      points.insert(points.end(), middles.begin(), middles.end());
+    }
+    const std::vector<double> found = options_.distances(points);
+    distances_.resize(faces_.size());
+    auto next = found.begin();
+    for (std::size_t n = 0; n < faces_.size(); ++n) {
+      if (faces_[n].other != no_tet) continue;
+      distances_[n] = *std::max_element(next, next + each);
+      greatest_ = std::max(greatest_, distances_[n]);
+      next += each;
+    }
+  }
+
   [[nodiscard]] bool kept(std::uint64_t tet) const {
     return (sides_of(mesh_, tet, planes_)[axis_] == 0) == keeps_below[axis_];
   }
 
   void draw_panel(float left, float width, bool cut) {
-    const auto height = static_cast<float>(options_.height);
+    const double shown = options_.color == PictureColor::distance ? 1 - legend_share : 1;
+    const auto height = static_cast<float>(shown * options_.height);
     const float margin = 0.06F * std::min(width, height);
     camera_.fit(places_, left + margin, margin, width - 2 * margin, height - 2 * margin);
     if (cut && is_flat())
@@ -203,7 +238,7 @@ class Drawing {
   [[nodiscard]] Shown border_face(std::size_t n) const {
     const SeparatingFace& face = faces_[n];
     const Vec flat = unit(normal(face.points));
-    Shown shown{{}, {}, {}, face.tet, border_edges};
+    Shown shown{{}, {}, {}, face.tet, border_edges, n};
     for (std::size_t i = 0; i < 3; ++i) {
       shown.places.push_back(place(face.points[i]));
       shown.normals.push_back(smooth_normal(face.points[i], flat));
@@ -227,7 +262,7 @@ class Drawing {
   /// What the plane leaves of a face at the border.
   [[nodiscard]] Shown clipped(std::size_t n) const {
     const Shown whole = border_face(n);
-    Shown left{{}, {}, {}, whole.tet, whole.edges};
+    Shown left{{}, {}, {}, whole.tet, whole.edges, n};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t next = (i + 1) % 3;
       const Point3& p = mesh_.points[faces_[n].points[i]];
@@ -262,7 +297,7 @@ class Drawing {
     const auto edge = [&](std::size_t side) {
       return shown.is_line[side] ? color_line : DrawnEdge{room * shown.edges, 0.75F};
     };
-    const Light light = color(shown.tet);
+    const Light light = color(shown);
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
       DrawnTriangle triangle{{corners[0], corners[i], corners[i + 1]}, {}, light, {}};
       const std::array<std::size_t, 3> of{0, i, i + 1};
@@ -274,13 +309,22 @@ class Drawing {
     }
   }
 
-  [[nodiscard]] Light color(std::uint64_t tet) const {
-    const auto& p = mesh_.tets[tet];
+  [[nodiscard]] Rgb rgb(const Shown& shown) const {
+    const auto& p = mesh_.tets[shown.tet];
     const auto& all = mesh_.points;
-    const Rgb rgb =
-        options_.color == PictureColor::region
-            ? regions_.color(regions_.place(mesh_, tet))
-            : angle_color(shape_of({all[p[0]], all[p[1]], all[p[2]], all[p[3]]}).worst_angle());
+    switch (options_.color) {
+      case PictureColor::region: return regions_.color(regions_.place(mesh_, shown.tet));
+      case PictureColor::distance:
+        return shown.face == Shown::no_face
+                   ? within_color
+                   : distance_color(greatest_ > 0 ? distances_[shown.face] / greatest_ : 0);
+      case PictureColor::angle: break;
+    }
+    return angle_color(shape_of({all[p[0]], all[p[1]], all[p[2]], all[p[3]]}).worst_angle());
+  }
+
+  [[nodiscard]] Light color(const Shown& shown) const {
+    const Rgb rgb = this->rgb(shown);
     return {linear(rgb[0]), linear(rgb[1]), linear(rgb[2])};
   }
 
@@ -296,6 +340,8 @@ class Drawing {
   std::vector<SectionPolygon> section_;
   std::vector<SeparatingFace> faces_;
   std::vector<std::array<bool, 3>> is_line_;  ///< of each, from each point to the next
+  std::vector<double> distances_;  ///< of each at the border, where colours tell them
+  double greatest_ = 0;            ///< of these
   PointSubset subset_{mesh_.points.size()};
   std::vector<Vec> places_, normals_;  ///< of the subset
 };
@@ -307,6 +353,8 @@ void validate(const PictureOptions& options) {
     throw Error(ErrorCode::bad_option, "a picture has 16 to 8192 pixels a side, not " +
                                            std::to_string(options.width) + "x" +
                                            std::to_string(options.height));
+  if (options.color == PictureColor::distance && !options.distances)
+    throw Error(ErrorCode::bad_option, "colours of distances need a shape");
   if (options.axis < 0 || options.axis > 2)
     throw Error(ErrorCode::bad_option, "the axis of the clip is 0, 1 or 2");
   if (!(options.fraction >= 0 && options.fraction <= 1))

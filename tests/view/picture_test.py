@@ -50,6 +50,30 @@ class Picture(ProgramTest):
         self.assertFalse(any(r > b + 60 for r, g, b in region))
         self.assertTrue(any(r > b + 60 for r, g, b in angle))
 
+    def test_distances(self):
+        """Planted: the torus is farther along x, so that its ends there are dark and its sides are
+        pale; below is a legend from pale to dark, with numbers."""
+        moved = "(sqrt((x-0.1)^2+y^2)-1)^2+z^2-0.16"
+        data = self.draw("--size", "400x400", "--view", "surface", "--clip", "z", "--color",
+                         "distance", "--against", moved)
+        width, _, channels, rows = png.read(data)
+        light = [[sum(row[channels * x:channels * x + 3]) for x in range(width)] for row in rows]
+        purple = sum(b > g + 30 and r > g for r, g, b in png.pixels(data))
+        self.assertGreater(purple, 1000)
+        # The legend: from light to dark along a row, with a number on each side.
+        legend = light[380]
+        start, end = width // 2 - 60, width // 2 + 60
+        self.assertGreater(legend[start], legend[end] + 250)
+        self.assertEqual(sorted(legend[start:end], reverse=True), legend[start:end])
+        for side in (slice(0, width // 3 - 2), slice(2 * width // 3 + 2, width)):
+            self.assertTrue(any(p < 400 for row in light[370:390] for p in row[side]))
+        near = self.draw("--size", "400x400", "--view", "surface", "--clip", "z", "--color",
+                         "distance", "--against", "(sqrt(x^2+y^2)-1)^2+z^2-0.16")
+        self.assertNotEqual(data, near)
+        self.assert_fails(USAGE, ["--against"], "picture", "t.vtu", "-o", "x.png", "--color", "distance")
+        self.assert_fails(USAGE, ["--color distance"], "picture", "t.vtu", "-o", "x.png", "--against",
+                          "torus:1,0.4")
+
     def test_labels_are_cut_flat_with_lines_between(self):
         """Two labels one over the other: a flat cut has one straight line between their colours."""
         size = (16, 16, 16)

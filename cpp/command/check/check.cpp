@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <utility>
 
+#include "against/against.hpp"
 #include "certet/error.hpp"
 #include "certet/examine.hpp"
 #include "certet/formats.hpp"
@@ -22,7 +23,8 @@ unused_points, nonfinite_points, duplicate_points, bad_indices, nonpositive_tets
 overfull_faces, misoriented_faces, boundary_faces, open_edges, pieces {by_faces,
 by_vertices, largest_tets}, nonmanifold {edges, vertices, edge_places, vertex_places: of
 the first 8}}, with labels: regions [{label, pieces, pieces_by_vertices}], dihedral {min,
-max, histogram}, bounds {min, max, and with --run: theorem}, seconds {read, check, total},
+max, histogram}, with --against: distance {against, exact, edge, to_shape and to_mesh
+{greatest, rms, greatest_edges, rms_edges, at, points}}, bounds {min, max, and with --run: theorem}, seconds {read, check, total},
 memory {peak}.  mesh.checksum is what `certet mesh` tells as mesh.file_checksum.
 
 Of tetrahedra of ten nodes all this is of the corners, and order2 {middle_nodes, bent, torn_edges
@@ -41,6 +43,10 @@ where a third region or the outside is, and nowhere else.  Surfaces that a .msh,
 numbers, that certet gives to interfaces: a triangle that is missing, or lies elsewhere, is
 a defect.  Surfaces of other programs are only told of, in the JSON.
 
+With --against the mesh is measured as `certet mesh --distance` does, in the coordinates of the
+file, and edges are the long edges of the run with --run, else of the mean length of the edges of
+the mesh's surface.  Surfaces of labels are as smooth as `certet mesh` makes them by default.
+
 Angles are checked as they are shown, in thousandths of a degree.  With --run it is a
 defect too where points or tetrahedra are not, bit by bit, those that the run wrote;
 the theorem is named only where nothing is wrong.)";
@@ -48,6 +54,7 @@ the theorem is named only where nothing is wrong.)";
 /// What the user asks of `certet check`.
 struct CheckOptions {
   std::filesystem::path mesh, run_file;
+  std::string against;
   AngleBounds asked{0, 180, {}};
   RunOptions run;
 };
@@ -78,7 +85,8 @@ void check_options(const CheckOptions& options) {
 }
 
 /// The mesh, its regions and interfaces, and the surfaces that the file holds beside it.
-void examine_file(const FileMesh& mesh, CheckedFile& checked, Context& context) {
+void examine_file(const FileMesh& mesh, const std::string& against, CheckedFile& checked,
+                  Context& context) {
   Examination found = certet::examine(
       mesh.points, std::span<const Tet<std::uint64_t>>(mesh.tets), mesh.labels, context);
   name_regions(found.survey, mesh.names);
@@ -91,6 +99,9 @@ void examine_file(const FileMesh& mesh, CheckedFile& checked, Context& context) 
   checked.interfaces = std::move(found.interfaces);
   checked.surfaces = std::move(compared.surfaces);
   checked.names = mesh.names;
+  if (!against.empty())
+    checked.distance = distance_from(against, mesh, found.survey,
+                                     checked.run ? checked.run->edge : 0, context);
   checked.curved = measure_curved(mesh, context);
   if (checked.curved)
     checked.report.failures.insert(checked.report.failures.end(), checked.curved->failures.begin(),
@@ -109,7 +120,7 @@ Status check(const CheckOptions& options) {
   if (!options.run_file.empty()) checked.run = read_run(options.run_file);
   const FileMesh mesh = certet::read(options.mesh, context);
   checked.read_seconds = clock.seconds();
-  examine_file(mesh, checked, context);
+  examine_file(mesh, options.against, checked, context);
   checked.checksum = checksum(mesh);
   if (checked.run) {
     std::string defect = content_defect(*checked.run, options.mesh, mesh, checked.checksum);
@@ -129,6 +140,7 @@ void declare(CLI::App& app, CheckOptions& options) {
                  "What `certet mesh --json` told: the file must hold that mesh, with angles "
                  "within its theorem")
       ->option_text("FILE");
+  declare_against(app, options.against);
   app.add_option("--min-angle", options.asked.min_dihedral,
                  "Least dihedral angle that will do, in degrees")
       ->check(CLI::Range(0.0, 180.0))

@@ -74,6 +74,7 @@ std::string json(const CheckedFile& checked) {
                   {"open_edges", report.open_edges}};
   add_pieces(json["mesh"], checked.pieces);
   if (checked.curved) json["order2"] = json_of(*checked.curved);
+  if (checked.distance) json["distance"] = json_of(*checked.distance);
   for (const RegionReport& region : checked.regions)
     json["regions"].push_back(json_of(region, checked.names));
   for (const InterfaceReport& interface : checked.interfaces)

@@ -10,6 +10,7 @@
 #include "certet/curved_quality.hpp"
 #include "certet/examine.hpp"
 #include "certet/formats.hpp"
+#include "distance.hpp"
 #include "report.hpp"
 #include "run_file.hpp"
 
@@ -25,6 +26,7 @@ struct CheckedFile {
   std::vector<SurfaceReport> surfaces;  ///< that the file holds
   LabelNames names;                     ///< that the file has
   std::optional<CurvedQuality> curved;  ///< of tetrahedra of ten nodes
+  std::optional<DistanceReport> distance;  ///< from --against
   std::optional<RunFile> run;
   AngleBounds asked{0, 180, {}};  ///< by --min-angle and --max-angle
   std::uint64_t checksum = 0;  ///< of the file's numbers, whatever its format

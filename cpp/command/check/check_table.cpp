@@ -148,6 +148,7 @@ std::string table(const CheckedFile& checked) {
   if (checked.pieces.surface.vertices > 0)
     lines.add("surface", "{}", sentence(checked.pieces.surface));
   lines.add("volume", "{:.9g}", report.quality.volume);
+  if (checked.distance) add_distance(lines, *checked.distance);
   add_regions(lines, checked);
   add_interfaces(lines, checked);
   add_angles(lines, report.quality);

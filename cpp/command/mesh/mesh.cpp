@@ -10,6 +10,7 @@
 #include "certet/label_names.hpp"
 #include "commands.hpp"
 #include "kept.hpp"
+#include "measured_distance.hpp"
 #include "memory.hpp"
 #include "mesh_files.hpp"
 #include "mesh_memory.hpp"
@@ -184,6 +185,15 @@ void count_pieces(const MeshOptions& options, const Counted& counted, Context& c
   report.dropped.kept = report.pieces.whole.by_faces;
 }
 
+void measure_distance(const MeshOptions& options, const Source& source, const Counted& counted,
+                      Context& context, MeshReport& report) {
+  if (!options.distance) return;
+  const Stopwatch measuring;
+  report.distance = measured_distance(
+      source, counted, output_frame(options, report.axes, counted.source.frame), context);
+  report.distance_seconds = measuring.seconds();
+}
+
 void describe(RegionWatch& watch, const RegionWatch::SizeFor& size_for, MeshReport& report) {
   report.regions = watch.regions(report.tets);
   report.counted_pieces = watch.counted_pieces();
@@ -229,6 +239,7 @@ MeshReport run(const MeshOptions& options, Context& context) {
   describe(options, counted, progress, report);
   const SizedShape shape = sized(options, source, counted, report.memory_limit);
   if (report.tets == 0) refuse_empty(shape, report.size, options.method, context);
+  measure_distance(options, source, counted, context, report);
   MeshSize size = announce(options, names, counted, context);
   report.order =
       add_middle_nodes(options.order, *counted.source.domain, counted.stuffing, size, context);

@@ -52,6 +52,7 @@ Json seconds(const MeshReport& report) {
             {"warp", report.warp_seconds},
             {"count", report.count_seconds},
             {"pieces", report.pieces_seconds}};
+  if (report.distance) json["distance"] = report.distance_seconds;
   if (!report.dry_run) {
     json["emit"] = report.written.emit_seconds;
     json["measure"] = report.written.measure_seconds;
@@ -153,6 +154,7 @@ std::string json(const MeshReport& report) {
   }
   if (report.order) json["order2"] = json_of(*report.order, report.size * report.scale);
   add_pieces(json["mesh"], report.pieces);
+  if (report.distance) json["distance"] = json_of(*report.distance);
   if (!report.keep.empty())
     json["dropped"] = {{"keep", report.keep},
                        {"pieces", report.dropped.pieces},

@@ -141,6 +141,15 @@ its length, and puts the middle node there.  Edges stay straight where more than
 meet, and where else the Jacobian determinant of an element could fall below a quarter of what
 it is while straight: this is bounded by its Bernstein coefficients, in whole numbers.
 
+--distance measures at vertices, edge middles and centroids of the mesh's surface how far that of
+the shape is, and back; the root mean square is over the area.  Of a closed surface distances
+are to its triangles and from them, cut into parts of half a long edge, exactly.  Of all else the
+surface is where the shape's answers change, at its interfaces too, and where it is cut off:
+looked for around each point of the mesh, and found to a hundredth within a long edge, at corners
+to a few; and back from where lines half a long edge apart along the axes of the lattice pass
+through it.  Of labels these are the smooth surfaces, or with --smooth 0 the faces of voxels.
+Pieces that --keep dropped are far from the mesh.
+
 Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file, format,
 bytes, origin, frame (lps, ras, or input where the axes are not known), scale}, lattice {cells,
 size, cuts, and with --target-tets: target_tets, tries}, method {name, and of embedded:
@@ -151,10 +160,13 @@ by_vertices, largest_tets}, nonmanifold {edges, vertices, edge_places, vertex_pl
 world, of the first 8}}, with --order 2: order2 {middle_nodes, curved, and with --curved:
 surface_edges, moved, on_surface, straight {guarded (would spoil an element), far (from the
 surface), seams}, greatest_move, greatest_move_edges, least_jacobian (a lower bound, of what it
-is while straight)}, with --keep: dropped {keep, pieces, kept, tets, volume}, dihedral {min,
+is while straight)}, with --distance: distance {against (what the shape's surface
+is), exact (to triangles), edge (the long edge), to_shape and to_mesh {greatest, rms,
+greatest_edges, rms_edges, at (where it is the greatest), points}}, with --keep: dropped {keep, pieces, kept, tets, volume}, dihedral {min,
 max, lattice_min, lattice_max, rounding, histogram}, guarantee {asked, used, theorem,
 min_dihedral, max_dihedral, inverted_tets, holds, of several labels: surface (a sentence on
-it)}, seconds {read, sample, cut, warp, count, pieces, emit, measure, write, total}, memory
+it)}, seconds {read, sample, cut, warp, count, pieces, distance, emit,
+measure, write, total}, memory
 {limit, needed, least, peak}, warnings, where pieces were not compared: losses {not_compared (a
 sentence), size (of the finer lattice), cells (of it, to be looked at)}, and for images regions
 [{label, voxels, tets, name where the file or --label-names has one, volume, voxel_volume,

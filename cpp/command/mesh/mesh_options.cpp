@@ -104,6 +104,8 @@ void declare_lattice(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
                   "Drops all pieces but the largest, the N largest, or those that go through "
                   "from end to end: largest, N, percolating:x (y, z)")
       ->option_text("WHICH");
+  mesh.add_flag("--distance", options.distance,
+                "Measures how far the surface of the mesh is from that of the shape, and back");
   mesh.add_flag("--label-pieces", options.label_pieces,
                 "With --method paper: counts the pieces of each label in the mesh, too");
 }

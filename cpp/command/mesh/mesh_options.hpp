@@ -69,6 +69,7 @@ struct MeshOptions {
   OrderChoice order;
   RunOptions run;
   std::uint64_t max_memory = 0;  ///< 0: by what is available
+  bool distance = false;  ///< to be measured
   bool dry_run = false;
   std::filesystem::path output;
   Format format = Format::vtu;

@@ -115,6 +115,7 @@ std::string table(const MeshReport& report) {
   if (report.order) add_order(lines, *report.order, report.size * report.scale);
   add_pieces(lines, report);
   add_regions(lines, report);
+  if (report.distance) add_distance(lines, *report.distance);
   if (!report.dry_run) {
     lines.add("volume", "{:.9g}", report.out(report.written.world.volume));
     if (report.room)
@@ -139,6 +140,7 @@ std::string table(const MeshReport& report) {
   if (!report.dry_run)
     lines.add("", "emit {:.2f}, measure {:.2f}, write {:.2f}", report.written.emit_seconds,
               report.written.measure_seconds, report.written.write_seconds);
+  if (report.distance) lines.add("", "distance {:.2f}", report.distance_seconds);
   lines.add("", "total {:.2f}", report.total_seconds);
   lines.add("memory", "needed {}, peak {}, limit {}", bytes(report.memory_needed),
             bytes(report.memory_peak), bytes(report.memory_limit));

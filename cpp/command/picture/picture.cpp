@@ -2,6 +2,7 @@
 #include <charconv>
 #include <memory>
 
+#include "against/against.hpp"
 #include "certet/formats.hpp"
 #include "certet/picture.hpp"
 #include "commands.hpp"
@@ -16,7 +17,7 @@ namespace {
 /// What the user asks of `certet picture`.
 struct PictureRequest {
   std::filesystem::path mesh, output;
-  std::string size = "1600x800", clip = "x";
+  std::string size = "1600x800", clip = "x", against;
   PictureOptions picture;
 };
 
@@ -48,8 +49,16 @@ Status picture(PictureRequest options) {
   if (options.output.extension() != ".png")
     refuse("a picture is a .png file, which '" + options.output.string() + "' is not");
   if (!can_write_png()) refuse("writing PNG was not built in");
+  const bool distance = options.picture.color == PictureColor::distance;
+  if (distance == options.against.empty()) refuse("--color distance and --against go together");
   check_output(options.output);
-  write_png(draw(certet::read(options.mesh), options.picture), options.output);
+  Context context;
+  const FileMesh mesh = certet::read(options.mesh);
+  if (distance)
+    options.picture.distances = [&](std::span<const Point3> points) {
+      return distances_from(options.against, mesh, points, context);
+    };
+  write_png(draw(mesh, options.picture), options.output);
   return Status::ok;
 }
 
@@ -78,10 +87,13 @@ Run declare_picture(CLI::App& app) {
           {"flat", PictureCut::flat}, {"whole", PictureCut::whole}}))
       ->option_text("flat|whole");
   app.add_option("--color", options->picture.color,
-                 "region: the label (default), or angle: the worst dihedral angle")
+                 "region: the label (default), angle: the worst dihedral angle, or distance: of the "
+                 "surface from that of --against, with a legend")
       ->transform(CLI::CheckedTransformer(std::map<std::string, PictureColor>{
-                      {"region", PictureColor::region}, {"angle", PictureColor::angle}}))
-      ->option_text("region|angle");
+                      {"region", PictureColor::region}, {"angle", PictureColor::angle},
+                      {"distance", PictureColor::distance}}))
+      ->option_text("region|angle|distance");
+  declare_against(app, options->against);
   return [options] { return picture(*options); };
 }
 

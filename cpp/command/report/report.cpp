@@ -2,6 +2,7 @@
 #include <map>
 #include <optional>
 
+#include "against/against.hpp"
 #include "certet/error.hpp"
 #include "certet/curved_quality.hpp"
 #include "certet/examine.hpp"
@@ -24,11 +25,13 @@ page too, and the status is 1, as that of `certet check`.  All that is said of t
 mesh is measured in the file.  A theorem is said to cover it only with --run, where
 points and tetrahedra are, bit by bit, those that the run wrote, and the angles are
 within its bounds; a file that is another, or angles outside of the bounds that --run,
---guarantee or --cuts stand for, are a defect.)";
+--guarantee or --cuts stand for, are a defect.  Distances from the shape and back are told where
+the run measured them (`certet mesh --distance`), or with --against.)";
 
 /// What the user asks of `certet report`.
 struct ReportOptions {
   std::filesystem::path mesh, output, run;
+  std::string against;
   std::optional<Method> guarantee;
   std::optional<Cuts> cuts;
 };
@@ -121,6 +124,12 @@ Status report(const ReportOptions& options) {
   else
     facts.bounds = possible_bounds(options);
   Examination found = examine_for_page(mesh, facts);
+  if (!options.against.empty()) {
+    Context context;
+    const std::vector<PageRow> rows = page_rows(distance_from(
+        options.against, mesh, found.survey, run ? run->edge : 0, context));
+    facts.rows.insert(facts.rows.end(), rows.begin(), rows.end());
+  }
   add_pieces(found, facts);
   const Page page = make_page(mesh, facts, std::move(found));
   write_text(options.output.string(), page.html);
@@ -133,6 +142,7 @@ void declare(CLI::App& app, ReportOptions& options) {
       ->required()->option_text("FILE");
   app.add_option("--run", options.run, "What `certet mesh --json` told of this mesh")
       ->option_text("FILE");
+  declare_against(app, options.against);
   app.add_option("--guarantee", options.guarantee,
                  "Of the run, where there is no --run: embedded, angles or embedding")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Method>{

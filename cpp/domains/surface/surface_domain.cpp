@@ -84,6 +84,14 @@ class SurfaceDomain final : public PlacedDomain {
     return columns_.bytes() + blocks_.bytes() + inside_.bytes();
   }
 
+  /// Of a surface with holes the solid has more than these around it.
+  [[nodiscard]] std::vector<TriangleCorners> triangles() const override {
+    std::vector<TriangleCorners> all;
+    if (inside_.rule() == Rule::half) return all;
+    for (std::uint32_t t = 0; t < columns_.size(); ++t) all.push_back(columns_.corners(t));
+    return all;
+  }
+
   void row(Coord3 first, std::span<Sign> out) const override {
     RowOfSigns(*this, first, out).find();
   }

@@ -24,6 +24,7 @@
 ///     middle_nodes(mesh)        a node in the middle of each edge, for tetrahedra of ten
 ///     curve(nodes, mesh, domain)   puts those of the surface on it
 ///     write(mesh, nodes, path)  with them
+///     measure_distance(surface_of(mesh, context), domain, context)   from its shape, and back
 ///     find_losses(shape, mesh, context)   what it has not kept of its shape, and a size that does
 ///
 /// Each takes a `Context` too, which has the number of threads, stops a run and tells of
@@ -37,6 +38,7 @@
 #include "certet/context.hpp"
 #include "certet/count_pieces.hpp"
 #include "certet/curve.hpp"
+#include "certet/distance.hpp"
 #include "certet/error.hpp"
 #include "certet/examine.hpp"
 #include "certet/formats.hpp"

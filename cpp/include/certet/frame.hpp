@@ -45,6 +45,14 @@ struct Frame {
     return at;
   }
 
+  /// The world point of a position given in lattice units.
+  [[nodiscard]] Point3 world_at(const Point3& position) const {
+    Point3 place = origin;
+    for (std::size_t r = 0; r < 3; ++r)
+      for (std::size_t a = 0; a < 3; ++a) place[r] += axes[r][a] * position[a] * (size / 2);
+    return place;
+  }
+
   /// How far `world` may move a coordinate by rounding, in long edges; for
   /// positions whose coordinates are at most `reach` lattice units.  Each
   /// coordinate is a sum of three products and the origin: with u = 2^-53, three

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "certet/formats.hpp"
@@ -17,11 +19,15 @@ enum class PictureView {
   cut,      ///< without what is on the near side of a plane
 };
 
-/// What the colour of a tetrahedron says.
+/// What the colour of a tetrahedron, or of its face, says.
 enum class PictureColor {
   region,  ///< its label
   angle,   ///< TetShape::worst_angle
+  distance,  ///< of the surface from a shape, with a legend
 };
+
+/// How far points of the world are from a shape, in the order of the points.
+using DistancesFrom = std::function<std::vector<double>(std::span<const Point3>)>;
 
 /// How a mesh is cut open.
 enum class PictureCut {
@@ -36,6 +42,7 @@ struct PictureOptions {
   PictureColor color = PictureColor::region;
   PictureCut cut = PictureCut::automatic;
   int axis = 0;           ///< that the plane is orthogonal to: 0, 1 or 2
+  DistancesFrom distances = {};  ///< for `PictureColor::distance`
   double fraction = 0.5;  ///< where the plane is, from the low end of the mesh to the high
 };
 
@@ -48,7 +55,7 @@ struct Picture {
 /// Draws a mesh, with lines where regions of different colours meet; tetrahedra that lack a
 /// corner are left out.  The same bytes for
 /// the same mesh.
-/// \throws Error `bad_option` for a size, axis or fraction out of range,
+/// \throws Error `bad_option` for a size, axis or fraction out of range, or colours without distances,
 /// `empty_domain` where nothing is to be seen.
 Picture draw(const FileMesh& mesh, const PictureOptions& options);
 

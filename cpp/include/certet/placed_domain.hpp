@@ -2,7 +2,9 @@
 /// \file
 /// A domain that knows where it lies.
 
+#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "certet/domain.hpp"
 #include "certet/frame.hpp"
@@ -10,6 +12,9 @@
 #include "certet/lattice.hpp"
 
 namespace certet {
+
+/// The corners of a triangle, in steps.
+using TriangleCorners = std::array<Coord3, 3>;
 
 class PlacedDomain : public Domain {
  public:
@@ -21,6 +26,9 @@ class PlacedDomain : public Domain {
   [[nodiscard]] virtual LabelNames names() const { return {}; }
   /// Of the solid's box, in world units.
   [[nodiscard]] virtual double longest_side() const = 0;
+  /// The triangles that the solid is given by, where they are all around it; else none.  Some may
+  /// be within the solid.
+  [[nodiscard]] virtual std::vector<TriangleCorners> triangles() const { return {}; }
   /// Bytes that the object holds, where they are many.
   [[nodiscard]] virtual std::uint64_t bytes() const { return 0; }
 };

@@ -1,0 +1,17 @@
+#pragma once
+/// \file
+/// How far the mesh of a run is from what it was made of.
+
+#include "certet/frame.hpp"
+#include "distance.hpp"
+#include "source.hpp"
+#include "target_size.hpp"
+
+namespace certet::command {
+
+/// Lengths are those of the input; the places go out in the frame of the output.
+/// \throws Error as `measure_distance`.
+DistanceReport measured_distance(const Source& source, const Counted& counted, const Frame& output,
+                                 Context& context);
+
+}  // namespace certet::command
