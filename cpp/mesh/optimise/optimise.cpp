@@ -39,12 +39,17 @@ double squared_cosine(double degrees) {
 
 double reach_of(Place place) {
   switch (place) {
-    case Place::inside: return interior_reach * long_edge;
-    case Place::surface: return surface_reach * long_edge;
-    case Place::seam: return seam_reach * long_edge;
+    case Place::inside: return interior_reach;
+    case Place::surface: return surface_reach;
+    case Place::seam: return seam_reach;
     case Place::corner: break;
   }
   return 0;
+}
+
+/// That of a vertex which may leave its surface.
+Freedom loosened(const Freedom& freedom) {
+  return {Place::inside, {}, freedom.held, {}};
 }
 
 /// What all vertices share while they move.
@@ -60,6 +65,8 @@ struct Moving {
   bool labelled;                    ///< regions are cut apart by labels
   const Domain& domain;
   double goal;
+  double dire;
+  bool loose;                       ///< beyond `dire` vertices may leave their surfaces
   Bars least_bars;                  ///< of the mesh as it was
 };
 
@@ -79,13 +86,19 @@ class Mover {
 
  private:
   void load(const Vertex& vertex);
-  bool descend(const Vertex& vertex, double worst);
-  bool try_at(const Vertex& vertex, const Vector& by, const Bars& bars);
-  void put(const Vertex& vertex, Coord3 place, const Vector& by);
-  [[nodiscard]] bool within_reach(const Vertex& vertex, Coord3 place) const {
-    const double reach = reach_of(vertex.freedom->place);
+  /// Where it may leave its surface it does so within `loose_reach`.
+  bool descend(const Vertex& vertex, double worst, bool loose);
+  bool try_at(const Vertex& vertex, const Vector& by, const Bars& bars, bool loose);
+  bool put(const Vertex& vertex, Coord3 place);
+  [[nodiscard]] bool is_near(const Vertex& vertex, Coord3 place, double reach) const {
     const Vector by = between(moving_.origins[vertex.number], place);
-    return dot(by, by) <= reach * reach;
+    return dot(by, by) <= reach * reach * (long_edge * long_edge);
+  }
+  /// As settling may leave a cut.
+  [[nodiscard]] bool was_beside_surface(const Vertex& vertex) const {
+    constexpr double as_bisection = 4;
+    return !onto_surface(moving_.origins[vertex.number], *vertex.freedom, as_bisection,
+                         moving_.domain);
   }
 
   Moving<Index>& moving_;
@@ -113,51 +126,56 @@ bool Mover<Index>::improve(const Vertex& vertex) {
   for (int move = 0; move < moves_at_once; ++move) {
     load(vertex);
     worst = star_.worst();
-    if (worst <= moving_.goal || !descend(vertex, worst)) break;
+    if (worst <= moving_.goal) break;
+    if (!descend(vertex, worst, false) &&
+        !(moving_.loose && worst > moving_.dire && vertex.freedom->place != Place::inside &&
+          descend(vertex, worst, true)))
+      break;
     any = true;
   }
   return any;
 }
 
 template <class Index>
-bool Mover<Index>::descend(const Vertex& vertex, double worst) {
+bool Mover<Index>::descend(const Vertex& vertex, double worst, bool loose) {
+  const Freedom freedom = loose ? loosened(*vertex.freedom) : *vertex.freedom;
   const double bar = worst - least_gain;
   const Bars bars{std::min(bar, moving_.least_bars.acute), std::min(bar, moving_.least_bars.obtuse)};
   for (const double band : bands) {
     gradients_.clear();
     for (const Spoke& spoke : star_.spokes())
       if (spoke.worst >= worst - band) spoke.gradients(worst - band, gradients_);
-    for (Vector& gradient : gradients_) gradient = vertex.freedom->part_of(gradient);
+    for (Vector& gradient : gradients_) gradient = freedom.part_of(gradient);
     if (gradients_.empty()) continue;
     const Vector shortest = shortest_in_hull(gradients_);
     const double slope = length(shortest);
     // Too slow to gain anything within a quarter of an edge.
     if (!(slope * (long_edge / 4) > least_gain)) continue;
-    const double farthest = std::min(band / slope, long_edge / 4);
+    const double farthest =
+        std::min(band / slope, long_edge * (loose ? loose_reach / 2 : interior_reach / 2));
     for (double far = farthest; far > farthest / 10; far /= 2)
-      if (try_at(vertex, (-far / slope) * shortest, bars)) return true;
+      if (try_at(vertex, (-far / slope) * shortest, bars, loose)) return true;
   }
   return false;
 }
 
 template <class Index>
-bool Mover<Index>::try_at(const Vertex& vertex, const Vector& by, const Bars& bars) {
+bool Mover<Index>::try_at(const Vertex& vertex, const Vector& by, const Bars& bars, bool loose) {
   const Coord3 own = moving_.points[vertex.number];
-  Coord3 place = moved(own, by);
-  if (!within_reach(vertex, place) || !star_.keeps(between(own, place), bars)) return false;
-  if (vertex.freedom->place == Place::surface) {
-    const auto found = onto_surface(place, *vertex.freedom, length(by), moving_.domain);
-    if (!found) return false;
-    place = *found;
-    if (!within_reach(vertex, place) || !star_.keeps(between(own, place), bars)) return false;
-  }
-  put(vertex, place, between(own, place));
-  return true;
+  const Coord3 place = moved(own, by);
+  const auto keeps = [&](Coord3 at, double reach) {
+    return is_near(vertex, at, reach) && star_.keeps(between(own, at), bars);
+  };
+  if (loose) return keeps(place, loose_reach) && put(vertex, place);
+  if (!keeps(place, reach_of(vertex.freedom->place))) return false;
+  if (vertex.freedom->place != Place::surface) return put(vertex, place);
+  if (const auto on = onto_surface(place, *vertex.freedom, length(by), moving_.domain))
+    return keeps(*on, surface_reach) && put(vertex, *on);
+  return is_near(vertex, place, seam_reach) && was_beside_surface(vertex) && put(vertex, place);
 }
 
 template <class Index>
-void Mover<Index>::put(const Vertex& vertex, Coord3 place, const Vector& by) {
-  static_cast<void>(by);
+bool Mover<Index>::put(const Vertex& vertex, Coord3 place) {
   moving_.points[vertex.number] = place;
   load(vertex);
   for (std::size_t i = 0; i < vertex.around.size(); ++i) {
@@ -165,6 +183,7 @@ void Mover<Index>::put(const Vertex& vertex, Coord3 place, const Vector& by) {
     moving_.worst[at.tet()] = static_cast<float>(star_.spokes()[i].worst_after({0, 0, 0}));
     for (const Index corner : moving_.tets[at.tet()]) moving_.stirred[corner] = 1;
   }
+  return true;
 }
 
 /// How a vertex may move.
@@ -233,7 +252,6 @@ bool run_round(Moving<Index>& moving, Context& context) {
   for (std::size_t i = 0; i < stars.vertices().size(); ++i) {
     const std::uint64_t v = stars.vertices()[i];
     moving.places[v] = freedoms[i].place;
-    if (freedoms[i].place == Place::corner) continue;
     vertices.push_back({v, stars.around(i), &freedoms[i]});
     places.push_back(moving.origins[v]);
     moving.stirred[v] = 1;
@@ -278,6 +296,8 @@ OptimiseFigures optimise_all(Mesh& mesh, std::span<const Tet<Index>> tets,
                        facts(mesh.method).interfaces && !mesh.labels.empty(),
                        domain,
                        squared_cosine(goal.angle),
+                       squared_cosine(dire_angle),
+                       false,
                        {found.acute, found.obtuse}};
   const auto short_ones = [&] {
     return static_cast<std::uint64_t>(
@@ -288,7 +308,9 @@ OptimiseFigures optimise_all(Mesh& mesh, std::span<const Tet<Index>> tets,
   figures.short_before = short_ones();
   while (figures.rounds < goal.rounds) {
     ++figures.rounds;
-    if (!run_round(moving, context)) break;
+    const bool moved = run_round(moving, context);
+    if (!moved && moving.loose) break;
+    moving.loose = true;
   }
   figures.short_after = short_ones();
   for (std::uint64_t v = 0; v < mesh.points.size(); ++v) {

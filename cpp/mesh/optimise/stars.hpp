@@ -51,16 +51,19 @@ Stars::Stars(std::span<const Tet<Index>> tets, std::span<const std::uint8_t> mar
       vertices_.push_back(v);
     }
   first_.resize(vertices_.size() + 1);
-  const auto visit = [&](const auto& see) {
-    for (std::size_t t = 0; t < tets.size(); ++t)
-      for (std::size_t c = 0; c < 4; ++c)
-        if (marked[tets[t][c]] != 0) see(place[tets[t][c]], StarTet{t, c});
-  };
-  visit([&](std::uint32_t v, StarTet) { ++first_[v + 1]; });
+  std::vector<StarTet> found;
+  for (std::size_t t = 0; t < tets.size(); ++t) {
+    const auto& [a, b, c, d] = tets[t];
+    if ((marked[a] | marked[b] | marked[c] | marked[d]) == 0) continue;
+    for (std::size_t corner = 0; corner < 4; ++corner)
+      if (marked[tets[t][corner]] != 0) found.emplace_back(t, corner);
+  }
+  const auto place_of = [&](StarTet at) { return place[tets[at.tet()][at.corner()]]; };
+  for (const StarTet at : found) ++first_[place_of(at) + 1];
   for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-  tets_.resize(first_.back());
+  tets_.resize(found.size());
   std::vector<std::uint64_t> next(first_.begin(), first_.end() - 1);
-  visit([&](std::uint32_t v, StarTet tet) { tets_[next[v]++] = tet; });
+  for (const StarTet at : found) tets_[next[place_of(at)]++] = at;
 }
 
 }  // namespace certet::optimising
