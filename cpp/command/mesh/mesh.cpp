@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -84,19 +85,30 @@ SizedShape sized(const MeshOptions& options, const Source& source, const Counted
   return {source.name, place, counted.source.volume, source.thin, source.pieces};
 }
 
+/// Where the domain is asked for the materials of tetrahedra, those that these had before their
+/// corners moved.
+MaterialRuns materials_of(const Counted& counted, const MeshSize& size,
+                          std::span<const Coord3> moved, Context& context) {
+  const Stuffing& stuffing = counted.stuffing;
+  if (moved.empty() || size.survey != nullptr || stuffing.labels().empty() ||
+      stuffing.has_interfaces())
+    return {};
+  return survey(stuffing, context).materials;
+}
+
 void write(const MeshOptions& options, const SizedShape& shape, const Counted& counted,
-           const Slabs& slabs, const MeshSize& size, Context& context, Progress& progress,
-           MeshReport& report) {
+           const Slabs& slabs, const MeshSize& size, std::span<const Coord3> moved,
+           Context& context, Progress& progress, MeshReport& report) {
   const auto& [source, stuffing] = counted;
   check_room(options.output, report.output_bytes);
   const auto file = open_writer(options.output, options.format, size);
   WatchedWriter writer(*file, size, progress);
   Frame frame = output_frame(options, report.axes, source.frame);
   if (options.origin == OutputOrigin::lattice) frame.origin = {0, 0, 0};
-  const MaterialRuns none;
+  const MaterialRuns known = materials_of(counted, size, moved, context);
   report.written = write_mesh(stuffing, frame, slabs, writer, context,
-                              size.survey == nullptr ? none : size.survey->materials,
-                              options.label_pieces, size.middles.get());
+                              size.survey == nullptr ? known : size.survey->materials,
+                              options.label_pieces, size.middles.get(), moved);
   report.written.world.volume /= report.out(1);
   check_written(report);
   tell_losses(shape, counted, context, report);
@@ -159,6 +171,20 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
   report.cut_seconds = progress.seconds(Stage::cut);
   report.warp_seconds = progress.seconds(Stage::warp);
   report.count_seconds = progress.seconds(Stage::count);
+}
+
+/// The mesh in memory once its vertices have moved, if they are to.
+std::optional<Mesh> optimise(const MeshOptions& options, const Counted& counted, Context& context,
+                             MeshReport& report) {
+  if (!options.optimise.wanted || options.dry_run) return std::nullopt;
+  check_optimise_memory(counted, report);
+  const Stopwatch clock;
+  OptimiseFigures figures;
+  Mesh moved =
+      optimised(options.optimise, *counted.source.domain, counted.stuffing, context, figures);
+  report.optimised = figures;
+  report.optimise_seconds = clock.seconds();
+  return moved;
 }
 
 /// Drops pieces, if that is asked for.
@@ -230,15 +256,18 @@ MeshReport run(const MeshOptions& options, Context& context) {
   const SizedShape shape = sized(options, source, counted, report.memory_limit);
   if (report.tets == 0) refuse_empty(shape, report.size, options.method, context);
   MeshSize size = announce(options, names, counted, context);
-  report.order =
-      add_middle_nodes(options.order, *counted.source.domain, counted.stuffing, size, context);
+  std::optional<Mesh> moved = optimise(options, counted, context, report);
+  report.order = add_middle_nodes(options.order, *counted.source.domain, counted.stuffing,
+                                  moved ? &*moved : nullptr, size, context);
+  const Buffer<Coord3> points = moved ? std::move(moved->points) : Buffer<Coord3>();
+  moved.reset();
   if (report.axes) size.space = space(*report.axes);
   report.output_bytes = file_bytes(options.format, size);
   if (size.survey != nullptr) report.warnings = label_losses(options.format, *size.survey);
   const Slabs slabs = plan(counted, size, report);
   RegionWatch watch(source, counted.source, context);
   if (!options.dry_run)
-    write(options, shape, counted, slabs, size, context, progress, report);
+    write(options, shape, counted, slabs, size, points, context, progress, report);
   watch.see(report.written.regions);
   watch.see(report.pieces,
             report.pieces.regions.empty() ? report.written.region_pieces : report.pieces.regions,

@@ -17,6 +17,7 @@
 #include "certet/method.hpp"
 #include "certet/pieces.hpp"
 #include "material_options.hpp"
+#include "optimise_choice.hpp"
 #include "order.hpp"
 
 namespace certet::command {
@@ -66,6 +67,7 @@ struct MeshOptions {
   std::string keep_text;         ///< as the user wrote it
   bool label_pieces = false;     ///< counts the pieces of each label
   OrderChoice order;
+  OptimiseChoice optimise;
   int threads = 0;
   std::uint64_t max_memory = 0;  ///< 0: by what is available
   bool dry_run = false;

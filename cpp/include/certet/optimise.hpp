@@ -10,6 +10,9 @@
 
 namespace certet {
 
+/// No tetrahedron has a worst angle beyond 70.53 degrees, nor the lattice's own one beyond this.
+inline constexpr double greatest_goal = 60;
+
 /// How far `optimise` goes.
 struct OptimiseGoal {
   /// Vertices move as long as an angle around them is nearer than this to 0° or to 180°, in
@@ -32,6 +35,7 @@ struct OptimiseFigures {
   int rounds = 0;
   std::uint64_t moved = 0;     ///< vertices, all of them
   std::uint64_t moved_on_surface = 0;  ///< of those, on the boundary or an interface
+  std::uint64_t left_surface = 0;      ///< of those, off it, by `loose_reach` at most
   std::uint64_t moved_on_seams = 0;    ///< of those, where more than two regions meet
   double greatest_move = 0;    ///< in long edges
   double greatest_move_on_surface = 0;

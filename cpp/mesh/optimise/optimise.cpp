@@ -62,6 +62,7 @@ struct Moving {
   std::span<float> worst;           ///< of tetrahedra, in squared cosines
   std::span<std::uint8_t> stirred;  ///< of vertices: something around has moved
   std::span<Place> places;          ///< of vertices that were to move
+  std::span<std::uint8_t> left;     ///< of vertices: whether they left their surface
   bool labelled;                    ///< regions are cut apart by labels
   const Domain& domain;
   double goal;
@@ -166,7 +167,11 @@ bool Mover<Index>::try_at(const Vertex& vertex, const Vector& by, const Bars& ba
   const auto keeps = [&](Coord3 at, double reach) {
     return is_near(vertex, at, reach) && star_.keeps(between(own, at), bars);
   };
-  if (loose) return keeps(place, loose_reach) && put(vertex, place);
+  if (loose) {
+    if (!keeps(place, loose_reach)) return false;
+    moving_.left[vertex.number] = 1;
+    return put(vertex, place);
+  }
   if (!keeps(place, reach_of(vertex.freedom->place))) return false;
   if (vertex.freedom->place != Place::surface) return put(vertex, place);
   if (const auto on = onto_surface(place, *vertex.freedom, length(by), moving_.domain))
@@ -286,6 +291,7 @@ OptimiseFigures optimise_all(Mesh& mesh, std::span<const Tet<Index>> tets,
   WorstAngles found = worst_angles(std::span<const Coord3>(mesh.points), tets, context);
   std::vector<std::uint8_t> stirred(mesh.points.size());
   std::vector<Place> places(mesh.points.size());
+  std::vector<std::uint8_t> left(mesh.points.size());
   Moving<Index> moving{mesh,
                        tets,
                        mesh.points,
@@ -293,6 +299,7 @@ OptimiseFigures optimise_all(Mesh& mesh, std::span<const Tet<Index>> tets,
                        found.of_tets,
                        stirred,
                        places,
+                       left,
                        facts(mesh.method).interfaces && !mesh.labels.empty(),
                        domain,
                        squared_cosine(goal.angle),
@@ -321,6 +328,7 @@ OptimiseFigures optimise_all(Mesh& mesh, std::span<const Tet<Index>> tets,
     const Place place = places[v];
     if (place == Place::inside) continue;
     ++figures.moved_on_surface;
+    figures.left_surface += left[v];
     figures.moved_on_seams += place == Place::seam;
     figures.greatest_move_on_surface = std::max(figures.greatest_move_on_surface, by);
   }
@@ -334,7 +342,7 @@ namespace certet {
 
 OptimiseFigures optimise(Mesh& mesh, const Domain& domain, const OptimiseGoal& goal,
                          Context& context) {
-  if (!(goal.angle > 0 && goal.angle <= 60))
+  if (!(goal.angle > 0 && goal.angle <= greatest_goal))
     throw Error(ErrorCode::bad_option, "the angle to be reached is from 0 to 60 degrees");
   if (facts(mesh.method).cuts == Cuts::midpoint)
     throw Error(ErrorCode::bad_option,
