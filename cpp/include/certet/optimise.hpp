@@ -27,7 +27,7 @@ inline constexpr double interior_reach = 0.5, surface_reach = 0.25, seam_reach =
 
 /// Where an angle is still nearer than this to 0° or to 180°, in degrees, and no vertex can help
 /// along its surface, one may leave that, or its seam or corner, by so much, in long edges.
-inline constexpr double dire_angle = 15, loose_reach = 0.0625;
+inline constexpr double dire_angle = 15, loose_reach = 0.125;
 
 /// What became of a mesh that was optimised.
 struct OptimiseFigures {

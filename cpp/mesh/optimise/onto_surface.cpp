@@ -49,6 +49,8 @@ class Normal {
 
 std::optional<Coord3> onto_surface(Coord3 position, const Freedom& freedom, double reach,
                                    const Domain& domain) {
+  // Whole numbers of steps, so that halving ends.
+  reach = std::ceil(reach);
   const Normal normal(position, freedom, domain);
   const Side own = normal.side(0);
   if (own == Side::upon) return position;

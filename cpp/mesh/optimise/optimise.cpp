@@ -66,8 +66,7 @@ struct Moving {
   bool labelled;                    ///< regions are cut apart by labels
   const Domain& domain;
   double goal;
-  double dire;
-  bool loose;                       ///< beyond `dire` vertices may leave their surfaces
+  bool loose;                       ///< vertices may leave their surfaces
   Bars least_bars;                  ///< of the mesh as it was
 };
 
@@ -129,7 +128,7 @@ bool Mover<Index>::improve(const Vertex& vertex) {
     worst = star_.worst();
     if (worst <= moving_.goal) break;
     if (!descend(vertex, worst, false) &&
-        !(moving_.loose && worst > moving_.dire && vertex.freedom->place != Place::inside &&
+        !(moving_.loose && vertex.freedom->place != Place::inside &&
           descend(vertex, worst, true)))
       break;
     any = true;
@@ -283,6 +282,14 @@ bool run_round(Moving<Index>& moving, Context& context) {
   return moved;
 }
 
+/// \returns the number of rounds in which anything moved.
+template <class Index>
+int run_rounds(Moving<Index>& moving, int greatest, Context& context) {
+  int rounds = 0;
+  while (rounds < greatest && run_round(moving, context)) ++rounds;
+  return rounds;
+}
+
 template <class Index>
 OptimiseFigures optimise_all(Mesh& mesh, std::span<const Tet<Index>> tets,
                              const Domain& domain, const OptimiseGoal& goal, Context& context) {
@@ -303,7 +310,6 @@ OptimiseFigures optimise_all(Mesh& mesh, std::span<const Tet<Index>> tets,
                        facts(mesh.method).interfaces && !mesh.labels.empty(),
                        domain,
                        squared_cosine(goal.angle),
-                       squared_cosine(dire_angle),
                        false,
                        {found.acute, found.obtuse}};
   const auto short_ones = [&] {
@@ -313,12 +319,14 @@ OptimiseFigures optimise_all(Mesh& mesh, std::span<const Tet<Index>> tets,
   OptimiseFigures figures;
   figures.goal = goal.angle;
   figures.short_before = short_ones();
-  while (figures.rounds < goal.rounds) {
-    ++figures.rounds;
-    const bool moved = run_round(moving, context);
-    if (!moved && moving.loose) break;
-    moving.loose = true;
-  }
+  // The worst first, for whom vertices leave their surfaces last.
+  moving.goal = squared_cosine(std::min(dire_angle, goal.angle));
+  figures.rounds = run_rounds(moving, goal.rounds, context);
+  moving.loose = true;
+  figures.rounds += run_rounds(moving, goal.rounds, context);
+  moving.loose = false;
+  moving.goal = squared_cosine(goal.angle);
+  figures.rounds += run_rounds(moving, goal.rounds, context);
   figures.short_after = short_ones();
   for (std::uint64_t v = 0; v < mesh.points.size(); ++v) {
     if (mesh.points[v] == origins[v]) continue;
