@@ -26,7 +26,7 @@ namespace {
 constexpr double long_edge = 2.0 * steps;
 
 /// A squared cosine must fall by so much for a vertex to move.
-constexpr double least_gain = 1e-4;
+constexpr double least_gain = 1e-3;
 /// How far from the worst angle others still count when a direction is chosen.
 constexpr std::array<double, 3> bands{0.08, 0.02, 0.005};
 constexpr int moves_at_once = 3;  ///< of a vertex, before the next one's turn

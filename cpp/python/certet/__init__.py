@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments, _certet
 
-__all__ = ["CheckReport", "Curve", "FileMesh", "Interface", "LossWarning", "Mesh", "Pieces", "Quality",
+__all__ = ["CheckReport", "Curve", "FileMesh", "Interface", "LossWarning", "Mesh", "Optimised", "Pieces", "Quality",
            "Solid", "Warp", "check", "inside", "interfaces", "mesh", "mesh_function", "mesh_image",
            "mesh_solids", "mesh_surface", "quality", "read", "voxelise", "write"]
 __version__: str = _certet.version
