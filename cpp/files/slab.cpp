@@ -11,9 +11,12 @@ void PointSlab::make_layer(Source& source, std::int32_t layer) {
   const Timer timer(source.emitting);
   const std::uint64_t begin = source.stuffing.first_point(layer) - first_;
   const std::uint64_t end = source.stuffing.first_point(layer + 1) - first_;
+  const std::span<Coord3> own{steps_.begin() + begin, steps_.begin() + end};
   core::OneThread context;
-  source.stuffing.emit_points(layer, layer + 1, {steps_.begin() + begin, steps_.begin() + end},
-                              context);
+  if (source.moved.empty())
+    source.stuffing.emit_points(layer, layer + 1, own, context);
+  else
+    std::ranges::copy(source.moved.subspan(first_ + begin, own.size()), own.begin());
   if (!has_world()) return;
   for (std::uint64_t i = begin; i < end; ++i) world_[i] = source.frame.world(steps_[i]);
 }

@@ -24,6 +24,7 @@ struct Source {
   const Frame& frame;
   const MaterialRuns& known;  ///< of a survey, or empty
   bool label_pieces = false;  ///< whether the pieces of each label are counted
+  std::span<const Coord3> moved = {};  ///< the points of the mesh, or none: its own
   Nanoseconds emitting{0}, measuring{0}, writing{0};
 
   /// The tetrahedra of layers up to `end` use points up to those of layer

@@ -238,10 +238,12 @@ Slabs cut_slabs(const Stuffing& stuffing, std::uint64_t max_bytes) {
 
 WrittenMesh write_mesh(const Stuffing& stuffing, const Frame& frame, const Slabs& slabs,
                        MeshWriter& writer, Context& context, const MaterialRuns& known,
-                       bool label_pieces, const MiddleNodes* middles) {
+                       bool label_pieces, const MiddleNodes* middles,
+                       std::span<const Coord3> moved) {
   checked_size(frame.size);
   try {
     Source source{stuffing, frame, known, label_pieces && stuffing.labels().size() > 1 && !stuffing.has_interfaces()};
+    source.moved = moved;
     return write_all(source, slabs, middles, writer, context);
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::too_large, "out of memory while writing the mesh");

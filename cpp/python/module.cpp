@@ -209,6 +209,24 @@ py::object curve_of(const PythonMesh& mesh) {
   return result;
 }
 
+/// None where vertices stayed where they were.
+py::object optimised_of(const PythonMesh& mesh) {
+  if (!mesh.optimised) return py::none();
+  const OptimiseFigures& figures = *mesh.optimised;
+  py::dict result;
+  result["goal"] = figures.goal;
+  result["rounds"] = figures.rounds;
+  result["moved"] = figures.moved;
+  result["moved_on_surface"] = figures.moved_on_surface;
+  result["moved_on_seams"] = figures.moved_on_seams;
+  result["left_surface"] = figures.left_surface;
+  result["greatest_edges"] = figures.greatest_move;
+  result["greatest_on_surface_edges"] = figures.greatest_move_on_surface;
+  result["short_before"] = figures.short_before;
+  result["short_after"] = figures.short_after;
+  return result;
+}
+
 py::array positions_of(const py::object& self) {
   static_assert(sizeof(Coord3) == 3 * sizeof(std::int32_t));
   const auto& points = self.cast<const PythonMesh&>().mesh.points;
@@ -233,14 +251,16 @@ void translate(std::exception_ptr pointer) {
 PYBIND11_MODULE(_certet, module) {
   py::register_exception_translator(translate);
   py::class_<Options>(module, "Options")
-      .def(py::init([](const std::string& method, int threads, int order, bool curved) {
+      .def(py::init([](const std::string& method, int threads, int order, bool curved,
+                       double optimise) {
              const std::optional<Method> named = method_named(method);
              if (!named)
                throw Error(ErrorCode::bad_option,
                            "method is one of " + method_names() + ", not '" + method + "'");
-             return Options{*named, threads, order, curved};
+             return Options{*named, threads, order, curved, optimise};
            }),
-           py::arg("method"), py::arg("threads"), py::arg("order"), py::arg("curved"));
+           py::arg("method"), py::arg("threads"), py::arg("order"), py::arg("curved"),
+           py::arg("optimise"));
   py::class_<PythonMesh, std::shared_ptr<PythonMesh>>(module, "Mesh")
       .def_property_readonly("points", [](const py::object& self) {
         const auto& world = self.cast<const PythonMesh&>().world;
@@ -252,6 +272,7 @@ PYBIND11_MODULE(_certet, module) {
       .def_property_readonly("middle_points", middle_points_of)
       .def_property_readonly("middles", middles_of)
       .def_property_readonly("curve", curve_of)
+      .def_property_readonly("optimised", optimised_of)
       .def_property_readonly("size", [](const PythonMesh& mesh) { return mesh.mesh.frame.size; })
       .def_property_readonly("origin", [](const PythonMesh& mesh) { return mesh.mesh.frame.origin; })
       .def_property_readonly("axes", [](const PythonMesh& mesh) { return mesh.mesh.frame.axes; })

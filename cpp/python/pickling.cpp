@@ -22,7 +22,7 @@ namespace py = pybind11;
 
 /// To be changed with what a state holds.
 std::string mark() {
-  return std::string("2 ") + (std::endian::native == std::endian::little ? "little" : "big");
+  return std::string("3 ") + (std::endian::native == std::endian::little ? "little" : "big");
 }
 
 [[noreturn]] void refuse() {
@@ -92,6 +92,23 @@ std::optional<PythonMiddles> middles_of_state(const Mesh& mesh, const py::object
   return placed(mesh, std::move(middles), curved);
 }
 
+py::object state_of_figures(const std::optional<OptimiseFigures>& figures) {
+  if (!figures) return py::none();
+  const OptimiseFigures& f = *figures;
+  return py::make_tuple(f.goal, f.rounds, f.moved, f.moved_on_surface, f.left_surface,
+                        f.moved_on_seams, f.greatest_move, f.greatest_move_on_surface,
+                        f.short_before, f.short_after);
+}
+
+std::optional<OptimiseFigures> figures_of_state(const py::object& state) {
+  if (state.is_none()) return std::nullopt;
+  const auto f = state.cast<py::tuple>();
+  if (f.size() != 10) refuse();
+  const auto whole = [&](std::size_t i) { return f[i].cast<std::uint64_t>(); };
+  return OptimiseFigures{f[0].cast<double>(), f[1].cast<int>(), whole(2), whole(3), whole(4),
+                         whole(5), f[6].cast<double>(), f[7].cast<double>(), whole(8), whole(9)};
+}
+
 }  // namespace
 
 py::tuple state_of(const PythonMesh& all) {
@@ -103,11 +120,11 @@ py::tuple state_of(const PythonMesh& all) {
       std::visit([](const auto& tets) { return bytes_of(tets); }, mesh.tets), bytes_of(mesh.labels),
       mesh.frame.origin, mesh.frame.axes, mesh.frame.size, mesh.names, bytes_of(border),
       std::string(name(mesh.method)), all.notes, all.warnings,
-      state_of_middles(all.middles));
+      state_of_middles(all.middles), state_of_figures(all.optimised));
 }
 
 std::shared_ptr<PythonMesh> mesh_of_state(const py::tuple& pickled) {
-  const py::tuple state = checked(pickled, 14);
+  const py::tuple state = checked(pickled, 15);
   auto all = std::make_shared<PythonMesh>();
   Mesh& mesh = all->mesh;
   mesh.points = values_of<Buffer<Coord3>>(state[1]);
@@ -128,6 +145,7 @@ std::shared_ptr<PythonMesh> mesh_of_state(const py::tuple& pickled) {
   all->warnings = state[12].cast<std::vector<std::string>>();
   all->world = world_points(mesh);
   all->middles = middles_of_state(mesh, state[13]);
+  all->optimised = figures_of_state(state[14]);
   return all;
 }
 

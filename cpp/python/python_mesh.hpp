@@ -15,6 +15,7 @@
 #include "certet/curve.hpp"
 #include "certet/curve.hpp"
 #include "certet/mesh.hpp"
+#include "certet/optimise.hpp"
 #include "certet/warp_figures.hpp"
 
 namespace certet::python {
@@ -39,6 +40,7 @@ struct PythonMesh {
   std::vector<std::string> losses;  ///< what it has not kept of its shape
   WarpFigures warp;
   std::vector<std::string> warnings;  ///< what it has lost
+  std::optional<OptimiseFigures> optimised = std::nullopt;  ///< where vertices moved
   std::optional<PythonMiddles> middles = std::nullopt;  ///< where tetrahedra have ten nodes
 };
 

@@ -26,6 +26,8 @@ void fill(const Shape& shape, double size, const Options& options, Context& cont
   const std::shared_ptr<const PlacedDomain> domain = shape.sized.place(size);
   const Stuffing stuffing(*domain, domain->lattice(), options.method, context);
   result.mesh = mesh(*domain, stuffing, context);
+  if (options.optimise != 0)
+    result.optimised = optimise(result.mesh, *domain, {options.optimise}, context);
   if (options.order == 2) result.middles = middles_of(result.mesh, *domain, options, context);
   result.warp = stuffing.warp_figures();
   result.notes = shape.notes;

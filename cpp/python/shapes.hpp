@@ -25,6 +25,7 @@ struct Options {
   int threads = 0;
   int order = 1;        ///< 2: tetrahedra of ten nodes
   bool curved = false;  ///< whether middle nodes of the surfaces are put on these
+  double optimise = 0;  ///< degrees that vertices move for; 0: they stay
 };
 
 /// A shape that can be put on lattices of several sizes, and what is doubtful about it.

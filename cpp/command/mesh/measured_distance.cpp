@@ -19,10 +19,12 @@ std::string surface_of(const Source& source, bool exact) {
 
 }  // namespace
 
-DistanceReport measured_distance(const Source& source, const Counted& counted, const Frame& output,
-                                 Context& context) {
+DistanceReport measured_distance(const Source& source, const Counted& counted, const Mesh* moved,
+                                 const Frame& output, Context& context) {
   const Frame& frame = counted.source.frame;
-  const MeshSurface mesh = certet::surface_of(counted.stuffing, frame, context);
+  const MeshSurface mesh = moved != nullptr
+                               ? certet::surface_of(*moved, context)
+                               : certet::surface_of(counted.stuffing, frame, context);
   DistanceReport report{measure_distance(mesh, *counted.source.domain, context), {}};
   for (Distance* one : {&report.figures.to_shape, &report.figures.to_mesh})
     one->at = output.world_at(frame.position(one->at));

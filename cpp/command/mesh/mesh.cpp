@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -85,19 +86,30 @@ SizedShape sized(const MeshOptions& options, const Source& source, const Counted
   return {source.name, place, counted.source.volume, source.thin, source.pieces};
 }
 
+/// Where the domain is asked for the materials of tetrahedra, those that these had before their
+/// corners moved.
+MaterialRuns materials_of(const Counted& counted, const MeshSize& size,
+                          std::span<const Coord3> moved, Context& context) {
+  const Stuffing& stuffing = counted.stuffing;
+  if (moved.empty() || size.survey != nullptr || stuffing.labels().empty() ||
+      stuffing.has_interfaces())
+    return {};
+  return survey(stuffing, context).materials;
+}
+
 void write(const MeshOptions& options, const SizedShape& shape, const Counted& counted,
-           const Slabs& slabs, const MeshSize& size, Context& context, Progress& progress,
-           MeshReport& report) {
+           const Slabs& slabs, const MeshSize& size, std::span<const Coord3> moved,
+           Context& context, Progress& progress, MeshReport& report) {
   const auto& [source, stuffing] = counted;
   check_room(options.output, report.output_bytes);
   const auto file = open_writer(options.output, options.format, size);
   WatchedWriter writer(*file, size, progress);
   Frame frame = output_frame(options, report.axes, source.frame);
   if (options.origin == OutputOrigin::lattice) frame.origin = {0, 0, 0};
-  const MaterialRuns none;
+  const MaterialRuns known = materials_of(counted, size, moved, context);
   report.written = write_mesh(stuffing, frame, slabs, writer, context,
-                              size.survey == nullptr ? none : size.survey->materials,
-                              options.label_pieces, size.middles.get());
+                              size.survey == nullptr ? known : size.survey->materials,
+                              options.label_pieces, size.middles.get(), moved);
   report.written.world.volume /= report.out(1);
   check_written(report);
   tell_losses(shape, counted, context, report);
@@ -162,6 +174,20 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
   report.count_seconds = progress.seconds(Stage::count);
 }
 
+/// The mesh in memory once its vertices have moved, if they are to.
+std::optional<Mesh> optimise(const MeshOptions& options, const Counted& counted, Context& context,
+                             MeshReport& report) {
+  if (!options.optimise.wanted || options.dry_run) return std::nullopt;
+  check_optimise_memory(counted, report);
+  const Stopwatch clock;
+  OptimiseFigures figures;
+  Mesh moved =
+      optimised(options.optimise, *counted.source.domain, counted.stuffing, context, figures);
+  report.optimised = figures;
+  report.optimise_seconds = clock.seconds();
+  return moved;
+}
+
 /// Drops pieces, if that is asked for.
 void drop_pieces(const MeshOptions& options, Counted& counted, Context& context,
                  MeshReport& report) {
@@ -186,11 +212,11 @@ void count_pieces(const MeshOptions& options, const Counted& counted, Context& c
 }
 
 void measure_distance(const MeshOptions& options, const Source& source, const Counted& counted,
-                      Context& context, MeshReport& report) {
+                      const Mesh* moved, Context& context, MeshReport& report) {
   if (!options.distance) return;
   const Stopwatch measuring;
   report.distance = measured_distance(
-      source, counted, output_frame(options, report.axes, counted.source.frame), context);
+      source, counted, moved, output_frame(options, report.axes, counted.source.frame), context);
   report.distance_seconds = measuring.seconds();
 }
 
@@ -239,17 +265,21 @@ MeshReport run(const MeshOptions& options, Context& context) {
   describe(options, counted, progress, report);
   const SizedShape shape = sized(options, source, counted, report.memory_limit);
   if (report.tets == 0) refuse_empty(shape, report.size, options.method, context);
-  measure_distance(options, source, counted, context, report);
+  std::optional<Mesh> moved = optimise(options, counted, context, report);
+  const Mesh* const in_memory = moved ? &*moved : nullptr;
+  measure_distance(options, source, counted, in_memory, context, report);
   MeshSize size = announce(options, names, counted, context);
-  report.order =
-      add_middle_nodes(options.order, *counted.source.domain, counted.stuffing, size, context);
+  report.order = add_middle_nodes(options.order, *counted.source.domain, counted.stuffing,
+                                  in_memory, size, context);
+  const Buffer<Coord3> points = moved ? std::move(moved->points) : Buffer<Coord3>();
+  moved.reset();
   if (report.axes) size.space = space(*report.axes);
   report.output_bytes = file_bytes(options.format, size);
   if (size.survey != nullptr) report.warnings = label_losses(options.format, *size.survey);
   const Slabs slabs = plan(counted, size, report);
   RegionWatch watch(source, counted.source, context);
   if (!options.dry_run)
-    write(options, shape, counted, slabs, size, context, progress, report);
+    write(options, shape, counted, slabs, size, points, context, progress, report);
   watch.see(report.written.regions);
   watch.see(report.pieces,
             report.pieces.regions.empty() ? report.written.region_pieces : report.pieces.regions,

@@ -56,11 +56,18 @@ void check_lattice(const PlacedSource& source, Method method, std::uint64_t limi
                   static_cast<std::uint64_t>(needed), limit);
 }
 
+void check_optimise_memory(const Counted& counted, const MeshReport& report) {
+  const std::uint64_t needed =
+      counted.source.bytes + counted.stuffing.bytes() + bytes_to_optimise(counted.stuffing);
+  if (needed > report.memory_limit) refuse_memory("to optimise the mesh", needed, report.memory_limit);
+}
+
 Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report) {
   const auto& [source, stuffing] = counted;
   std::uint64_t held = source.bytes + stuffing.bytes();
   if (size.survey != nullptr)
     held += face_count(*size.survey) * sizeof(BoundaryFace) + size.survey->materials.bytes();
+  if (report.optimised) held += stuffing.point_count() * sizeof(Coord3);
   // Middle nodes, of which a slab has as many for a tetrahedron as the whole.
   double for_each_tet = 0;
   if (size.middles != nullptr) {

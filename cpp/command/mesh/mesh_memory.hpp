@@ -23,6 +23,9 @@ void check_target(const MeshOptions& options, std::uint64_t limit);
 /// \throws Error `too_large` where the engine's lattice does not fit.
 void check_lattice(const PlacedSource& source, Method method, std::uint64_t limit);
 
+/// \throws Error `too_large` where the mesh cannot be held while its vertices move.
+void check_optimise_memory(const Counted& counted, const MeshReport& report);
+
 /// Chooses the slabs by the memory that is left.  \throws Error `too_large`.
 Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report);
 

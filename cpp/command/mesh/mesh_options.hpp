@@ -17,6 +17,7 @@
 #include "certet/method.hpp"
 #include "certet/pieces.hpp"
 #include "material_options.hpp"
+#include "optimise_choice.hpp"
 #include "order.hpp"
 #include "shared_options.hpp"
 
@@ -67,6 +68,7 @@ struct MeshOptions {
   std::string keep_text;         ///< as the user wrote it
   bool label_pieces = false;     ///< counts the pieces of each label
   OrderChoice order;
+  OptimiseChoice optimise;
   RunOptions run;
   std::uint64_t max_memory = 0;  ///< 0: by what is available
   bool distance = false;  ///< to be measured

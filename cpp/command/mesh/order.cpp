@@ -27,15 +27,18 @@ void check_order(const OrderChoice& choice, Format format, Method method) {
 }
 
 std::optional<OrderReport> add_middle_nodes(const OrderChoice& choice, const Domain& domain,
-                                            const Stuffing& stuffing, MeshSize& size,
-                                            Context& context) {
+                                            const Stuffing& stuffing, const Mesh* moved,
+                                            MeshSize& size, Context& context) {
   if (choice.order != 2) return std::nullopt;
   const auto middles = std::make_shared<MiddleNodes>(middle_nodes(stuffing, context));
   OrderReport report{middles->count(), std::nullopt};
-  if (choice.curved)
-    report.curved = size.survey != nullptr
-                        ? curve(*middles, stuffing, *size.survey, domain, context)
-                        : curve(*middles, stuffing, survey(stuffing, context), domain, context);
+  if (choice.curved) {
+    const std::shared_ptr<const Survey> found =
+        size.survey != nullptr ? size.survey
+                               : std::make_shared<const Survey>(survey(stuffing, context));
+    report.curved = moved != nullptr ? curve(*middles, *moved, *found, domain, context)
+                                     : curve(*middles, stuffing, *found, domain, context);
+  }
   size.points += middles->count();
   size.middles = middles;
   return report;

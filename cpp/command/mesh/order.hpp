@@ -31,10 +31,11 @@ struct OrderReport {
   std::optional<CurveFigures> curved;  ///< if they were to be
 };
 
-/// The middle nodes of a mesh, which go into `size`; curved ones need its survey.
+/// The middle nodes of a mesh, which go into `size`; curved ones need its survey.  `moved` is the
+/// mesh in memory once its vertices have moved, or null.
 std::optional<OrderReport> add_middle_nodes(const OrderChoice& choice, const Domain& domain,
-                                            const Stuffing& stuffing, MeshSize& size,
-                                            Context& context);
+                                            const Stuffing& stuffing, const Mesh* moved,
+                                            MeshSize& size, Context& context);
 
 void add_order(Lines& lines, const OrderReport& report, double size);
 Json json_of(const OrderReport& report, double size);

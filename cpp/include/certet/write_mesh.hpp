@@ -3,6 +3,7 @@
 /// From a counted mesh to a file, slab by slab, measuring it on the way.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "certet/context.hpp"
@@ -42,6 +43,7 @@ struct WrittenMesh : PlacedQuality {
 /// With `label_pieces`, counts the pieces of each of several labels on the way, which takes
 /// about as long as measuring does.
 /// With `middles`, those of the mesh, which `writer` was told of too, writes them behind the points.
+/// With `moved`, its points once they have moved, writes these in the place of its own.
 /// Does not finish the file, so that the caller may ask `standing_of` the mesh first.  What
 /// is written and returned (but for the seconds) does not depend on slabs and
 /// threads.
@@ -49,6 +51,7 @@ struct WrittenMesh : PlacedQuality {
 /// `checked_size` for the size of the frame.
 WrittenMesh write_mesh(const Stuffing& stuffing, const Frame& frame, const Slabs& slabs,
                        MeshWriter& writer, Context& context, const MaterialRuns& known = {},
-                       bool label_pieces = false, const MiddleNodes* middles = nullptr);
+                       bool label_pieces = false, const MiddleNodes* middles = nullptr,
+                       std::span<const Coord3> moved = {});
 
 }  // namespace certet

@@ -27,7 +27,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _arguments, _certet
 
 __all__ = ["CheckReport", "Curve", "Distance", "Distances", "FileMesh", "Interface", "LossWarning",
-           "Mesh", "Pieces", "Quality", "Solid", "Warp", "check", "distance", "inside",
+           "Mesh", "Optimised", "Pieces", "Quality", "Solid", "Warp", "check", "distance", "inside",
            "interfaces", "mesh", "mesh_function", "mesh_image", "mesh_solids", "mesh_surface",
            "quality", "read", "voxelise", "write"]
 __version__: str = _certet.version
@@ -111,6 +111,31 @@ class Warp(NamedTuple):
     """By how much shortened moves miss the surface at most, in long edges."""
     missed_rms_edges: float
     """The same, root mean square of these alone."""
+
+
+class Optimised(NamedTuple):
+    """What became of the vertices that were to move for better angles."""
+
+    goal: float
+    """The angle, in degrees, that none was to be nearer to 0 or to 180 than."""
+    rounds: int
+    """Over all vertices around which one was."""
+    moved: int
+    """Vertices."""
+    moved_on_surface: int
+    """Of those, on the boundary or an interface."""
+    moved_on_seams: int
+    """Of those, where more than two regions meet."""
+    left_surface: int
+    """Those that had to leave theirs, by an eighth of a long edge at most."""
+    greatest_edges: float
+    """The farthest move, in long edges of the lattice."""
+    greatest_on_surface_edges: float
+    """The same of those on surfaces."""
+    short_before: int
+    """Tetrahedra with an angle nearer than the goal to 0 or to 180, before."""
+    short_after: int
+    """The same, after."""
 
 
 class Curve(NamedTuple):
@@ -282,6 +307,11 @@ class Mesh(_MiddleNodes):
     def curve(self) -> Curve | None:
         """How many middle nodes are on the surface; None but by curved=True."""
         return None if self._inner.curve is None else Curve(**self._inner.curve)
+
+    @property
+    def optimised(self) -> Optimised | None:
+        """What became of the vertices that were to move; None but by optimise."""
+        return None if self._inner.optimised is None else Optimised(**self._inner.optimised)
 
     @property
     def names(self) -> dict[int, str]:
@@ -496,7 +526,7 @@ def mesh(shape: Any, **options: Any) -> Mesh:
     shape : a function that is negative inside, as `mesh_function` takes; a pair (points,
         triangles), as `mesh_surface` does; a dictionary of these, as `mesh_solids` does; an
         array of voxels, as `mesh_image` does; or a `Solid`, with `size`, `margin`, `method`,
-        `threads`, `order` and `curved` as options
+        `threads`, `order`, `curved` and `optimise` as options
     options : those of that function, by name; `bounds` is required for a function
 
     Raises
@@ -619,6 +649,7 @@ def mesh_image(
     threads: int = 0,
     order: Literal[1, 2] = 1,
     curved: bool = False,
+    optimise: bool | float = False,
 ) -> Mesh:
     """Meshes voxels: chosen labels, or where a grayscale image is above `iso`.
 
@@ -656,6 +687,9 @@ def mesh_image(
         `Mesh.middle_points` have, and `write` writes
     curved : with order=2: middle nodes of the boundary and of interfaces lie on the surface, where
         no element is spoilt by it; `Mesh.curve` says how many do
+    optimise : vertices move, those of surfaces along these, where the worst dihedral angle around
+        grows by it, until none is nearer to 0 or to 180 than so many degrees, at most 60 (True:
+        25), or no move helps; `Mesh.optimised` says what became of them
 
     Warns of labels that the mesh has lost, with a size that keeps them, of labels asked for one by
     one that no voxel has, and of gray values taken for labels; `Mesh.warnings` has the sentences.
@@ -678,7 +712,7 @@ def mesh_image(
         _arguments.three("spacing", spacing, one_will_do=True),
         _arguments.three("origin", origin), _arguments.direction(direction), ranges, levels,
         None if smooth is None else float(smooth), merges, _arguments.size(size), _arguments.whole("margin", margin),
-        _options(method, cuts, guarantee, threads, order, curved)))
+        _options(method, cuts, guarantee, threads, order, curved, optimise)))
 
 
 def mesh_function(
@@ -693,6 +727,7 @@ def mesh_function(
     threads: int = 0,
     order: Literal[1, 2] = 1,
     curved: bool = False,
+    optimise: bool | float = False,
 ) -> Mesh:
     """Meshes where a function is negative.
 
@@ -705,7 +740,7 @@ def mesh_function(
     bounds : ((x0, y0, z0), (x1, y1, z1)), or these six numbers: a box, beyond which all is
         outside
     size : the long edge of the lattice (default: a 64th of the longest side of the box)
-    margin, method, cuts, guarantee, threads, order, curved : as `mesh_image` has them
+    margin, method, cuts, guarantee, threads, order, curved, optimise : as `mesh_image` has them
 
     Raises
     ------
@@ -716,7 +751,7 @@ def mesh_function(
     low, high = _arguments.bounds(bounds)
     return _told(_certet.mesh_function(
         _arguments.signs(f), low, high, _arguments.size(size), _arguments.whole("margin", margin),
-        _options(method, cuts, guarantee, threads, order, curved)))
+        _options(method, cuts, guarantee, threads, order, curved, optimise)))
 
 
 def mesh_surface(
@@ -732,6 +767,7 @@ def mesh_surface(
     threads: int = 0,
     order: Literal[1, 2] = 1,
     curved: bool = False,
+    optimise: bool | float = False,
 ) -> Mesh:
     """Meshes the inside of a closed surface.
 
@@ -746,7 +782,7 @@ def mesh_surface(
         solid is thin, as far as some 4 million tetrahedra)
     repair : of an open surface, mesh what it winds around by more than one half (the
         generalised winding number); `Mesh.notes` says how many holes that closed
-    margin, method, cuts, guarantee, threads, order, curved : as `mesh_image` has them
+    margin, method, cuts, guarantee, threads, order, curved, optimise : as `mesh_image` has them
 
     Raises
     ------
@@ -757,7 +793,7 @@ def mesh_surface(
     return _told(_certet.mesh_surface(
         _arguments.points(points), _arguments.triangles(triangles), _arguments.size(size),
         _arguments.whole("margin", margin), bool(repair),
-        _options(method, cuts, guarantee, threads, order, curved)))
+        _options(method, cuts, guarantee, threads, order, curved, optimise)))
 
 
 def mesh_solids(
@@ -776,6 +812,7 @@ def mesh_solids(
     threads: int = 0,
     order: Literal[1, 2] = 1,
     curved: bool = False,
+    optimise: bool | float = False,
 ) -> Mesh:
     """Meshes several solids as the materials of one mesh, cut apart where they meet.
 
@@ -798,7 +835,7 @@ def mesh_solids(
     size : the long edge of the lattice (default: the spacing of the first image or, without one, a
         64th of the longest side of the box around all)
     repair : of surfaces, as `mesh_surface` has it
-    margin, method, cuts, guarantee, threads, order, curved : as `mesh_image` has them; with the paper's methods the
+    margin, method, cuts, guarantee, threads, order, curved, optimise : as `mesh_image` has them; with the paper's methods the
         solids are meshed as one, and a tetrahedron has the label at its centre
 
     Raises
@@ -813,7 +850,7 @@ def mesh_solids(
              for name, one in solids.items()]
     return _told(_certet.mesh_solids(inner, list(priority), _arguments.size(size),
                                      _arguments.whole("margin", margin),
-                                     _options(method, cuts, guarantee, threads, order, curved)))
+                                     _options(method, cuts, guarantee, threads, order, curved, optimise)))
 
 
 def _mesh_solid(
@@ -827,10 +864,11 @@ def _mesh_solid(
     threads: int = 0,
     order: Literal[1, 2] = 1,
     curved: bool = False,
+    optimise: bool | float = False,
 ) -> Mesh:
     return _told(_certet.mesh_solid(solid._inner, _arguments.size(size),
                                     _arguments.whole("margin", margin),
-                                    _options(method, cuts, guarantee, threads, order, curved)))
+                                    _options(method, cuts, guarantee, threads, order, curved, optimise)))
 
 
 def _one_of_several(name: str, solid: Any, bounds: Sequence[Sequence[float]] | None,
@@ -945,7 +983,8 @@ def _inner(mesh: Any) -> Any:
 
 
 def _options(method: str | None, cuts: str, guarantee: str | None, threads: int,
-             order: int = 1, curved: bool = False) -> _certet.Options:
+             order: int = 1, curved: bool = False,
+             optimise: bool | float = False) -> _certet.Options:
     if order not in (1, 2):
         raise ValueError(f"order is 1 or 2, not {order!r}")
     if curved and order != 2:
@@ -958,5 +997,8 @@ def _options(method: str | None, cuts: str, guarantee: str | None, threads: int,
         method = "midpoint" if cuts == "midpoint" else guarantee or "embedded"
     elif (cuts, guarantee) != ("bisect", None):
         raise ValueError("method says all that cuts and guarantee do: give one or the others")
+    if optimise is not False and optimise is not True and not 0 < optimise <= 60:
+        raise ValueError(f"optimise is an angle of at most 60 degrees, or True, not {optimise!r}")
     return _certet.Options(_arguments.word("method", method), _arguments.whole("threads", threads),
-                           int(order), bool(curved))
+                           int(order), bool(curved),
+                           25.0 if optimise is True else float(optimise))
