@@ -257,11 +257,6 @@ class Mesh(_MiddleNodes):
         return None if self._inner.curve is None else Curve(**self._inner.curve)
 
     @property
-    def names(self) -> dict[int, str]:
-        """What labels are called, where that is known."""
-        return self._inner.names
-
-    @property
     def size(self) -> float:
         """The long edge of the lattice, in world units."""
         return self._inner.size
