@@ -30,6 +30,14 @@ function(certet_optional target part)
   endif()
 endfunction()
 
+# certet_uses_library(<target>)
+# What makes a library stand beside the first one: it is built on it, and sees the headers of all
+# rooms by their folders.
+function(certet_uses_library target)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cpp)
+  target_link_libraries(${target} PUBLIC certet::certet PRIVATE $<BUILD_INTERFACE:certet_flags>)
+endfunction()
+
 # What every target of the project is compiled with.  Contraction to fused
 # multiply-add would make results depend on compiler and machine; a square root
 # that need not set errno vectorises.

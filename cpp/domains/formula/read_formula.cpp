@@ -1,17 +1,10 @@
 #include <fstream>
 #include <iterator>
 
-#include "certet/error.hpp"
 #include "certet/formula.hpp"
+#include "domains/refused_file.hpp"
 
 namespace certet {
-namespace {
-
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
-  throw Error(ErrorCode::bad_input, "'" + file.string() + "' " + reason);
-}
-
-}  // namespace
 
 std::string read_formula(const std::filesystem::path& file) {
   constexpr std::size_t longest = std::size_t{16} << 20;

@@ -58,17 +58,17 @@ void check_geometry(const Image& image) {
       refuse_geometry(image, not_orthonormal + "an axis is not of length 1");
 }
 
-/// Gram and Schmidt.
-Image without_voxels(const Image& image) {
-  Image other;
-  other.name = image.name;
-  other.size = image.size;
-  other.spacing = image.spacing;
-  other.origin = image.origin;
-  other.axes = image.axes;
-  return other;
+Image place_of(const Image& image) {
+  Image place;
+  place.name = image.name;
+  place.size = image.size;
+  place.spacing = image.spacing;
+  place.origin = image.origin;
+  place.axes = image.axes;
+  return place;
 }
 
+/// Gram and Schmidt.
 void orthonormalise(Image& image) {
   auto column = voxel_axes(image);
   for (std::size_t a = 0; a < 3; ++a) {

@@ -15,9 +15,6 @@ inline double dot(const Point3& a, const Point3& b) {
 /// \throws Error `bad_input` with a sentence that names the image.
 void check_geometry(const Image& image);
 
-/// An image of the same name in the same place, for other voxels.
-Image without_voxels(const Image& image);
-
 /// Makes the axes of an image that `check_geometry` let pass orthonormal.
 void orthonormalise(Image& image);
 

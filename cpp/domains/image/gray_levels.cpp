@@ -33,7 +33,7 @@ Image between_levels(const Image& image, const GrayLevels& levels) {
     throw Error(ErrorCode::bad_option, "of two levels the first must be less than the second");
   if (!std::isfinite(levels.above) && !std::isfinite(levels.below))
     throw Error(ErrorCode::bad_option, "of two levels one at least must be finite");
-  Image result = without_voxels(image);
+  Image result = place_of(image);
   result.notes = image.notes;
   result.voxels = std::visit([&](const auto& voxels) { return distances(voxels, levels); }, image.voxels);
   return result;

@@ -8,12 +8,9 @@
 
 #include "certet/error.hpp"
 #include "certet/image.hpp"
+#include "domains/refused_file.hpp"
 
 namespace certet {
-
-[[noreturn]] inline void refuse(const std::filesystem::path& file, const std::string& reason) {
-  throw Error(ErrorCode::bad_input, "'" + file.string() + "' " + reason);
-}
 
 [[noreturn]] inline void refuse_dicom(const std::filesystem::path& file) {
   refuse(file, "is truncated or damaged, or of a kind of DICOM that is not supported");
@@ -32,28 +29,23 @@ inline void check_memory(const std::filesystem::path& file, std::uint64_t bytes,
 bool is_tiff(const std::filesystem::path& file);
 bool is_dicom(const std::filesystem::path& file);
 
+/// Reads one kind of file whose voxels need no more than `max_bytes`; but for TIFF it may
+/// throw itk::ExceptionObject too, where the file is damaged.
+using ReadImage = Image(const std::filesystem::path& file, std::uint64_t max_bytes,
+                        const ImageChoice& choice);
+
 /// The pages of a TIFF file, by libtiff itself.  Voxels have the size that an
 /// ImageJ stack tells or, where a resolution alone is there, are cubes of it; else
 /// they are 1 x 1 x 1, and a note says what was taken unless a spacing was chosen.
-Image read_tiff(const std::filesystem::path& file, std::uint64_t max_bytes,
-                const ImageChoice& choice);
+ReadImage read_tiff;
 
-/// The others may throw itk::ExceptionObject too, for damaged files.
-Image read_nifti(const std::filesystem::path& file, std::uint64_t max_bytes,
-                 const ImageChoice& choice);
-Image read_nrrd(const std::filesystem::path& file, std::uint64_t max_bytes,
-                const ImageChoice& choice);
-Image read_meta(const std::filesystem::path& file, std::uint64_t max_bytes,
-                const ImageChoice& choice);
+ReadImage read_nifti, read_nrrd, read_meta;
 
 /// A series in a folder: the one chosen or the only one.
-Image read_dicom(const std::filesystem::path& folder, std::uint64_t max_bytes,
-                 const ImageChoice& choice);
+ReadImage read_dicom;
 /// One file, which must be of several frames or a segmentation.
-Image read_dicom_file(const std::filesystem::path& file, std::uint64_t max_bytes,
-                      const ImageChoice& choice);
+ReadImage read_dicom_file;
 /// The same for a file whose header was checked well.
-Image read_dicom_frames(const std::filesystem::path& file, std::uint64_t max_bytes,
-                        const ImageChoice& choice);
+ReadImage read_dicom_frames;
 
 }  // namespace certet

@@ -87,7 +87,7 @@ void smooth_along(unsigned axis, double sigma, int threads, const Image& image,
 Image smoothed_labels(const Image& image, std::vector<LabelRange> labels, double sigma,
                       int threads) {
   validate(image, sigma);
-  Image smooth = without_voxels(image);
+  Image smooth = place_of(image);
   const LabelSet set(std::move(labels));
   std::visit([&](const auto& labelled) { refuse_wide_labels(image, labelled, set); },
              image.voxels);

@@ -12,6 +12,7 @@
 #include "certet/error.hpp"
 #include "certet/surface.hpp"
 #include "check_text.hpp"
+#include "domains/refused_file.hpp"
 #include "surface_file.hpp"
 
 namespace certet {
@@ -19,14 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& reason) {
-  throw Error(ErrorCode::bad_input, "'" + file.string() + "' " + reason);
-}
-
 void check_file(const fs::path& file) {
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) refuse(file, "does not exist");
-  if (!fs::is_regular_file(file, ignored)) refuse(file, "is not a file");
+  check_is_file(file);
   if (!std::ifstream(file)) refuse(file, "cannot be opened");
   if (fs::file_size(file) == 0) refuse(file, "is empty");
   if (!is_surface_file(file)) refuse(file, "is not an STL, OBJ, PLY or OFF file");

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "certet/error.hpp"
+#include "domains/refused_file.hpp"
 #include "vdb_file.hpp"
 #include "volume_state.hpp"
 
@@ -11,10 +12,6 @@ namespace certet {
 namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void refuse(const fs::path& file, const std::string& reason) {
-  throw Error(ErrorCode::bad_input, "'" + file.string() + "' " + reason);
-}
 
 bool is_real(const openvdb::GridBase& grid) {
   return grid.isType<openvdb::FloatGrid>() || grid.isType<openvdb::DoubleGrid>();
@@ -82,9 +79,7 @@ bool can_read_volumes() { return true; }
 bool is_volume_file(const fs::path& file) { return file.extension() == ".vdb"; }
 
 Volume read_volume(const fs::path& file, const std::string& grid) {
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) refuse(file, "does not exist");
-  if (!fs::is_regular_file(file, ignored)) refuse(file, "is not a file");
+  check_is_file(file);
   openvdb::initialize();
   const auto state = std::make_shared<Volume::State>();
   try {

@@ -20,10 +20,10 @@ struct Entry {
   std::string_view name;
   std::array<std::string_view, 3> extensions;  ///< none where another format has them
   bool needs_survey;
-  std::unique_ptr<MeshWriter> (*open)(const fs::path&, const MeshSize&);
-  std::uint64_t (*bytes)(const MeshSize&);
-  FileMesh (*read)(const fs::path&, const Context&);  ///< null: it is only written
-  std::vector<std::string> (*losses)(const Survey&) = nullptr;  ///< null: it has every label
+  OpenWriter* open;
+  FileBytes* bytes;
+  ReadFile* read;                 ///< null: it is only written
+  LabelLosses* losses = nullptr;  ///< null: it has every label
 };
 
 constexpr Entry registry[] = {

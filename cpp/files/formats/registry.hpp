@@ -18,65 +18,31 @@ inline const Survey& survey_of(const MeshSize& size) {
   return size.survey == nullptr ? nothing : *size.survey;
 }
 
-std::unique_ptr<MeshWriter> open_vtu(const std::filesystem::path& file, const MeshSize& size);
-std::uint64_t vtu_bytes(const MeshSize& size);
-FileMesh read_vtu(const std::filesystem::path& file, const Context& context);
+/// Begins a file.
+using OpenWriter = std::unique_ptr<MeshWriter>(const std::filesystem::path& file,
+                                               const MeshSize& size);
+/// How long a file becomes: exactly for binary formats, an estimate for others.
+using FileBytes = std::uint64_t(const MeshSize& size);
+using ReadFile = FileMesh(const std::filesystem::path& file, const Context& context);
+/// The labels that do not keep their numbers, a sentence each.
+using LabelLosses = std::vector<std::string>(const Survey& survey);
 
-std::unique_ptr<MeshWriter> open_vtu_zlib(const std::filesystem::path& file,
-                                          const MeshSize& size);
-std::uint64_t vtu_zlib_bytes(const MeshSize& size);
-
-std::unique_ptr<MeshWriter> open_medit(const std::filesystem::path& file, const MeshSize& size);
-std::uint64_t medit_bytes(const MeshSize& size);
-FileMesh read_medit(const std::filesystem::path& file, const Context& context);
-
-std::unique_ptr<MeshWriter> open_medit_binary(const std::filesystem::path& file,
-                                              const MeshSize& size);
-std::uint64_t medit_binary_bytes(const MeshSize& size);
-FileMesh read_medit_binary(const std::filesystem::path& file, const Context& context);
-
-std::unique_ptr<MeshWriter> open_gmsh(const std::filesystem::path& file, const MeshSize& size);
-std::uint64_t gmsh_bytes(const MeshSize& size);
-/// Both versions.
-FileMesh read_gmsh(const std::filesystem::path& file, const Context& context);
-
-std::unique_ptr<MeshWriter> open_gmsh22(const std::filesystem::path& file, const MeshSize& size);
-std::uint64_t gmsh22_bytes(const MeshSize& size);
-
-std::unique_ptr<MeshWriter> open_abaqus(const std::filesystem::path& file, const MeshSize& size);
-std::uint64_t abaqus_bytes(const MeshSize& size);
-
-std::unique_ptr<MeshWriter> open_febio(const std::filesystem::path& file, const MeshSize& size);
-std::uint64_t febio_bytes(const MeshSize& size);
-
-std::unique_ptr<MeshWriter> open_tetgen(const std::filesystem::path& file, const MeshSize& size);
-std::uint64_t tetgen_bytes(const MeshSize& size);
-
-std::unique_ptr<MeshWriter> open_nastran(const std::filesystem::path& file, const MeshSize& size);
-std::uint64_t nastran_bytes(const MeshSize& size);
-std::vector<std::string> nastran_label_losses(const Survey& survey);
-
-std::unique_ptr<MeshWriter> open_dyna(const std::filesystem::path& file, const MeshSize& size);
-std::uint64_t dyna_bytes(const MeshSize& size);
-std::vector<std::string> dyna_label_losses(const Survey& survey);
-
-std::unique_ptr<MeshWriter> open_mfem(const std::filesystem::path& file, const MeshSize& size);
-std::uint64_t mfem_bytes(const MeshSize& size);
-std::vector<std::string> mfem_label_losses(const Survey& survey);
-
-std::unique_ptr<MeshWriter> open_xdmf(const std::filesystem::path& file, const MeshSize& size);
-std::uint64_t xdmf_bytes(const MeshSize& size);
-
-std::unique_ptr<MeshWriter> open_vtkhdf(const std::filesystem::path& file, const MeshSize& size);
-std::uint64_t vtkhdf_bytes(const MeshSize& size);
-
-std::unique_ptr<MeshWriter> open_stl(const std::filesystem::path& file, const MeshSize& size);
-std::uint64_t stl_bytes(const MeshSize& size);
-
-std::unique_ptr<MeshWriter> open_vtp(const std::filesystem::path& file, const MeshSize& size);
-std::uint64_t vtp_bytes(const MeshSize& size);
-
-std::unique_ptr<MeshWriter> open_ply(const std::filesystem::path& file, const MeshSize& size);
-std::uint64_t ply_bytes(const MeshSize& size);
+OpenWriter open_vtu; FileBytes vtu_bytes; ReadFile read_vtu;
+OpenWriter open_vtu_zlib; FileBytes vtu_zlib_bytes;
+OpenWriter open_medit; FileBytes medit_bytes; ReadFile read_medit;
+OpenWriter open_medit_binary; FileBytes medit_binary_bytes; ReadFile read_medit_binary;
+OpenWriter open_gmsh; FileBytes gmsh_bytes; ReadFile read_gmsh;  // both versions
+OpenWriter open_gmsh22; FileBytes gmsh22_bytes;
+OpenWriter open_abaqus; FileBytes abaqus_bytes;
+OpenWriter open_febio; FileBytes febio_bytes;
+OpenWriter open_tetgen; FileBytes tetgen_bytes;
+OpenWriter open_nastran; FileBytes nastran_bytes; LabelLosses nastran_label_losses;
+OpenWriter open_dyna; FileBytes dyna_bytes; LabelLosses dyna_label_losses;
+OpenWriter open_mfem; FileBytes mfem_bytes; LabelLosses mfem_label_losses;
+OpenWriter open_xdmf; FileBytes xdmf_bytes;
+OpenWriter open_vtkhdf; FileBytes vtkhdf_bytes;
+OpenWriter open_stl; FileBytes stl_bytes;
+OpenWriter open_vtp; FileBytes vtp_bytes;
+OpenWriter open_ply; FileBytes ply_bytes;
 
 }  // namespace certet::formats

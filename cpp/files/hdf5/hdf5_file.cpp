@@ -49,6 +49,16 @@ void Dataset::append(hid_t type, const void* values, std::size_t count) {
   written_ += rows;
 }
 
+void Dataset::append(std::span<const Point3> points) {
+  if (!points.empty()) append(std::span<const double>(points.front().data(), 3 * points.size()));
+}
+
+void Dataset::append(std::span<const Tet<std::uint64_t>> tets) {
+  numbers_.clear();
+  for (const Tet<std::uint64_t>& tet : tets) numbers_.insert(numbers_.end(), tet.begin(), tet.end());
+  append(std::span<const std::int64_t>(numbers_));
+}
+
 File::File(formats::OutputFile& file) : file_(file) {
   H5Eget_auto2(H5E_DEFAULT, &print_, &print_data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

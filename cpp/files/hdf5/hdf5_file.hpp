@@ -11,7 +11,9 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "certet/mesh.hpp"
 #include "files/formats/output_file.hpp"
 
 namespace certet::hdf5 {
@@ -52,6 +54,8 @@ class Dataset {
   void append(std::span<const T> values) {
     append(Types<T>::memory(), values.data(), values.size());
   }
+  void append(std::span<const Point3> points);
+  void append(std::span<const Tet<std::uint64_t>> tets);
 
  private:
   friend class File;
@@ -62,6 +66,7 @@ class Dataset {
   Handle id_;
   std::uint64_t rows_, columns_, written_ = 0;  ///< `columns_` is 0 of a single one
   const formats::OutputFile* file_;
+  std::vector<std::int64_t> numbers_ = {};  ///< of the tetrahedra that were appended last
 };
 
 /// Fails as OutputFile does.  HDF5 prints nothing while one is there.

@@ -56,14 +56,12 @@ class VtkhdfWriter final : public StreamedWriter {
   }
 
   void put_points(std::uint64_t, std::span<const Point3> points) override {
-    if (!points.empty()) points_->append(std::span(points.front().data(), 3 * points.size()));
+    points_->append(points);
   }
 
   void put_tets(std::uint64_t, std::span<const Tet<std::uint64_t>> tets,
                 std::span<const std::int32_t> labels) override {
-    numbers_.clear();
-    for (const Tet<std::uint64_t>& tet : tets) numbers_.insert(numbers_.end(), tet.begin(), tet.end());
-    connectivity_->append(std::span<const std::int64_t>(numbers_));
+    connectivity_->append(tets);
     if (labels_) labels_->append(labels);
   }
 
@@ -74,7 +72,6 @@ class VtkhdfWriter final : public StreamedWriter {
 
   hdf5::File hdf5_;
   std::optional<hdf5::Dataset> points_, connectivity_, labels_;
-  std::vector<std::int64_t> numbers_;
 };
 
 }  // namespace

@@ -108,14 +108,12 @@ class XdmfWriter final : public StreamedWriter {
   }
 
   void put_points(std::uint64_t, std::span<const Point3> points) override {
-    if (!points.empty()) points_->append(std::span(points.front().data(), 3 * points.size()));
+    points_->append(points);
   }
 
   void put_tets(std::uint64_t, std::span<const Tet<std::uint64_t>> tets,
                 std::span<const std::int32_t> labels) override {
-    indices_.clear();
-    for (const Tet<std::uint64_t>& tet : tets) indices_.insert(indices_.end(), tet.begin(), tet.end());
-    tets_->append(std::span<const std::int64_t>(indices_));
+    tets_->append(tets);
     labels_->append(labels);
   }
 
@@ -153,7 +151,6 @@ class XdmfWriter final : public StreamedWriter {
   OutputFile surfaces_file_, numbers_file_;
   hdf5::File hdf5_;
   std::optional<hdf5::Dataset> points_, tets_, labels_;
-  std::vector<std::int64_t> indices_;
 };
 
 }  // namespace

@@ -50,6 +50,9 @@ struct Image {
   [[nodiscard]] bool integral() const { return voxels.index() < 6; }
 };
 
+/// An image of the same name in the same place, without the voxels.
+Image place_of(const Image& image);
+
 /// Whether `read_image` was built in.
 bool can_read_images();
 

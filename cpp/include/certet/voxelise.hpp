@@ -20,9 +20,6 @@ namespace certet {
 /// or not finite), `too_large` (more than 2^18 voxels along an axis).
 Image grid_around(const FileMesh& mesh, const Point3& spacing);
 
-/// The grid of an image, without its voxels.
-Image place_of(const Image& image);
-
 /// What became of a mesh's tetrahedra.
 struct VoxelisedMesh {
   Image image;             ///< 32-bit labels; 0 where no tetrahedron is

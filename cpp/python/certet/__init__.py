@@ -314,11 +314,6 @@ class Mesh(_MiddleNodes):
         return None if self._inner.optimised is None else Optimised(**self._inner.optimised)
 
     @property
-    def names(self) -> dict[int, str]:
-        """What labels are called, where that is known."""
-        return self._inner.names
-
-    @property
     def size(self) -> float:
         """The long edge of the lattice, in world units."""
         return self._inner.size

@@ -10,7 +10,7 @@ namespace labelled {
 namespace {
 
 Triangle from_lowest(Triangle t) {
-  std::ranges::rotate(t, std::ranges::min_element(t));
+  std::rotate(t.begin(), std::ranges::min_element(t), t.end());
   return t;
 }
 

@@ -156,16 +156,6 @@ void check_grid(const Image& grid) {
 
 }  // namespace
 
-Image place_of(const Image& image) {
-  Image place;
-  place.name = image.name;
-  place.size = image.size;
-  place.spacing = image.spacing;
-  place.origin = image.origin;
-  place.axes = image.axes;
-  return place;
-}
-
 Image grid_around(const FileMesh& mesh, const Point3& spacing) {
   constexpr double none = std::numeric_limits<double>::infinity();
   Point3 low{none, none, none}, high{-none, -none, -none};
