@@ -88,7 +88,8 @@ class Row {
 }  // namespace
 
 std::vector<ShapePoint> crossings(const Sides& sides, Context& context) {
-  const auto& [low, cells] = sides.domain.lattice();
+  const Coord3 low = sides.domain.lattice().origin;
+  const auto& cells = sides.domain.lattice().cells;
   const Coord3 high = low + Coord3{2 * cells[0], 2 * cells[1], 2 * cells[2]};
   const auto bricks = [](std::int32_t cells) { return (2 * std::int64_t{cells} + brick - 1) / brick; };
   const std::int64_t across = bricks(cells[1]);
