@@ -190,33 +190,48 @@ bool Mover<Index>::put(const Vertex& vertex, Coord3 place) {
   return true;
 }
 
-/// How a vertex may move.
+/// Finds how vertices may move.
 template <class Index>
-Freedom freedom_at(const Moving<Index>& moving, std::uint64_t vertex,
-                   std::span<const StarTet> around, std::vector<Sheet>& sheets) {
-  sheets.clear();
-  const auto on_border = [&](std::uint64_t point) {
-    return !moving.mesh.border.empty() &&
-           core::is_on_border(moving.origins[point], moving.mesh.border, Cuts::bisect);
-  };
-  const bool border = on_border(vertex);
-  for (const StarTet at : around) {
-    const Tet<Index>& tet = moving.tets[at.tet()];
-    const std::int32_t label = moving.labelled ? moving.mesh.labels[at.tet()] : 0;
-    for (std::size_t opposite = 0; opposite < 4; ++opposite) {
-      if (opposite == at.corner()) continue;
-      auto face = core::outward_faces[opposite];
-      std::ranges::rotate(face, std::ranges::find(face, at.corner()));
-      const std::uint64_t next = tet[face[1]], last = tet[face[2]];
-      const Coord3 own = moving.points[vertex];
-      sheets.push_back({{next, last},
-                        {between(own, moving.points[next]), between(own, moving.points[last])},
-                        label,
-                        border && on_border(next) && on_border(last)});
+class FreedomFinder {
+ public:
+  explicit FreedomFinder(const Moving<Index>& moving) : moving_(moving) {}
+
+  Freedom find(std::uint64_t vertex, std::span<const StarTet> around) {
+    faces_.start(3 * around.size());
+    for (const StarTet at : around) {
+      const Tet<Index>& tet = moving_.tets[at.tet()];
+      const std::int32_t label = moving_.labelled ? moving_.mesh.labels[at.tet()] : 0;
+      for (std::size_t opposite = 0; opposite < 4; ++opposite) {
+        if (opposite == at.corner()) continue;
+        const auto& [a, b, c] = core::outward_faces[opposite];
+        if (a == at.corner()) faces_.add(tet[b], tet[c], label);
+        else if (b == at.corner()) faces_.add(tet[c], tet[a], label);
+        else faces_.add(tet[a], tet[b], label);
+      }
     }
+    faces_.surfaces(found_);
+    sheets_.clear();
+    const Coord3 own = moving_.points[vertex];
+    for (const VertexFace& face : found_) {
+      const auto& [next, last] = face.others;
+      sheets_.push_back({face,
+                         {between(own, moving_.points[next]), between(own, moving_.points[last])},
+                         face.outer && on_border(vertex) && on_border(next) && on_border(last)});
+    }
+    return freedom_of(sheets_, moving_.labelled);
   }
-  return freedom_of(sheets, moving.labelled);
-}
+
+ private:
+  [[nodiscard]] bool on_border(std::uint64_t point) const {
+    return !moving_.mesh.border.empty() &&
+           core::is_on_border(moving_.origins[point], moving_.mesh.border, Cuts::bisect);
+  }
+
+  const Moving<Index>& moving_;
+  VertexFaces faces_;
+  std::vector<VertexFace> found_;
+  std::vector<Sheet> sheets_;
+};
 
 constexpr std::int64_t vertices_at_once = 256;
 
@@ -227,12 +242,11 @@ std::vector<Freedom> freedoms_of(const Moving<Index>& moving, const Stars& stars
   std::vector<Freedom> freedoms(stars.vertices().size());
   core::parallel_for(context, Stage::emit, (all + vertices_at_once - 1) / vertices_at_once,
                      [&](std::int64_t task) {
-                       std::vector<Sheet> sheets;
+                       FreedomFinder<Index> finder(moving);
                        const std::int64_t end = std::min(all, (task + 1) * vertices_at_once);
                        for (std::int64_t v = task * vertices_at_once; v < end; ++v) {
                          const auto i = static_cast<std::size_t>(v);
-                         freedoms[i] = freedom_at(moving, stars.vertices()[i], stars.around(i),
-                                                  sheets);
+                         freedoms[i] = finder.find(stars.vertices()[i], stars.around(i));
                        }
                      });
   return freedoms;
