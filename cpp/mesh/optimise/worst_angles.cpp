@@ -22,15 +22,14 @@ constexpr float structured = 0.25F;
 /// Whether a tetrahedron between points of the lattice is one of its own: all its edges are
 /// short ones or long ones.
 bool is_structured(const TetCorners& corners) {
-  bool all = true;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i + 1; j < 4; ++j) {
       const Coord3 by = corners[j] - corners[i];
       const std::int64_t x = by.x >> step_bits, y = by.y >> step_bits, z = by.z >> step_bits;
-      // 3 or 4, without a branch.
-      all = all && ((x * x + y * y + z * z - 3) & ~std::int64_t{1}) == 0;
+      const std::int64_t square = x * x + y * y + z * z;
+      if (square != 3 && square != 4) return false;
     }
-  return all;
+  return true;
 }
 
 /// Measures tetrahedra as many at once as is fast.
