@@ -26,8 +26,8 @@ namespace {
 
 constexpr double long_edge = 2.0 * steps;
 
-/// A squared cosine must fall by so much for a vertex to move.
-constexpr double least_gain = 1e-3;
+/// A squared cosine must fall by so much for a vertex to move: at first, and in the end.
+constexpr double first_gain = 1e-3, last_gain = 1e-4;
 /// How far from the worst angle others still count when a direction is chosen.
 constexpr std::array<double, 3> bands{0.08, 0.02, 0.005};
 constexpr int moves_at_once = 3;  ///< of a vertex, before the next one's turn
@@ -67,6 +67,7 @@ struct Moving {
   bool labelled;                    ///< regions are cut apart by labels
   const Domain& domain;
   double goal;
+  double least_gain;
   bool loose;                       ///< vertices may leave their surfaces
   Bars least_bars;                  ///< of the mesh as it was
 };
@@ -188,7 +189,7 @@ bool Mover<Index>::improve(Vertex& vertex) {
 template <class Index>
 bool Mover<Index>::descend(const Vertex& vertex, double worst, bool loose) {
   const Freedom freedom = loose ? loosened(*vertex.freedom) : *vertex.freedom;
-  const double bar = worst - least_gain;
+  const double bar = worst - moving_.least_gain;
   const Bars bars{std::min(bar, moving_.least_bars.acute), std::min(bar, moving_.least_bars.obtuse)};
   for (const double band : bands) {
     gradients_.clear();
@@ -199,7 +200,7 @@ bool Mover<Index>::descend(const Vertex& vertex, double worst, bool loose) {
     const Vector shortest = shortest_in_hull(gradients_);
     const double slope = length(shortest);
     // Too slow to gain anything within a quarter of an edge.
-    if (!(slope * (long_edge / 4) > least_gain)) continue;
+    if (!(slope * (long_edge / 4) > moving_.least_gain)) continue;
     const double farthest =
         std::min(band / slope, long_edge * (loose ? loose_reach / 2 : interior_reach / 2));
     for (double far = farthest; far > farthest / 10; far /= 2)
@@ -307,6 +308,7 @@ OptimiseFigures optimise_all(Mesh& mesh, std::span<const Tet<Index>> tets,
                        facts(mesh.method).interfaces && !mesh.labels.empty(),
                        domain,
                        squared_cosine(goal.angle),
+                       first_gain,
                        false,
                        {found.acute, found.obtuse}};
   const auto short_ones = [&] {
@@ -323,6 +325,8 @@ OptimiseFigures optimise_all(Mesh& mesh, std::span<const Tet<Index>> tets,
   figures.rounds += run_rounds(moving, goal.rounds, context);
   moving.loose = false;
   moving.goal = squared_cosine(goal.angle);
+  figures.rounds += run_rounds(moving, goal.rounds, context);
+  moving.least_gain = last_gain;
   figures.rounds += run_rounds(moving, goal.rounds, context);
   figures.short_after = short_ones();
   for (std::uint64_t v = 0; v < mesh.points.size(); ++v) {
