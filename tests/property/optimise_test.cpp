@@ -138,6 +138,12 @@ Mesh mesh_of(const certet::Domain& domain, Method method) {
   return made;
 }
 
+/// Whether anything is inside at the lattice's points: of thin things nothing may be.
+bool has_mesh(const certet::Domain& domain, Method method) {
+  certet::Context context;
+  return certet::Stuffing(domain, lattice, method, context).tet_count() > 0;
+}
+
 certet::OptimiseFigures move(Mesh& mesh, const certet::Domain& domain, int threads,
                              double angle = 25) {
   certet::Context context;
@@ -149,25 +155,30 @@ constexpr Method methods[] = {Method::embedded, Method::angles, Method::embeddin
 
 TEST(Optimise, NoAngleIsWorseAndAllElseStays) {
   long double least_gain = 0;
+  int meshes = 0;
   for (int number = 0; number < 24; ++number) {
     const Domain domain = random_domain(trial_seed(test_seed(), 0) + unsigned(number), number);
     const Method method = methods[number / 8 % 3];
+    if (!has_mesh(*domain, method)) continue;
     const Mesh before = mesh_of(*domain, method);
     for (const double angle : {15.0, 27.0}) {
       Mesh after = mesh_of(*domain, method);
       const certet::OptimiseFigures figures = move(after, *domain, 2, angle);
       ASSERT_EQ(fault(before, after), "") << "domain " << number << ", goal " << angle;
       ASSERT_LE(figures.short_after, figures.short_before);
+      ++meshes;
       least_gain += extremes_of(corners_of(after)).least - extremes_of(corners_of(before)).least;
     }
   }
-  std::cout << "the least angle grew by " << double(least_gain / 48) << " degrees on the average\n";
-  EXPECT_GT(least_gain / 48, 0.5L);
+  std::cout << "the least angle grew by " << double(least_gain / meshes) << " degrees on the average\n";
+  EXPECT_GT(meshes, 24);
+  EXPECT_GT(least_gain / meshes, 0.5L);
 }
 
 TEST(Optimise, ThePointsDoNotDependOnThreads) {
   for (int number = 0; number < 8; ++number) {
     const Domain domain = random_domain(trial_seed(test_seed(), 1) + unsigned(number), number);
+    if (!has_mesh(*domain, Method::embedded)) continue;
     Mesh one = mesh_of(*domain, Method::embedded);
     move(one, *domain, 1);
     for (const int threads : {2, 4}) {

@@ -18,7 +18,7 @@ struct OptimiseGoal {
   /// Vertices move as long as an angle around them is nearer than this to 0° or to 180°, in
   /// degrees.
   double angle = 25;
-  int rounds = 8;  ///< over all vertices that such an angle is at, at most, in each of three turns
+  int rounds = 8;  ///< over all vertices that such an angle is at, at most, in each of four turns
 };
 
 /// How far from where stuffing put it a vertex may come, in long edges; those of a default size

@@ -4,53 +4,17 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace certet::optimising {
 namespace {
 
-/// A triangle of a surface at the vertex.
-struct Triangle {
-  const Sheet* sheet;    ///< as seen from within
-  std::int32_t beyond;   ///< the label there
-  bool outer;
-
-  [[nodiscard]] bool border() const { return outer && sheet->border; }
-  [[nodiscard]] bool on_surface_of(const Triangle& other) const {
-    return border() == other.border() &&
-           (border() || (outer == other.outer && sheet->label == other.sheet->label &&
-                         beyond == other.beyond));
-  }
-};
-
-/// An edge from the vertex, as a triangle has it.
+/// An edge from the vertex, as a sheet has it.
 struct Spine {
   std::uint64_t end;
   Vector edge;
-  std::size_t triangle;
+  std::size_t sheet;
 };
-
-std::pair<std::uint64_t, std::uint64_t> key_of(const Sheet& sheet) {
-  return std::minmax(sheet.others[0], sheet.others[1]);
-}
-
-/// Those that one tetrahedron has alone, and those between two labels, as the lesser has them.
-std::vector<Triangle> triangles_of(std::vector<Sheet>& sheets) {
-  std::ranges::sort(sheets, [](const Sheet& s, const Sheet& t) {
-    return std::pair(key_of(s), s.label) < std::pair(key_of(t), t.label);
-  });
-  std::vector<Triangle> triangles;
-  for (auto sheet = sheets.begin(); sheet != sheets.end();) {
-    const auto next = sheet + 1;
-    if (next == sheets.end() || key_of(*next) != key_of(*sheet)) {
-      triangles.push_back({&*sheet, 0, true});
-      sheet = next;
-    } else {
-      if (next->label != sheet->label) triangles.push_back({&*sheet, next->label, false});
-      sheet = next + 1;
-    }
-  }
-  return triangles;
-}
 
 /// The axis that is normal to a face where the shape is cut off, if one is.  Bisection leaves
 /// its points a few steps off that face.
@@ -66,39 +30,38 @@ std::optional<std::size_t> axis_of(const Vector& normal) {
 /// The surfaces around a vertex.
 class View {
  public:
-  explicit View(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
-    for (std::size_t t = 0; t < triangles_.size(); ++t)
-      for (std::size_t i = 0; i < 2; ++i) {
-        const Sheet& sheet = *triangles_[t].sheet;
-        spines_.push_back({sheet.others[i], sheet.edges[i], t});
-      }
+  explicit View(std::span<const Sheet> sheets) : sheets_(sheets) {
+    spines_.reserve(2 * sheets.size());
+    for (std::size_t t = 0; t < sheets.size(); ++t)
+      for (std::size_t i = 0; i < 2; ++i)
+        spines_.push_back({sheets[t].face.others[i], sheets[t].edges[i], t});
     std::ranges::sort(spines_, [](const Spine& s, const Spine& t) {
-      return std::pair(s.end, s.triangle) < std::pair(t.end, t.triangle);
+      return std::pair(s.end, s.sheet) < std::pair(t.end, t.sheet);
     });
   }
 
   [[nodiscard]] Freedom freedom(bool labelled) const {
     Freedom freedom;
-    const Triangle* first = nullptr;
+    const Sheet* first = nullptr;
     bool several = false;
     Vector normal{};
-    for (const Triangle& triangle : triangles_) {
-      const Vector own = cross(triangle.sheet->edges[0], triangle.sheet->edges[1]);
-      if (triangle.border()) {
+    for (const Sheet& sheet : sheets_) {
+      const Vector own = cross(sheet.edges[0], sheet.edges[1]);
+      if (sheet.border) {
         if (!hold(freedom, own)) return {Place::corner};
         continue;
       }
-      if (first == nullptr) first = &triangle;
-      several = several || !first->on_surface_of(triangle);
+      if (first == nullptr) first = &sheet;
+      several = several || !first->on_surface_of(sheet);
       normal = normal + own;
     }
     if (several) return on_seam(freedom);
     if (!is_manifold()) return {Place::corner};
     if (first == nullptr) return freedom;
-    freedom.outer = first->outer;
+    freedom.outer = first->face.outer;
     freedom.labelled = labelled;
-    freedom.within = first->sheet->label;
-    freedom.beyond = first->beyond;
+    freedom.within = first->face.label;
+    freedom.beyond = first->face.beyond;
     return on_surface(freedom, normal);
   }
 
@@ -130,7 +93,7 @@ class View {
     std::vector<Vector> edges;
     visit_edges([&](std::span<const Spine> edge) {
       if (edge.size() != 2 ||
-          !triangles_[edge[0].triangle].on_surface_of(triangles_[edge[1].triangle]))
+          !sheets_[edge[0].sheet].on_surface_of(sheets_[edge[1].sheet]))
         edges.push_back((1 / length(edge[0].edge)) * edge[0].edge);
     });
     if (edges.size() != 2) return {Place::corner};
@@ -140,7 +103,7 @@ class View {
     return {Place::seam, (1 / size) * along};
   }
 
-  /// Calls visit(triangles at the edge) for each edge from the vertex.
+  /// Calls visit(spines of the edge) for each edge from the vertex.
   template <class Visit>
   void visit_edges(const Visit& visit) const {
     for (std::size_t begin = 0, end = 0; begin < spines_.size(); begin = end) {
@@ -155,7 +118,7 @@ class View {
     return so;
   }
 
-  std::vector<Triangle> triangles_;
+  std::span<const Sheet> sheets_;
   std::vector<Spine> spines_;
 };
 
@@ -173,9 +136,8 @@ Vector Freedom::part_of(Vector direction) const {
   return {0, 0, 0};
 }
 
-Freedom freedom_of(std::vector<Sheet>& sheets, bool labelled) {
-  std::vector<Triangle> triangles = triangles_of(sheets);
-  return triangles.empty() ? Freedom{} : View(std::move(triangles)).freedom(labelled);
+Freedom freedom_of(std::span<const Sheet> sheets, bool labelled) {
+  return sheets.empty() ? Freedom{} : View(sheets).freedom(labelled);
 }
 
 }  // namespace certet::optimising

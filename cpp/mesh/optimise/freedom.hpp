@@ -5,10 +5,10 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "certet/domain.hpp"
 #include "vector.hpp"
+#include "vertex_faces.hpp"
 
 namespace certet::optimising {
 
@@ -32,17 +32,21 @@ struct Freedom {
   [[nodiscard]] Vector part_of(Vector direction) const;
 };
 
-/// A face at a vertex, as a tetrahedron there has it.
+/// A triangle of a surface at a vertex.
 struct Sheet {
-  std::array<std::uint64_t, 2> others;  ///< its other points, counterclockwise from outside
-  std::array<Vector, 2> edges;          ///< to these
-  std::int32_t label;                   ///< of the tetrahedron; 0 of all where that does not count
-  bool border;                          ///< all its points lie where the shape is cut off
+  VertexFace face;
+  std::array<Vector, 2> edges;  ///< to the face's other points
+  bool border;                  ///< it lies where the shape is cut off
+
+  [[nodiscard]] bool on_surface_of(const Sheet& other) const {
+    return border == other.border &&
+           (border || (face.outer == other.face.outer && face.label == other.face.label &&
+                       face.beyond == other.face.beyond));
+  }
 };
 
-/// How a vertex may move at which all tetrahedra have these faces, as the surfaces among them
-/// say.  `labelled`: whether regions are cut apart by their labels.  Leaves of `sheets` nothing
-/// that means anything.
-Freedom freedom_of(std::vector<Sheet>& sheets, bool labelled);
+/// How a vertex may move at which surfaces have these triangles.  `labelled`: whether regions are
+/// cut apart by their labels.
+Freedom freedom_of(std::span<const Sheet> sheets, bool labelled);
 
 }  // namespace certet::optimising

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <new>
 #include <numbers>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -25,8 +26,8 @@ namespace {
 
 constexpr double long_edge = 2.0 * steps;
 
-/// A squared cosine must fall by so much for a vertex to move.
-constexpr double least_gain = 1e-3;
+/// A squared cosine must fall by so much for a vertex to move: at first, and in the end.
+constexpr double first_gain = 1e-3, last_gain = 1e-4;
 /// How far from the worst angle others still count when a direction is chosen.
 constexpr std::array<double, 3> bands{0.08, 0.02, 0.005};
 constexpr int moves_at_once = 3;  ///< of a vertex, before the next one's turn
@@ -66,23 +67,67 @@ struct Moving {
   bool labelled;                    ///< regions are cut apart by labels
   const Domain& domain;
   double goal;
+  double least_gain;
   bool loose;                       ///< vertices may leave their surfaces
   Bars least_bars;                  ///< of the mesh as it was
+};
+
+/// Finds how vertices may move.
+template <class Index>
+class FreedomFinder {
+ public:
+  explicit FreedomFinder(const Moving<Index>& moving) : moving_(moving) {}
+
+  Freedom find(std::uint64_t vertex, std::span<const StarTet> around) {
+    faces_.start(3 * around.size());
+    for (const StarTet at : around) {
+      const Tet<Index>& tet = moving_.tets[at.tet()];
+      const std::int32_t label = moving_.labelled ? moving_.mesh.labels[at.tet()] : 0;
+      for (std::size_t opposite = 0; opposite < 4; ++opposite) {
+        if (opposite == at.corner()) continue;
+        const auto& [a, b, c] = core::outward_faces[opposite];
+        if (a == at.corner()) faces_.add(tet[b], tet[c], label);
+        else if (b == at.corner()) faces_.add(tet[c], tet[a], label);
+        else faces_.add(tet[a], tet[b], label);
+      }
+    }
+    faces_.surfaces(found_);
+    sheets_.clear();
+    const Coord3 own = moving_.points[vertex];
+    for (const VertexFace& face : found_) {
+      const auto& [next, last] = face.others;
+      sheets_.push_back({face,
+                         {between(own, moving_.points[next]), between(own, moving_.points[last])},
+                         face.outer && on_border(vertex) && on_border(next) && on_border(last)});
+    }
+    return freedom_of(sheets_, moving_.labelled);
+  }
+
+ private:
+  [[nodiscard]] bool on_border(std::uint64_t point) const {
+    return !moving_.mesh.border.empty() &&
+           core::is_on_border(moving_.origins[point], moving_.mesh.border, Cuts::bisect);
+  }
+
+  const Moving<Index>& moving_;
+  VertexFaces faces_;
+  std::vector<VertexFace> found_;
+  std::vector<Sheet> sheets_;
 };
 
 /// A vertex that is to move.
 struct Vertex {
   std::uint64_t number;
   std::span<const StarTet> around;
-  const Freedom* freedom;
+  std::optional<Freedom> freedom = {};  ///< once it was needed
 };
 
 template <class Index>
 class Mover {
  public:
-  explicit Mover(Moving<Index>& moving) : moving_(moving) {}
+  explicit Mover(Moving<Index>& moving) : moving_(moving), finder_(moving) {}
 
-  bool improve(const Vertex& vertex);
+  bool improve(Vertex& vertex);
 
  private:
   void load(const Vertex& vertex);
@@ -102,6 +147,7 @@ class Mover {
   }
 
   Moving<Index>& moving_;
+  FreedomFinder<Index> finder_;
   Star star_;
   std::vector<Vector> gradients_;
 };
@@ -117,11 +163,15 @@ void Mover<Index>::load(const Vertex& vertex) {
 }
 
 template <class Index>
-bool Mover<Index>::improve(const Vertex& vertex) {
+bool Mover<Index>::improve(Vertex& vertex) {
   double worst = 0;
   for (const StarTet at : vertex.around)
     worst = std::max(worst, static_cast<double>(moving_.worst[at.tet()]));
   if (worst <= moving_.goal) return false;
+  if (!vertex.freedom) {
+    vertex.freedom = finder_.find(vertex.number, vertex.around);
+    moving_.places[vertex.number] = vertex.freedom->place;
+  }
   bool any = false;
   for (int move = 0; move < moves_at_once; ++move) {
     load(vertex);
@@ -139,7 +189,7 @@ bool Mover<Index>::improve(const Vertex& vertex) {
 template <class Index>
 bool Mover<Index>::descend(const Vertex& vertex, double worst, bool loose) {
   const Freedom freedom = loose ? loosened(*vertex.freedom) : *vertex.freedom;
-  const double bar = worst - least_gain;
+  const double bar = worst - moving_.least_gain;
   const Bars bars{std::min(bar, moving_.least_bars.acute), std::min(bar, moving_.least_bars.obtuse)};
   for (const double band : bands) {
     gradients_.clear();
@@ -150,7 +200,7 @@ bool Mover<Index>::descend(const Vertex& vertex, double worst, bool loose) {
     const Vector shortest = shortest_in_hull(gradients_);
     const double slope = length(shortest);
     // Too slow to gain anything within a quarter of an edge.
-    if (!(slope * (long_edge / 4) > least_gain)) continue;
+    if (!(slope * (long_edge / 4) > moving_.least_gain)) continue;
     const double farthest =
         std::min(band / slope, long_edge * (loose ? loose_reach / 2 : interior_reach / 2));
     for (double far = farthest; far > farthest / 10; far /= 2)
@@ -190,73 +240,21 @@ bool Mover<Index>::put(const Vertex& vertex, Coord3 place) {
   return true;
 }
 
-/// How a vertex may move.
-template <class Index>
-Freedom freedom_at(const Moving<Index>& moving, std::uint64_t vertex,
-                   std::span<const StarTet> around, std::vector<Sheet>& sheets) {
-  sheets.clear();
-  const auto on_border = [&](std::uint64_t point) {
-    return !moving.mesh.border.empty() &&
-           core::is_on_border(moving.origins[point], moving.mesh.border, Cuts::bisect);
-  };
-  const bool border = on_border(vertex);
-  for (const StarTet at : around) {
-    const Tet<Index>& tet = moving.tets[at.tet()];
-    const std::int32_t label = moving.labelled ? moving.mesh.labels[at.tet()] : 0;
-    for (std::size_t opposite = 0; opposite < 4; ++opposite) {
-      if (opposite == at.corner()) continue;
-      auto face = core::outward_faces[opposite];
-      std::ranges::rotate(face, std::ranges::find(face, at.corner()));
-      const std::uint64_t next = tet[face[1]], last = tet[face[2]];
-      const Coord3 own = moving.points[vertex];
-      sheets.push_back({{next, last},
-                        {between(own, moving.points[next]), between(own, moving.points[last])},
-                        label,
-                        border && on_border(next) && on_border(last)});
-    }
-  }
-  return freedom_of(sheets, moving.labelled);
-}
-
-constexpr std::int64_t vertices_at_once = 256;
-
-template <class Index>
-std::vector<Freedom> freedoms_of(const Moving<Index>& moving, const Stars& stars,
-                                 Context& context) {
-  const auto all = static_cast<std::int64_t>(stars.vertices().size());
-  std::vector<Freedom> freedoms(stars.vertices().size());
-  core::parallel_for(context, Stage::emit, (all + vertices_at_once - 1) / vertices_at_once,
-                     [&](std::int64_t task) {
-                       std::vector<Sheet> sheets;
-                       const std::int64_t end = std::min(all, (task + 1) * vertices_at_once);
-                       for (std::int64_t v = task * vertices_at_once; v < end; ++v) {
-                         const auto i = static_cast<std::size_t>(v);
-                         freedoms[i] = freedom_at(moving, stars.vertices()[i], stars.around(i),
-                                                  sheets);
-                       }
-                     });
-  return freedoms;
-}
-
 /// All vertices at tetrahedra short of the goal, again and again.
 template <class Index>
 bool run_round(Moving<Index>& moving, Context& context) {
+  const auto is_short = [&](float worst) { return worst > moving.goal; };
+  if (std::ranges::none_of(moving.worst, is_short)) return false;
   std::vector<std::uint8_t> marked(moving.points.size());
-  bool any = false;
   for (std::size_t t = 0; t < moving.tets.size(); ++t)
-    if (moving.worst[t] > moving.goal) {
-      any = true;
+    if (is_short(moving.worst[t]))
       for (const Index corner : moving.tets[t]) marked[corner] = 1;
-    }
-  if (!any) return false;
   const Stars stars(moving.tets, marked);
-  const std::vector<Freedom> freedoms = freedoms_of(moving, stars, context);
   std::vector<Vertex> vertices;
   std::vector<Coord3> places;
   for (std::size_t i = 0; i < stars.vertices().size(); ++i) {
     const std::uint64_t v = stars.vertices()[i];
-    moving.places[v] = freedoms[i].place;
-    vertices.push_back({v, stars.around(i), &freedoms[i]});
+    vertices.push_back({v, stars.around(i)});
     places.push_back(moving.origins[v]);
     moving.stirred[v] = 1;
   }
@@ -270,7 +268,7 @@ bool run_round(Moving<Index>& moving, Context& context) {
                            Mover<Index> mover(moving);
                            const Bucket bucket = colour[static_cast<std::size_t>(task)];
                            for (std::uint32_t i = bucket.begin; i < bucket.end; ++i) {
-                             const Vertex& vertex = vertices[buckets.order[i]];
+                             Vertex& vertex = vertices[buckets.order[i]];
                              if (moving.stirred[vertex.number] == 0) continue;
                              moving.stirred[vertex.number] = 0;
                              if (mover.improve(vertex)) moved_now = true;
@@ -310,6 +308,7 @@ OptimiseFigures optimise_all(Mesh& mesh, std::span<const Tet<Index>> tets,
                        facts(mesh.method).interfaces && !mesh.labels.empty(),
                        domain,
                        squared_cosine(goal.angle),
+                       first_gain,
                        false,
                        {found.acute, found.obtuse}};
   const auto short_ones = [&] {
@@ -326,6 +325,8 @@ OptimiseFigures optimise_all(Mesh& mesh, std::span<const Tet<Index>> tets,
   figures.rounds += run_rounds(moving, goal.rounds, context);
   moving.loose = false;
   moving.goal = squared_cosine(goal.angle);
+  figures.rounds += run_rounds(moving, goal.rounds, context);
+  moving.least_gain = last_gain;
   figures.rounds += run_rounds(moving, goal.rounds, context);
   figures.short_after = short_ones();
   for (std::uint64_t v = 0; v < mesh.points.size(); ++v) {

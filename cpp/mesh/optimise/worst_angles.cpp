@@ -19,16 +19,15 @@ struct Extremes {
 /// Of one of the lattice's own tetrahedra, all of whose angles are 60° or 90°.
 constexpr float structured = 0.25F;
 
-/// Whether a tetrahedron between points of the lattice is one of its own: no edge is longer than
-/// two units.
+/// Whether a tetrahedron between points of the lattice is one of its own: all its edges are
+/// short ones or long ones.
 bool is_structured(const TetCorners& corners) {
-  constexpr std::int32_t longest = 2 * steps;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i + 1; j < 4; ++j) {
       const Coord3 by = corners[j] - corners[i];
-      const int whole = (by.x % longest == 0) + (by.y % longest == 0) + (by.z % longest == 0);
-      const int units = (std::abs(by.x) + std::abs(by.y) + std::abs(by.z)) / steps;
-      if (!(whole == 0 ? units == 3 : whole == 3 && units == 2)) return false;
+      const std::int64_t x = by.x >> step_bits, y = by.y >> step_bits, z = by.z >> step_bits;
+      const std::int64_t square = x * x + y * y + z * z;
+      if (square != 3 && square != 4) return false;
     }
   return true;
 }
@@ -73,7 +72,11 @@ class Measurer {
   std::size_t count_ = 0;
 };
 
-bool is_on_lattice(Coord3 point) { return ((point.x | point.y | point.z) & (steps - 1)) == 0; }
+bool are_on_lattice(const TetCorners& corners) {
+  std::int32_t all = 0;
+  for (const Coord3 corner : corners) all |= corner.x | corner.y | corner.z;
+  return (all & (steps - 1)) == 0;
+}
 
 template <class Index>
 Extremes measure(std::span<const Coord3> points, std::span<const Tet<Index>> tets,
@@ -82,7 +85,7 @@ Extremes measure(std::span<const Coord3> points, std::span<const Tet<Index>> tet
   for (std::size_t t = 0; t < tets.size(); ++t) {
     const Tet<Index>& tet = tets[t];
     const TetCorners corners{points[tet[0]], points[tet[1]], points[tet[2]], points[tet[3]]};
-    if (std::ranges::all_of(corners, is_on_lattice) && is_structured(corners))
+    if (are_on_lattice(corners) && is_structured(corners))
       measurer.add_structured(t);
     else
       measurer.add(t, corners);
