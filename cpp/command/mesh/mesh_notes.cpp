@@ -158,8 +158,8 @@ a long edge, one of a surface along it by at most a quarter, found anew by bisec
 more than two regions meet along the line where they do by at most an eighth, as cuts do that had
 been moved away from the surface.  For an angle below 15 that nothing else helps, a vertex leaves
 its surface by at most an eighth.  What is proved of overlaps is of the mesh before; afterwards
-all tetrahedra are positive.  The mesh is held in memory, some 100 bytes for each point and 24 for
-each tetrahedron; a dry run does not move anything.
+all tetrahedra are positive.  The mesh is held in memory, some 40 bytes for each point and 24 for
+each tetrahedron, and more at those short of the goal; a dry run does not move anything.
 
 Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file, format,
 bytes, origin, frame (lps, ras, or input where the axes are not known), scale}, lattice {cells,

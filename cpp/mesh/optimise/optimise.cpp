@@ -30,6 +30,7 @@ constexpr double long_edge = 2.0 * steps;
 constexpr double first_gain = 1e-3, last_gain = 1e-4;
 /// How far from the worst angle others still count when a direction is chosen.
 constexpr std::array<double, 3> bands{0.08, 0.02, 0.005};
+constexpr double room = 2;  ///< degrees beyond the goal that neighbours of those that are left move for
 constexpr int moves_at_once = 3;  ///< of a vertex, before the next one's turn
 constexpr int passes_in_round = 6;
 
@@ -67,6 +68,7 @@ struct Moving {
   bool labelled;                    ///< regions are cut apart by labels
   const Domain& domain;
   double goal;
+  double aim;                       ///< as far as vertices move, once their turn has come
   double least_gain;
   bool loose;                       ///< vertices may leave their surfaces
   Bars least_bars;                  ///< of the mesh as it was
@@ -167,7 +169,7 @@ bool Mover<Index>::improve(Vertex& vertex) {
   double worst = 0;
   for (const StarTet at : vertex.around)
     worst = std::max(worst, static_cast<double>(moving_.worst[at.tet()]));
-  if (worst <= moving_.goal) return false;
+  if (worst <= moving_.aim) return false;
   if (!vertex.freedom) {
     vertex.freedom = finder_.find(vertex.number, vertex.around);
     moving_.places[vertex.number] = vertex.freedom->place;
@@ -176,7 +178,7 @@ bool Mover<Index>::improve(Vertex& vertex) {
   for (int move = 0; move < moves_at_once; ++move) {
     load(vertex);
     worst = star_.worst();
-    if (worst <= moving_.goal) break;
+    if (worst <= moving_.aim) break;
     if (!descend(vertex, worst, false) &&
         !(moving_.loose && vertex.freedom->place != Place::inside &&
           descend(vertex, worst, true)))
@@ -240,6 +242,16 @@ bool Mover<Index>::put(const Vertex& vertex, Coord3 place) {
   return true;
 }
 
+/// Marks those that share a tetrahedron with one that is marked.
+template <class Index>
+void mark_neighbours(std::span<const Tet<Index>> tets, std::span<std::uint8_t> marked) {
+  constexpr std::uint8_t itself = 1, neighbour = 2;
+  for (const Tet<Index>& tet : tets)
+    if (std::ranges::any_of(tet, [&](Index corner) { return marked[corner] == itself; }))
+      for (const Index corner : tet)
+        if (marked[corner] == 0) marked[corner] = neighbour;
+}
+
 /// All vertices at tetrahedra short of the goal, again and again.
 template <class Index>
 bool run_round(Moving<Index>& moving, Context& context) {
@@ -249,6 +261,7 @@ bool run_round(Moving<Index>& moving, Context& context) {
   for (std::size_t t = 0; t < moving.tets.size(); ++t)
     if (is_short(moving.worst[t]))
       for (const Index corner : moving.tets[t]) marked[corner] = 1;
+  if (moving.aim < moving.goal) mark_neighbours<Index>(moving.tets, marked);
   const Stars stars(moving.tets, marked);
   std::vector<Vertex> vertices;
   std::vector<Coord3> places;
@@ -308,6 +321,7 @@ OptimiseFigures optimise_all(Mesh& mesh, std::span<const Tet<Index>> tets,
                        facts(mesh.method).interfaces && !mesh.labels.empty(),
                        domain,
                        squared_cosine(goal.angle),
+                       squared_cosine(goal.angle),
                        first_gain,
                        false,
                        {found.acute, found.obtuse}};
@@ -319,14 +333,16 @@ OptimiseFigures optimise_all(Mesh& mesh, std::span<const Tet<Index>> tets,
   figures.goal = goal.angle;
   figures.short_before = short_ones();
   // The worst first, for whom vertices leave their surfaces last.
-  moving.goal = squared_cosine(std::min(dire_angle, goal.angle));
+  moving.goal = moving.aim = squared_cosine(std::min(dire_angle, goal.angle));
   figures.rounds = run_rounds(moving, goal.rounds, context);
   moving.loose = true;
   figures.rounds += run_rounds(moving, goal.rounds, context);
   moving.loose = false;
-  moving.goal = squared_cosine(goal.angle);
+  moving.goal = moving.aim = squared_cosine(goal.angle);
   figures.rounds += run_rounds(moving, goal.rounds, context);
+  // Those that are left are hemmed in by others, which make room.
   moving.least_gain = last_gain;
+  moving.aim = squared_cosine(goal.angle + room);
   figures.rounds += run_rounds(moving, goal.rounds, context);
   figures.short_after = short_ones();
   for (std::uint64_t v = 0; v < mesh.points.size(); ++v) {
