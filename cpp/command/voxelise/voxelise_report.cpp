@@ -33,7 +33,7 @@ void add_comparison(Lines& lines, const VoxeliseReport& report) {
   std::string_view title = "dice";
   for (const LabelOverlap& one : report.overlaps) {
     lines.add(title, "{:.4f}  {}{}: {} voxels, {} in the image", one.dice(), one.label,
-              report.names.contains(one.label) ? " " + name_of(report, one.label) : "",
+              report.names.contains(one.label) ? std::string(" ") + name_of(report, one.label) : "",
               grouped(one.first), grouped(one.second));
     title = "";
   }
