@@ -32,8 +32,9 @@ void add_comparison(Lines& lines, const VoxeliseReport& report) {
             report.compared, mean(report), report.overlaps.size(), least.dice(), least.label);
   std::string_view title = "dice";
   for (const LabelOverlap& one : report.overlaps) {
-    lines.add(title, "{:.4f}  {}{}: {} voxels, {} in the image", one.dice(), one.label,
-              report.names.contains(one.label) ? std::string(" ") + name_of(report, one.label) : "",
+    const bool is_named = report.names.contains(one.label);
+    lines.add(title, "{:.4f}  {}{}{}: {} voxels, {} in the image", one.dice(), one.label,
+              is_named ? " " : "", is_named ? name_of(report, one.label) : std::string(),
               grouped(one.first), grouped(one.second));
     title = "";
   }

@@ -51,6 +51,7 @@
 #include "certet/mesh.hpp"
 #include "certet/middle_nodes.hpp"
 #include "certet/method.hpp"
+#include "certet/optimise.hpp"
 #include "certet/placed_quality.hpp"
 #include "certet/quality.hpp"
 #include "certet/shape.hpp"
