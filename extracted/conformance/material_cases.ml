@@ -48,6 +48,11 @@ let balls =
 
 let near_one_end = [ 40; 9000; 15000; 18687 ]
 
+(* All four corners of some tetrahedra move, beside the outside or not. *)
+let near_either_end =
+  let near = [ 40; 9000; 15000 ] in
+  near @ List.map (fun t -> Notation.steps - t) near
+
 let all_cases =
   let case name (cuts : Mesh_domains.cuts) lattice domain = { name; cuts; lattice; domain } in
   let lattice = Mesh_domains.lattice and anywhere = Mesh_domains.beside_thresholds in
@@ -60,6 +65,8 @@ let all_cases =
       (random 22 ~outside:20 ~materials:2 anywhere);
     case "two materials that nothing parts" Explicit (lattice 0 0 0 6 5 5)
       (random 23 ~outside:0 ~materials:2 near_one_end);
+    case "two materials beside hollows" Explicit (lattice 0 0 0 7 7 7)
+      (random 66 ~outside:2 ~materials:2 near_either_end);
     case "three materials near each other" Explicit (lattice (-2) 0 4 5 6 5)
       (random 24 ~outside:10 ~materials:3 near_one_end);
     case "twelve materials" Explicit (lattice 0 0 0 5 5 5)

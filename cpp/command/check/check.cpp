@@ -24,8 +24,9 @@ overfull_faces, misoriented_faces, boundary_faces, open_edges, pieces {by_faces,
 by_vertices, largest_tets}, nonmanifold {edges, vertices, edge_places, vertex_places: of
 the first 8}}, with labels: regions [{label, pieces, pieces_by_vertices}], dihedral {min,
 max, histogram}, with --against: distance {against, exact, edge, to_shape and to_mesh
-{greatest, rms, greatest_edges, rms_edges, at, points}}, bounds {min, max, and with --run: theorem}, seconds {read, check, total},
-memory {peak}.  mesh.checksum is what `certet mesh` tells as mesh.file_checksum.
+{greatest, rms, greatest_edges, rms_edges, at, points}}, bounds {min, max, and with --run:
+theorem}, seconds {read, check, total}, memory {peak}.  mesh.checksum is what `certet mesh`
+tells as mesh.file_checksum.
 
 Of tetrahedra of ten nodes all this is of the corners, and order2 {middle_nodes, bent, torn_edges
 (with several middle nodes), shared_nodes (of several edges), nonfinite_nodes, bad_indices,

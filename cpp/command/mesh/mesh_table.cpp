@@ -19,11 +19,12 @@ void add_method(Lines& lines, const MeshReport& report) {
               "leave what the others had",
               report.written.lattice.min_dihedral, report.written.lattice.max_dihedral);
   // What is proved of one solid besides its angles is not of several.
-  lines.add("method", "{}: {}{}", method.name,
+  lines.add("method", "{}: {}{}{}", method.name,
             report.cut_apart
                 ? fmt::format("labels are cut apart, each keeps its pieces; surfaces are {}",
                               surface_of_several)
                 : std::string(method.sentence),
+            report.optimised ? "; this is of the mesh before vertices moved" : "",
             report.used == report.asked
                 ? ""
                 : fmt::format(" ({} inverted {} dropped tetrahedra)", name(report.asked),
