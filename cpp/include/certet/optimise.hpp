@@ -46,17 +46,18 @@ struct OptimiseFigures {
 /// Moves vertices of a mesh one after the other, each only where of all angles around it the one
 /// that is nearest to 0° or to 180° grows away from that, and no angle around it comes to be less
 /// than the least of the mesh was or greater than the greatest; all tetrahedra stay positive.
-/// So the bounds of the theorem that covers the mesh hold still.  Both is decided beyond what doubles round.
+/// So the bounds of the theorem that covers the mesh hold still.  Gains and signs are decided
+/// beyond what doubles round; that no angle leaves what the mesh had, to what they round.
 /// Topology, numbers and labels stay.
 ///
 /// Vertices of a surface, of the boundary or between two regions, stay on it: they are put where
 /// bisection along the surface's normal finds the domain to change its side, to one step.  Where
 /// that finds no surface they stay, but for those that settling had put beside it: these move along
-/// the surface that the mesh has, by `seam_reach` at most.  Those at which more than two regions meet move along the
-/// line where they do so, as the mesh has it, by `seam_reach` at most, or stay.  Vertices of a
-/// face where the shape is cut off stay in it, and those of its edges on these.  Below `dire_angle`
-/// one may leave its surface, as is said there.  Sheets of the boundary that are nearer to each
-/// other than their vertices move are not looked at.
+/// the surface that the mesh has, by `seam_reach` at most.  Those at which more than two regions
+/// meet move along the line where they do so, as the mesh has it, by `seam_reach` at most, or stay.
+/// Vertices of a face where the shape is cut off stay in it, and those of its edges on these.
+/// Below `dire_angle` one may leave its surface, as is said there.  Sheets of the boundary that are
+/// nearer to each other than their vertices move are not looked at.
 ///
 /// `domain` is what the mesh was made of.  The result does not depend on the number of threads.
 /// \throws Error `cancelled`, `too_large` (out of memory), `bad_option` (a goal that is not from
