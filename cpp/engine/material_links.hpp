@@ -21,8 +21,9 @@ namespace certet::core {
 /// there are but two it is the greater one that counts, as in a solid of one material.
 /// So each material keeps its pieces, cavities and tunnels.  A tetrahedron all of whose
 /// corners move is of the material that is the lower one of each.  Where there is no such
-/// material, or where it is not the outside, so that the tetrahedron is kept, and it is
-/// not well shaped, the last of the corners stays: `AreDisks`, `FillsWouldTouch` and
+/// material, or a sample beside a corner is of a lower one, so that the tetrahedron might touch
+/// others in an edge alone, or where it is not the outside, so that the tetrahedron is kept, and
+/// it is not well shaped, the last of the corners stays: `AreDisks`, `FillsWouldTouch` and
 /// `MayShare` of the certificate.
 class MaterialLinks {
  public:
