@@ -4,6 +4,7 @@
 #include "engine/corners.hpp"
 #include "engine/emit.hpp"
 #include "engine/parallel.hpp"
+#include "mesh/quality/cell_runs.hpp"
 #include "mesh/quality/lattice_measurement.hpp"
 
 namespace certet::pipeline {
@@ -70,34 +71,96 @@ void TetSlab<Index>::find_materials(const Source& source, std::int32_t layer,
     source.stuffing.emit_materials(layer, layer + 1, materials, context);
 }
 
+/// Measures the tetrahedra of a layer and adds up what each region has.
+template <class Index>
+class TetSlab<Index>::LayerMeasure {
+ public:
+  LayerMeasure(const Source& source, std::span<const Coord3> points, std::int32_t layer,
+               std::span<const Tet<Index>> tets, std::span<std::int32_t> labels, Findings& found)
+      : source_(source), points_(points), first_point_(source.stuffing.first_point(layer)),
+        tets_(tets), labels_(labels), lattice_(points), found_(found),
+        asks_(!labels.empty() && source.known.empty() && !source.stuffing.has_interfaces()) {}
+
+  void run() {
+    core::CellRuns<Index>(points_, first_point_, tets_)
+        .for_each([&](std::size_t begin, std::size_t cells) { add_cells(begin, cells); },
+                  [&](std::size_t begin, std::size_t count) { add_tets(begin, count); });
+    if (labels_.empty() && !tets_.empty()) found_.regions.add(only_label, tets_.size());
+    found_.lattice = lattice_.result();
+  }
+
+ private:
+  /// A run of cells: of the first each tetrahedron is measured, and counted for all.
+  void add_cells(std::size_t begin, std::size_t cells) {
+    for_each_batch(begin, core::cell_tet_count, [&](std::size_t, std::span<const TetCorners> corners) {
+      lattice_.add_copies(corners, cells, std::span(six_volumes_).first(corners.size()));
+    });
+    if (labels_.empty()) return;
+    const std::size_t count = cells * core::cell_tet_count;
+    if (asks_)
+      for_each_batch(begin, count, [&](std::size_t from, std::span<const TetCorners> corners) {
+        source_.stuffing.materials_of(corners, labels_.subspan(from, corners.size()));
+      });
+    add_regions(begin, count, core::cell_tet_count);
+  }
+
+  void add_tets(std::size_t begin, std::size_t count) {
+    for_each_batch(begin, count, [&](std::size_t from, std::span<const TetCorners> corners) {
+      lattice_.add(corners, std::span(six_volumes_).first(corners.size()));
+      if (labels_.empty()) return;
+      if (asks_) source_.stuffing.materials_of(corners, labels_.subspan(from, corners.size()));
+      add_regions(from, corners.size(), corners.size());
+    });
+  }
+
+  /// Puts labels in their place; volumes repeat after `period` tetrahedra.
+  void add_regions(std::size_t begin, std::size_t count, std::size_t period) {
+    std::size_t at = 0;
+    core::labels_in_place(labels_.subspan(begin, count), source_.stuffing.labels(),
+                          [&](std::int32_t label, std::uint64_t run) {
+                            found_.regions.add(label, run, six_volumes(at, run, period));
+                            at += run;
+                          });
+  }
+
+  [[nodiscard]] WideSum six_volumes(std::size_t from, std::uint64_t count,
+                                    std::size_t period) const {
+    WideSum sum;
+    if (const std::uint64_t times = count / period; times > 1)
+      for (std::size_t n = 0; n < period; ++n) sum += WideSum::product(six_volumes_[n], times);
+    const std::uint64_t summed = count / period > 1 ? count / period * period : 0;
+    for (std::uint64_t n = summed; n < count; ++n) sum += six_volumes_[(from + n) % period];
+    return sum;
+  }
+
+  template <class Visit>
+  void for_each_batch(std::size_t begin, std::size_t count, const Visit& visit) const {
+    core::for_each_batch(points_, first_point_, tets_.subspan(begin, count),
+                         [&](std::size_t from, std::span<const TetCorners> corners) {
+                           visit(begin + from, corners);
+                         });
+  }
+
+  const Source& source_;
+  std::span<const Coord3> points_;
+  std::uint64_t first_point_;
+  std::span<const Tet<Index>> tets_;
+  std::span<std::int32_t> labels_;
+  core::LatticeMeasurement lattice_;
+  std::array<std::int64_t, core::batch_size> six_volumes_{};
+  Findings& found_;
+  bool asks_;  ///< the domain, for materials
+};
+
 template <class Index>
 void TetSlab<Index>::measure_layer(const Source& source, std::span<const Coord3> points,
                                    std::int32_t layer, Findings& found) {
-  const Stuffing& stuffing = source.stuffing;
-  const std::span<const Tet<Index>> made = tets(stuffing, layer);
+  const std::span<const Tet<Index>> made = tets(source.stuffing, layer);
   const std::span<std::int32_t> labels{
-      labels_.begin() + (labels_.empty() ? 0 : stuffing.first_tet(layer) - first_),
+      labels_.begin() + (labels_.empty() ? 0 : source.stuffing.first_tet(layer) - first_),
       labels_.empty() ? 0 : made.size()};
-  const bool asks = !labels.empty() && source.known.empty() && !stuffing.has_interfaces();
   if (!labels.empty()) find_materials(source, layer, labels);
-  core::LatticeMeasurement lattice(points);
-  std::array<std::int64_t, core::batch_size> six_volumes;
-  core::for_each_batch(
-      points, stuffing.first_point(layer), made,
-      [&](std::size_t from, std::span<const TetCorners> corners) {
-        lattice.add(corners, std::span(six_volumes).first(corners.size()));
-        if (labels.empty()) return;
-        const std::span<std::int32_t> own = labels.subspan(from, corners.size());
-        if (asks) stuffing.materials_of(corners, own);
-        auto volume = six_volumes.begin();
-        core::labels_in_place(own, stuffing.labels(), [&](std::int32_t label, std::uint64_t run) {
-          WideSum sum;
-          for (std::uint64_t n = 0; n < run; ++n) sum += *volume++;
-          found.regions.add(label, run, sum);
-        });
-      });
-  if (labels.empty() && !made.empty()) found.regions.add(only_label, made.size());
-  found.lattice = lattice.result();
+  LayerMeasure(source, points, layer, made, labels, found).run();
 }
 
 template <class Index>

@@ -106,6 +106,8 @@ class TetSlab {
   void write(Source& source, std::int32_t begin, std::int32_t end, MeshWriter& writer) const;
 
  private:
+  class LayerMeasure;
+
   [[nodiscard]] std::span<const Tet<Index>> tets(const Stuffing& stuffing,
                                                 std::int32_t layer) const {
     return {tets_.begin() + (stuffing.first_tet(layer) - first_),

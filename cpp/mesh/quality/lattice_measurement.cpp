@@ -23,13 +23,13 @@ LatticeMeasurement::LatticeMeasurement(std::span<const Coord3> points) {
     if (far(p.x) || far(p.y) || far(p.z)) refuse("a point is outside the coordinate range");
 }
 
-void LatticeMeasurement::add(std::span<const std::array<Coord3, 4>> tets,
-                             std::span<std::int64_t> six_volumes) {
-  const auto measured = [this](const MeasuredShape& shape, std::uint64_t copies) {
-    measure(shape, copies);
+void LatticeMeasurement::add_copies(std::span<const std::array<Coord3, 4>> tets,
+                                    std::uint64_t copies, std::span<std::int64_t> six_volumes) {
+  const auto measured = [this](const MeasuredShape& shape, std::uint64_t count) {
+    measure(shape, count);
   };
   std::ranges::transform(tets, six_volumes.begin(), [&](const std::array<Coord3, 4>& corners) {
-    return shapes_.add(LatticeShape(corners), refuse_wide, measured);
+    return shapes_.add(LatticeShape(corners), copies, refuse_wide, measured);
   });
 }
 

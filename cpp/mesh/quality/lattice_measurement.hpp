@@ -13,8 +13,9 @@
 
 namespace certet::core {
 
-/// Measures every shape once for all its copies.  Every tetrahedron is looked at:
-/// those whose edges are the same integer vectors are copies of each other.
+/// Measures every shape once for all its copies.  Every tetrahedron is looked at: those
+/// whose edges are the same integer vectors are copies of each other, and cells of a run
+/// (`CellRuns`) are.
 class LatticeMeasurement {
  public:
   /// All points that tetrahedra will be given of, in steps.
@@ -23,7 +24,12 @@ class LatticeMeasurement {
 
   /// The tetrahedra with these corners; six times their volumes, in steps cubed, go to
   /// `six_volumes`, which is as long.  \throws Error `bad_input`, as `measure_lattice`.
-  void add(std::span<const std::array<Coord3, 4>> tets, std::span<std::int64_t> six_volumes);
+  void add(std::span<const std::array<Coord3, 4>> tets, std::span<std::int64_t> six_volumes) {
+    add_copies(tets, 1, six_volumes);
+  }
+  /// The same of so many translates of each.
+  void add_copies(std::span<const std::array<Coord3, 4>> tets, std::uint64_t copies,
+                  std::span<std::int64_t> six_volumes);
   [[nodiscard]] Quality result();
 
  private:

@@ -96,10 +96,10 @@ struct MeasuredShape {
 /// depending on the cuts.  Remembers some, and lets go of those in the way.
 class ShapeCounter {
  public:
-  /// Counts a shape; one that is new is first given to `first_seen(shape)`, and one
+  /// Counts so many copies of a shape; one that is new is first given to `first_seen(shape)`, and one
   /// that has to go to `release(measured shape, count)`.  \returns six times its volume.
   template <class FirstSeen, class Release>
-  std::int64_t add(const LatticeShape& shape, const FirstSeen& first_seen,
+  std::int64_t add(const LatticeShape& shape, std::uint64_t copies, const FirstSeen& first_seen,
                    const Release& release) {
     // What came next the last time mostly does so again.
     std::uint32_t at = entries_[last_].next;
@@ -112,7 +112,7 @@ class ShapeCounter {
       }
       entries_[last_].next = at;
     }
-    ++entries_[at].count;
+    entries_[at].count += copies;
     last_ = at;
     return entries_[at].six_volume;
   }
