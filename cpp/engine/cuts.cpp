@@ -1,6 +1,5 @@
 #include "cuts.hpp"
 
-#include <array>
 #include <span>
 #include <utility>
 
@@ -12,7 +11,7 @@ namespace {
 /// Asks the domain where many edges leave a material, a batch at a time.
 class Parting {
  public:
-  explicit Parting(const Domain& domain) : domain_(domain) {}
+  explicit Parting(const Domain& domain) : domain_(domain), edges_(domain.batch()) {}
 
   /// From the greater material to the lesser.
   void add(const PartedEdge& edge) {
@@ -36,7 +35,7 @@ class Parting {
 
   const Domain& domain_;
   std::size_t size_ = 0;
-  std::array<PartedEdge, 256> edges_;
+  std::vector<PartedEdge> edges_;
   std::vector<std::uint16_t> result_;
 };
 

@@ -9,73 +9,128 @@ namespace {
 
 static_assert(step_bits == 16, "cuts are kept in 16 bits: 0 <= cut < steps, as BisectOnEdge says");
 
-/// What is asked of a domain at once.
-constexpr std::size_t batch = 256;
+/// Edges that are bisected in lockstep, so that loops vectorise.
+constexpr std::size_t lanes = 256;
 
 Material material_of_sign(Sign sign) { return sign == Sign::minus ? 0 : 1; }
 
-/// Bisects many edges in lockstep, so that the domain sees long batches and the
-/// loops vectorise.
+/// Up to so many edges.
 class Bisection {
  public:
-  /// `by_sign`: all edges leave the solid, and signs tell on which side one is.
-  Bisection(const Domain& domain, bool by_sign) : domain_(domain), by_sign_(by_sign) {}
+  [[nodiscard]] bool is_full() const { return size_ == lanes; }
+  [[nodiscard]] bool is_empty() const { return size_ == 0; }
 
-  /// `cut` is written by the next `flush`.
+  /// `cut` is written at the end.
   void add(const PartedEdge& edge, std::uint16_t& cut) {
     start_[size_] = steps * edge.first;
     towards_[size_] = edge.last - edge.first;
     of_last_[size_] = edge.of_last;
     cut_[size_] = &cut;
-    if (++size_ == batch) flush();
+    low_[size_] = 0;
+    open_[size_] = 1;
+    ++size_;
   }
 
-  void flush() {
-    std::fill_n(low_.begin(), size_, 0);
-    std::fill_n(open_.begin(), size_, 1);
-    for (int round = step_bits - 1; size_ != 0 && round >= 0; --round)
-      halve(std::int32_t{1} << round);
-    for (std::size_t e = 0; e < size_; ++e) *cut_[e] = static_cast<std::uint16_t>(low_[e]);
-    size_ = 0;
-  }
-
- private:
   /// One round: `low` is known to be on the side of the first end, `low` + 2 `half`
-  /// on that of the last.
-  void halve(std::int32_t half) {
+  /// on that of the last.  What is between them is to be asked for.
+  std::span<const Coord3> middles(std::int32_t half) {
     for (std::size_t e = 0; e < size_; ++e)
       middle_[e] = start_[e] + (low_[e] + half) * towards_[e];
-    if (by_sign_) choose_by_sign(half);
-    else choose_by_material(half);
+    return std::span(middle_).first(size_);
   }
 
   /// An edge is open until a position is found to lie on the surface.
-  void choose_by_sign(std::int32_t half) {
-    const std::size_t n = size_;
-    domain_.at({middle_.data(), n}, {signs_.data(), n});
-    for (std::size_t e = 0; e < n; ++e) {
-      const auto sign = static_cast<std::int32_t>(signs_[e]);
+  void choose(std::int32_t half, std::span<const Sign> signs) {
+    for (std::size_t e = 0; e < size_; ++e) {
+      const auto sign = static_cast<std::int32_t>(signs[e]);
       low_[e] += half & -(open_[e] & std::int32_t{sign != static_cast<int>(Sign::minus)});
       open_[e] &= std::int32_t{sign != static_cast<int>(Sign::on_surface)};
     }
   }
 
-  void choose_by_material(std::int32_t half) {
-    const std::size_t n = size_;
-    domain_.materials_at({middle_.data(), n}, {materials_.data(), n});
-    for (std::size_t e = 0; e < n; ++e)
-      low_[e] += half & -std::int32_t{materials_[e] != of_last_[e]};
+  void choose(std::int32_t half, std::span<const Material> materials) {
+    for (std::size_t e = 0; e < size_; ++e)
+      low_[e] += half & -std::int32_t{materials[e] != of_last_[e]};
   }
 
-  const Domain& domain_;
-  bool by_sign_;
+  void finish() {
+    for (std::size_t e = 0; e < size_; ++e) *cut_[e] = static_cast<std::uint16_t>(low_[e]);
+    size_ = 0;
+  }
+
+ private:
   std::size_t size_ = 0;
-  std::array<Coord3, batch> start_, towards_, middle_;
-  std::array<Material, batch> of_last_, materials_;
-  std::array<std::uint16_t*, batch> cut_;
-  std::array<std::int32_t, batch> low_, open_;
-  std::array<Sign, batch> signs_;
+  std::array<Coord3, lanes> start_, towards_, middle_;
+  std::array<Material, lanes> of_last_;
+  std::array<std::uint16_t*, lanes> cut_;
+  std::array<std::int32_t, lanes> low_, open_;
 };
+
+/// Calls round(half) for what becomes of the cuts bit by bit.
+template <class Round>
+void for_each_round(const Round& round) {
+  for (int bit = step_bits - 1; bit >= 0; --bit) round(std::int32_t{1} << bit);
+}
+
+/// Some edges.  `ask(positions, answers)` asks for signs or for materials.
+template <class Answer, class Ask>
+void bisect(Bisection& edges, const Ask& ask) {
+  std::array<Answer, lanes> answers;
+  for_each_round([&](std::int32_t half) {
+    const std::span<const Coord3> middles = edges.middles(half);
+    const std::span<Answer> own = std::span(answers).first(middles.size());
+    ask(middles, own);
+    edges.choose(half, std::span<const Answer>(own));
+  });
+  edges.finish();
+}
+
+/// Many edges, all in lockstep, for a domain that likes to be asked for many positions.
+template <class Answer, class Ask>
+void bisect(std::span<Bisection> edges, const Ask& ask) {
+  std::vector<Coord3> positions;
+  std::vector<Answer> answers;
+  for_each_round([&](std::int32_t half) {
+    positions.clear();
+    for (Bisection& some : edges) {
+      const std::span<const Coord3> middles = some.middles(half);
+      positions.insert(positions.end(), middles.begin(), middles.end());
+    }
+    answers.resize(positions.size());
+    ask(positions, std::span(answers));
+    auto answer = answers.cbegin();
+    for (Bisection& some : edges) {
+      const auto size = static_cast<std::ptrdiff_t>(some.middles(half).size());
+      some.choose(half, std::span<const Answer>(answer, answer + size));
+      answer += size;
+    }
+  });
+  for (Bisection& some : edges) some.finish();
+}
+
+/// Finds the cuts of the edges of which is_wanted(edge).
+template <class Answer, class IsWanted, class Ask>
+void part_some(std::span<const PartedEdge> edges, std::span<std::uint16_t> out, std::size_t batch,
+               const IsWanted& is_wanted, const Ask& ask) {
+  if (batch > lanes) {
+    std::vector<Bisection> all;
+    all.reserve(edges.size() / lanes + 1);
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      if (!is_wanted(edges[e])) continue;
+      if (all.empty() || all.back().is_full()) all.emplace_back();
+      all.back().add(edges[e], out[e]);
+    }
+    if (!all.empty()) bisect<Answer>(std::span(all), ask);
+    return;
+  }
+  Bisection some;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (!is_wanted(edges[e])) continue;
+    some.add(edges[e], out[e]);
+    if (some.is_full()) bisect<Answer>(some, ask);
+  }
+  if (!some.is_empty()) bisect<Answer>(some, ask);
+}
 
 using Sum = std::array<std::int64_t, 3>;
 
@@ -113,10 +168,10 @@ Material of_nearest_corner(const TetCorners& corners, std::span<const Material, 
   return nearest;
 }
 
-/// Of up to `batch` tetrahedra of a domain of several materials.
+/// Of up to `lanes` tetrahedra of a domain of several materials.
 void find_materials(const Domain& domain, std::span<const TetCorners> tets,
                     std::span<Material> out) {
-  std::array<Coord3, batch> centroids;
+  std::array<Coord3, lanes> centroids;
   for (std::size_t i = 0; i < tets.size(); ++i) {
     const Sum sum = sum_of(tets[i]);
     centroids[i] = {static_cast<std::int32_t>(sum[0] >> 2), static_cast<std::int32_t>(sum[1] >> 2),
@@ -155,11 +210,14 @@ std::optional<Material> Domain::material_of(const LatticeBox& box) const {
 }
 
 void Domain::part(std::span<const PartedEdge> edges, std::span<std::uint16_t> out) const {
-  Bisection of_solid(*this, true), of_materials(*this, false);
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    (edges[e].of_last == 0 ? of_solid : of_materials).add(edges[e], out[e]);
-  of_solid.flush();
-  of_materials.flush();
+  part_some<Sign>(
+      edges, out, batch(), [](const PartedEdge& edge) { return edge.of_last == 0; },
+      [this](std::span<const Coord3> positions, std::span<Sign> signs) { at(positions, signs); });
+  part_some<Material>(
+      edges, out, batch(), [](const PartedEdge& edge) { return edge.of_last != 0; },
+      [this](std::span<const Coord3> positions, std::span<Material> materials) {
+        materials_at(positions, materials);
+      });
 }
 
 void Domain::materials_of(std::span<const TetCorners> tets, std::span<Material> out) const {
@@ -167,8 +225,8 @@ void Domain::materials_of(std::span<const TetCorners> tets, std::span<Material> 
     std::ranges::fill(out, 1);
     return;
   }
-  for (std::size_t begin = 0; begin < tets.size(); begin += batch) {
-    const std::size_t count = std::min(batch, tets.size() - begin);
+  for (std::size_t begin = 0; begin < tets.size(); begin += lanes) {
+    const std::size_t count = std::min(lanes, tets.size() - begin);
     find_materials(*this, tets.subspan(begin, count), out.subspan(begin, count));
   }
 }

@@ -67,6 +67,10 @@ class SignSource {
     return std::nullopt;
   }
   void row(Coord3 first, std::span<Sign> out) const { domain_.row(first, out); }
+  void at(std::span<const Coord3> positions, std::span<Sign> out) const {
+    domain_.at(positions, out);
+  }
+  [[nodiscard]] std::size_t batch() const { return domain_.batch(); }
 
   /// `row` has 64 values for each word.
   void store(Grid grid, int j, int k, std::span<const Sign> row) const {
@@ -98,6 +102,10 @@ class MaterialSource {
     return domain_.material_of(box);
   }
   void row(Coord3 first, std::span<Material> out) const { domain_.row_materials(first, out); }
+  void at(std::span<const Coord3> positions, std::span<Material> out) const {
+    domain_.materials_at(positions, out);
+  }
+  [[nodiscard]] std::size_t batch() const { return domain_.batch(); }
 
   void store(Grid grid, int j, int k, std::span<const Material> row) const {
     std::uint64_t* const plus = planes_.plus(grid, j, k);
@@ -112,6 +120,52 @@ class MaterialSource {
   MaterialPlanes& materials_;
 };
 
+/// Asks for runs of points of rows: at once, or many together where the domain likes that.
+template <class Source>
+class RunQueries {
+ public:
+  using Value = typename Source::Value;
+
+  explicit RunQueries(const Source& source) : source_(source), batch_(source.batch()) {}
+
+  /// Whether it is the next `flush` that writes what is asked for.
+  [[nodiscard]] bool wait() const { return batch_ > usual; }
+
+  /// Of points that are two lattice units apart.
+  void ask(Coord3 first, std::span<Value> out) {
+    if (!wait()) return source_.row(first, out);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      positions_.push_back(steps * (first + Coord3{2 * static_cast<std::int32_t>(i), 0, 0}));
+    runs_.push_back(out);
+  }
+
+  void flush() {
+    for (std::size_t begin = 0; begin < positions_.size(); begin += batch_) {
+      const std::size_t count = std::min(batch_, positions_.size() - begin);
+      values_.resize(begin + count);
+      source_.at(std::span(positions_).subspan(begin, count), std::span(values_).subspan(begin));
+    }
+    auto value = values_.begin();
+    for (const std::span<Value> run : runs_) {
+      const auto end = value + static_cast<std::ptrdiff_t>(run.size());
+      std::copy(value, end, run.begin());
+      value = end;
+    }
+    positions_.clear();
+    values_.clear();
+    runs_.clear();
+  }
+
+ private:
+  static constexpr std::size_t usual = 256;
+
+  const Source& source_;
+  std::size_t batch_;
+  std::vector<Coord3> positions_;
+  std::vector<Value> values_;
+  std::vector<std::span<Value>> runs_;
+};
+
 /// Samples the rows of one block-row: all indices i, `block` values of j and k.
 template <class Source>
 class BlockRowSampler {
@@ -120,8 +174,10 @@ class BlockRowSampler {
 
   BlockRowSampler(const Source& source, const Lattice& lattice, const PlaneLayout& layout)
       : source_(source), lattice_(lattice), window_(layout.window()),
-        known_(static_cast<std::size_t>(blocks_in(lattice.cells[0]))),
-        values_(static_cast<std::size_t>(layout.words()) * 64) {}
+        known_(static_cast<std::size_t>(blocks_in(lattice.cells[0]))), queries_(source),
+        width_(static_cast<std::size_t>(layout.words()) * 64),
+        rows_at_once_(queries_.wait() ? std::size_t{block} * block * grids.size() : 1),
+        values_(rows_at_once_ * width_) {}
 
   void sample(int block_j, int block_k) {
     const int j_begin = std::max(1, block_j * block);
@@ -131,13 +187,16 @@ class BlockRowSampler {
     if (!ask_blocks(block_j, block_k)) return;
     for (int k = k_begin; k < k_end; ++k)
       for (int j = j_begin; j < j_end; ++j)
-        for (const Grid grid : grids) {
-          fill_row(grid, j, k);
-          source_.store(grid, j, k, values_);
-        }
+        for (const Grid grid : grids) add_row({grid, j, k});
+    store_rows();
   }
 
  private:
+  struct Row {
+    Grid grid;
+    int j, k;
+  };
+
   /// Whether there is anything to sample.
   bool ask_blocks(int block_j, int block_k) {
     bool any = false;
@@ -151,7 +210,18 @@ class BlockRowSampler {
     return any;
   }
 
-  void fill_row(Grid grid, int j, int k) {
+  /// Of the rows that wait, the one with this number.
+  [[nodiscard]] std::span<Value> values(std::size_t row) {
+    return std::span(values_).subspan(row * width_, width_);
+  }
+
+  void add_row(const Row& row) {
+    fill_row(row, values(rows_.size()));
+    rows_.push_back(row);
+    if (rows_.size() == rows_at_once_) store_rows();
+  }
+
+  void fill_row(const Row& row, std::span<Value> values) {
     const int n = lattice_.cells[0];
     const int blocks = static_cast<int>(known_.size());
     for (int b = 0; b < blocks;) {
@@ -159,23 +229,37 @@ class BlockRowSampler {
       int e = b + 1;
       while (e < blocks && known_[static_cast<std::size_t>(e)] == known) ++e;
       const int begin = b * block;
-      const std::span<Value> run{&values_[static_cast<std::size_t>(begin)],
-                                 static_cast<std::size_t>(std::min(e * block, n) - begin)};
+      const std::span<Value> run = values.subspan(
+          static_cast<std::size_t>(begin), static_cast<std::size_t>(std::min(e * block, n) - begin));
       if (known)
         std::ranges::fill(run, *known);
       else
-        source_.row(lattice_.origin + 2 * Coord3{begin, j, k} + tiling.grids[grid], run);
+        queries_.ask(lattice_.origin + 2 * Coord3{begin, row.j, row.k} + tiling.grids[row.grid],
+                     run);
       b = e;
     }
-    values_.front() = Source::outside;
-    std::fill(values_.begin() + (n - 1), values_.end(), Source::outside);
+  }
+
+  void store_rows() {
+    queries_.flush();
+    const auto last = static_cast<std::size_t>(lattice_.cells[0] - 1);
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      const std::span<Value> row = values(r);
+      row.front() = Source::outside;
+      std::ranges::fill(row.subspan(last), Source::outside);
+      source_.store(rows_[r].grid, rows_[r].j, rows_[r].k, row);
+    }
+    rows_.clear();
   }
 
   const Source& source_;
   const Lattice& lattice_;
   Window window_;
   std::vector<std::optional<Value>> known_;
-  std::vector<Value> values_;
+  RunQueries<Source> queries_;
+  std::size_t width_, rows_at_once_;
+  std::vector<Value> values_;  ///< of all rows that wait
+  std::vector<Row> rows_;
 };
 
 template <class Source>

@@ -16,6 +16,13 @@ KeptFunction kept(py::object function) {
 }
 
 template <class Position>
+void PythonDomain::ask(const Position& position, std::span<Sign> out) const {
+  for (std::size_t begin = 0; begin < out.size(); begin += batch_)
+    call([&](std::size_t i) { return position(begin + i); },
+         out.subspan(begin, std::min(batch_, out.size() - begin)));
+}
+
+template <class Position>
 void PythonDomain::call(const Position& position, std::span<Sign> out) const {
   const py::gil_scoped_acquire locked;
   const auto count = static_cast<py::ssize_t>(out.size());
@@ -35,13 +42,13 @@ void PythonDomain::call(const Position& position, std::span<Sign> out) const {
 }
 
 void PythonDomain::row(Coord3 first, std::span<Sign> out) const {
-  call([first](std::size_t i) {
+  ask([first](std::size_t i) {
     return steps * (first + Coord3{2 * static_cast<std::int32_t>(i), 0, 0});
   }, out);
 }
 
 void PythonDomain::at(std::span<const Coord3> positions, std::span<Sign> out) const {
-  call([positions](std::size_t i) { return positions[i]; }, out);
+  ask([positions](std::size_t i) { return positions[i]; }, out);
 }
 
 }  // namespace certet::python

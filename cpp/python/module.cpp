@@ -79,13 +79,14 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
 }
 
 std::shared_ptr<PythonMesh> mesh_function(const py::object& function, const Point3& low,
-                                          const Point3& high, double size, int margin,
-                                          const Options& options) {
+                                          const Point3& high, std::size_t batch, double size,
+                                          int margin, const Options& options) {
   const Bounds bounds{low, high};
   return mesh_of(
       [&, kept = kept(function)](const Context&) {
         const auto place = [=](double at) {
-          return std::make_unique<PythonDomain>(kept, bounds, lattice_around(bounds, at, margin));
+          return std::make_unique<PythonDomain>(kept, bounds, batch,
+                                                lattice_around(bounds, at, margin));
         };
         Shape shape{{"function", place}};
         shape.sized.cost = cost_of_python;

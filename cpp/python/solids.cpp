@@ -33,11 +33,12 @@ PythonSolid made(const Make& make) {
   return result;
 }
 
-PythonSolid solid_of_function(py::object function, const Point3& low, const Point3& high) {
+PythonSolid solid_of_function(py::object function, const Point3& low, const Point3& high,
+                              std::size_t batch) {
   const Bounds bounds{low, high};
   return {{bounds,
-           [function = kept(std::move(function)), bounds](const PlacedLattice& around) {
-             return std::make_shared<PythonDomain>(function, bounds, around);
+           [function = kept(std::move(function)), bounds, batch](const PlacedLattice& around) {
+             return std::make_shared<PythonDomain>(function, bounds, batch, around);
            }},
           {},
           cost_of_python};

@@ -127,6 +127,11 @@ class MaterialsDomain final : public PlacedDomain {
   }
   [[nodiscard]] std::span<const std::int32_t> labels() const override { return labels_; }
   [[nodiscard]] std::span<const BorderBox> border() const override { return border_; }
+  [[nodiscard]] std::size_t batch() const override {
+    std::size_t most = 0;
+    for (const SolidPart& part : parts_) most = std::max(most, part.domain->batch());
+    return most;
+  }
   [[nodiscard]] LabelNames names() const override { return names_; }
 
   void row(Coord3 first, std::span<Sign> out) const override {

@@ -59,6 +59,10 @@ class Domain {
   /// Signs of arbitrary positions, in steps.  `out` is as long as `positions`.
   virtual void at(std::span<const Coord3> positions, std::span<Sign> out) const = 0;
 
+  /// How many positions the domain likes to be asked for at once: more, where each call takes
+  /// long whatever it asks for.  No answer depends on what else is asked.
+  [[nodiscard]] virtual std::size_t batch() const { return 256; }
+
   /// A bound over a box; `mixed` says nothing and is always right.
   [[nodiscard]] virtual Extent extent(const LatticeBox& box) const {
     static_cast<void>(box);

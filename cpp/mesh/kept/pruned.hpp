@@ -22,6 +22,7 @@ class PrunedDomain final : public Domain {
   void at(std::span<const Coord3> positions, std::span<Sign> out) const override {
     domain_.at(positions, out);
   }
+  [[nodiscard]] std::size_t batch() const override { return domain_.batch(); }
   /// Known where the box is in a block.
   [[nodiscard]] Extent extent(const LatticeBox& box) const override;
   [[nodiscard]] bool even_points_tell_pieces() const override {

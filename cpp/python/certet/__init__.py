@@ -412,7 +412,8 @@ class Solid:
 
     Parameters
     ----------
-    shape : a function that is negative inside, as `mesh_function` takes, with `bounds`; a pair
+    shape : a function that is negative inside, as `mesh_function` takes, with `bounds` and perhaps
+        `batch`; a pair
         (points, triangles), as `mesh_surface` does, with `repair` if it may be open; an array of
         voxels, as `mesh_image` does, with `spacing`, `origin`, `direction`, `labels`, `iso`,
         `smooth` and `merge`; or a text: a shape that `certet mesh --shape` knows, like
@@ -715,6 +716,7 @@ def mesh_function(
     bounds: Sequence[Sequence[float]] | Sequence[float],
     size: float | None = None,
     *,
+    batch: int = 100_000,
     margin: int = 2,
     method: Method | None = None,
     cuts: Cuts = "bisect",
@@ -735,6 +737,7 @@ def mesh_function(
     bounds : ((x0, y0, z0), (x1, y1, z1)), or these six numbers: a box, beyond which all is
         outside
     size : the long edge of the lattice (default: a 64th of the longest side of the box)
+    batch : how many points `f` is called with at most; the mesh is the same for any number
     margin, method, cuts, guarantee, threads, order, curved, optimise : as `mesh_image` has them
 
     Raises
@@ -745,7 +748,8 @@ def mesh_function(
         raise ValueError("f is a function of points, and negative inside")
     low, high = _arguments.bounds(bounds)
     return _told(_certet.mesh_function(
-        _arguments.signs(f), low, high, _arguments.size(size), _arguments.whole("margin", margin),
+        _arguments.signs(f), low, high, _arguments.batch(batch), _arguments.size(size),
+        _arguments.whole("margin", margin),
         _options(method, cuts, guarantee, threads, order, curved, optimise)))
 
 
@@ -895,9 +899,10 @@ def _solid_of_text(text: str, *, bounds: Any = None) -> _certet.Solid:
 
 
 def _solid_of_function(function: Callable[[NDArray[np.float64]], ArrayLike], *,
-                       bounds: Any) -> _certet.Solid:
+                       bounds: Any, batch: int = 100_000) -> _certet.Solid:
     low, high = _arguments.bounds(bounds)
-    return _certet.solid_of_function(_arguments.signs(function), low, high)
+    return _certet.solid_of_function(_arguments.signs(function), low, high,
+                                     _arguments.batch(batch))
 
 
 def _solid_of_surface(name: str, points: ArrayLike, triangles: ArrayLike, *,

@@ -35,6 +35,13 @@ def whole(name: str, value: Any) -> int:
         raise ValueError(f"{name} is a whole number, not {_shown(value)}") from None
 
 
+def batch(value: Any) -> int:
+    number = whole("batch", value)
+    if number < 1:
+        raise ValueError(f"batch is a number of points, at least 1, not {number}")
+    return number
+
+
 def word(name: str, value: Any) -> str:
     if not isinstance(value, str):
         raise ValueError(f"{name} is a word, not {_shown(value)}")

@@ -97,6 +97,7 @@ def mesh_function(
     function: Callable[[NDArray[np.float64]], Any],
     low: _Point,
     high: _Point,
+    batch: int,
     size: float,
     margin: int,
     options: Options,
@@ -122,7 +123,7 @@ class Solid:
     def __sub__(self, other: Solid) -> Solid: ...
 
 def solid_of_function(
-    function: Callable[[NDArray[np.float64]], Any], low: _Point, high: _Point
+    function: Callable[[NDArray[np.float64]], Any], low: _Point, high: _Point, batch: int
 ) -> Solid: ...
 def solid_of_surface(
     name: str, points: NDArray[np.float64], triangles: NDArray[np.int64], repair: bool
