@@ -66,7 +66,7 @@ void write_by_slabs(const PlacedDomain& domain, Method method, const fs::path& f
   Context context;
   const Stuffing stuffing(domain, domain.lattice(), method, context);
   MeshSize size{stuffing.point_count(), stuffing.tet_count(), !stuffing.labels().empty()};
-  auto found = std::make_shared<Survey>(survey(stuffing, context));
+  auto found = std::make_shared<Survey>(survey(stuffing, context, domain.frame()));
   name_regions(*found, domain.names());
   if (needs_survey(format)) size.survey = found;
   const auto writer = open_writer(file, format, size);

@@ -123,6 +123,10 @@ std::vector<fs::path> files_of(const fs::path& file, Format format) {
 
 bool needs_survey(Format format) { return entry_of(format).needs_survey; }
 
+bool has_patches(Format format) {
+  return needs_survey(format) && format != Format::stl && format != Format::ply;
+}
+
 bool holds_middle_nodes(Format format) {
   switch (format) {
     case Format::vtu:

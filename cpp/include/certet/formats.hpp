@@ -64,6 +64,10 @@ bool has_hdf5();
 /// Whether a format has tetrahedra of ten nodes: .vtu, .mesh, .meshb, .msh, .inp, .feb and TetGen.
 bool holds_middle_nodes(Format format);
 
+/// Whether a format has the patches of the boundary apart: all but .vtu and .vtkhdf, which hold
+/// tetrahedra alone, and .stl and .ply, which hold one surface.
+bool has_patches(Format format);
+
 /// Whether a writer needs to know the mesh's survey beforehand.
 bool needs_survey(Format format);
 
@@ -136,6 +140,9 @@ struct FileMesh {
   std::string space = {};            ///< as `MeshSize` has it; where .vtu tells
   /// The points of faces of the patch `border`, in any order; where the format has them.
   std::vector<std::array<std::uint64_t, 3>> border;
+  /// The same of other patches than `surface` and `border`, with their names: those of the sides of
+  /// a box are `patch_names`.  What of them is not on the boundary is no patch's.
+  std::vector<FileSurface> patches = {};
   /// All triangles of .mesh, .meshb and .msh files, by growing numbers: the patches, the
   /// interfaces, or whatever the writer meant by them.
   std::vector<FileSurface> surfaces = {};
@@ -147,7 +154,7 @@ struct FileMesh {
 };
 
 /// The regions, the boundary and the interfaces of what a file held, found anew, with the names
-/// and the border that it told.
+/// and the patches that it told.
 /// \throws Error `cancelled`.
 Survey survey(const FileMesh& mesh, Context& context);
 
