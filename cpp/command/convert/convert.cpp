@@ -104,8 +104,8 @@ void check_files(const ConvertOptions& options, Format format) {
     if (json_file && same_file(file, options.run.json))
       throw Error(ErrorCode::bad_option,
                   "output and --json are the same file '" + file.string() + "'");
-    check_output(file);
   }
+  check_mesh_output(options.output, format);
   if (!json_file) return;
   if (same_file(options.input, options.run.json))
     throw Error(ErrorCode::bad_option,

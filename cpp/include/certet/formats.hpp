@@ -31,6 +31,7 @@ enum class Format {
   nastran,       ///< Nastran bulk data: the mesh alone (.bdf, .nas)
   dyna,          ///< LS-DYNA keywords: the mesh alone (.k, .key)
   mfem,          ///< MFEM mesh v1.0 (.mfem)
+  polymesh,      ///< OpenFOAM's folder polyMesh, ASCII
   xdmf,          ///< XDMF 3, with its numbers in HDF5: .xdmf, _surfaces.xdmf and .h5
   vtkhdf,        ///< VTKHDF 1.0, an unstructured grid (.vtkhdf)
   tetgen,        ///< three files: .node, .ele and .face
@@ -42,7 +43,7 @@ enum class Format {
 /// The format that a file name's extension stands for.
 std::optional<Format> format_of(const std::filesystem::path& file);
 /// The format of a name: vtu, vtu-zlib, medit, meditb, msh, msh22, inp, feb,
-/// bdf, k, mfem, xdmf, vtkhdf, tetgen, vtp, stl, ply.
+/// bdf, k, mfem, polymesh, xdmf, vtkhdf, tetgen, vtp, stl, ply.
 std::optional<Format> format_named(std::string_view name);
 std::string_view name(Format format);
 /// All names, for sentences.
@@ -51,7 +52,8 @@ std::string format_names();
 std::string mesh_extensions();
 std::string surface_extensions();
 
-/// All files that are written for this one: more than one for TetGen and XDMF.
+/// All files that are written for this one: more than one for TetGen and XDMF, and for OpenFOAM those
+/// in the folder.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& file, Format format);
 
 /// Whether `vtu_zlib` was built in; without it compressed files cannot be read
