@@ -11,7 +11,7 @@ USAGE, BAD_INPUT, WRITE_FAILED = 2, 3, 6
 READABLE = {"vtu": "x.vtu", "vtu-zlib": "x.vtu", "medit": "x.mesh", "meditb": "x.meshb",
             "msh": "x.msh", "msh22": "x.msh"}
 WRITTEN = {"inp": "x.inp", "feb": "x.feb", "bdf": "x.bdf", "k": "x.k", "mfem": "x.mfem", "xdmf": "x.xdmf", "vtkhdf": "x.vtkhdf",
-           "tetgen": "x.node", "vtp": "x.vtp", "stl": "x.stl", "ply": "x.ply"}
+           "tetgen": "x.node", "polymesh": "polyMesh", "vtp": "x.vtp", "stl": "x.stl", "ply": "x.ply"}
 
 
 class Convert(ProgramTest):
