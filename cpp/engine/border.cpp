@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 namespace certet {
@@ -12,6 +13,9 @@ constexpr Frame lattice_frame{.size = 2};
 
 /// Of the corners' positions, in lattice units.
 constexpr double corner_rounding = 1e-9;
+
+constexpr Sides lower(std::size_t axis) { return static_cast<Sides>(1U << (2 * axis)); }
+constexpr Sides upper(std::size_t axis) { return static_cast<Sides>(2U << (2 * axis)); }
 
 }  // namespace
 
@@ -49,25 +53,52 @@ BorderBox BorderBox::seen_from(const Frame& other, const Frame& own) const {
   return box;
 }
 
-bool BorderBox::contains(Coord3 position) const {
+Sides BorderBox::sides_before(Coord3 position) const {
   const Point3 p = place_.world(position);
-  for (std::size_t a = 0; a < 3; ++a)
-    if (p[a] < low_[a] - rounding_ || p[a] > high_[a] + rounding_) return false;
-  return true;
+  Sides sides = 0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (p[a] < low_[a] - rounding_) sides |= lower(a);
+    if (p[a] > high_[a] + rounding_) sides |= upper(a);
+  }
+  return sides;
 }
 
-bool BorderBox::is_at_face(Coord3 position) const {
+Sides BorderBox::sides_at(Coord3 position) const {
   const double tolerance = 4.0 / steps * (place_.size / 2);
   const Point3 p = place_.world(position);
-  bool at_face = false;
+  Sides sides = 0;
   for (std::size_t a = 0; a < 3; ++a) {
     // Of several solids others may be where the plane of a face goes on; a point of this one
     // is moved by less than an edge.
-    if (p[a] < low_[a] - place_.size || p[a] > high_[a] + place_.size) return false;
-    at_face = at_face || std::abs(p[a] - low_[a]) <= tolerance ||
-              std::abs(p[a] - high_[a]) <= tolerance;
+    if (p[a] < low_[a] - place_.size || p[a] > high_[a] + place_.size) return 0;
+    if (std::abs(p[a] - low_[a]) <= tolerance) sides |= lower(a);
+    if (std::abs(p[a] - high_[a]) <= tolerance) sides |= upper(a);
   }
-  return at_face;
+  return sides;
+}
+
+std::array<std::uint8_t, side_count> BorderBox::world_sides(const Frame& frame) const {
+  // Of equal ways rounding does not choose.
+  constexpr double slack = 1e-9;
+  std::array<std::array<double, 3>, 3> along{};  // [w][a]: of axis a of the box, in the world
+  for (std::size_t w = 0; w < 3; ++w)
+    for (std::size_t a = 0; a < 3; ++a)
+      along[w][a] = std::inner_product(frame.axes[w].begin(), frame.axes[w].end(),
+                                       place_.axes[a].begin(), 0.0);
+  std::array<std::size_t, 3> way{0, 1, 2}, best = way;
+  double nearest = 0;
+  do {
+    double near = 0;
+    for (std::size_t a = 0; a < 3; ++a) near += std::abs(along[way[a]][a]);
+    if (near > nearest + slack) nearest = near, best = way;
+  } while (std::next_permutation(way.begin(), way.end()));
+  std::array<std::uint8_t, side_count> sides{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const bool turned = along[best[a]][a] < 0;
+    sides[2 * a] = static_cast<std::uint8_t>(2 * best[a] + (turned ? 1 : 0));
+    sides[2 * a + 1] = static_cast<std::uint8_t>(2 * best[a] + (turned ? 0 : 1));
+  }
+  return sides;
 }
 
 namespace core {
@@ -94,15 +125,45 @@ std::array<Coord3, 2> ends_of_middle(Coord3 middle) {
   return {Coord3{first[0], first[1], first[2]}, Coord3{second[0], second[1], second[2]}};
 }
 
-bool is_on_border(Coord3 point, std::span<const BorderBox> boxes, Cuts cuts) {
-  if (cuts == Cuts::bisect)
-    return std::ranges::any_of(boxes,
-                               [&](const BorderBox& box) { return box.is_at_face(point); });
+namespace {
+
+/// A cut in the middle of an edge is at the sides through which that leaves the box.
+Sides sides_of(Coord3 point, const BorderBox& box, Cuts cuts) {
+  if (cuts == Cuts::bisect) return box.sides_at(point);
   const auto [one, other] = ends_of_middle(point);
-  return std::ranges::any_of(boxes, [&, one = steps * one, other = steps * other](
-                                        const BorderBox& box) {
-    return box.contains(one) != box.contains(other);
-  });
+  const Sides before_one = box.sides_before(steps * one);
+  const Sides before_other = box.sides_before(steps * other);
+  return (before_one == 0) == (before_other == 0) ? Sides{0}
+                                                  : static_cast<Sides>(before_one | before_other);
+}
+
+}  // namespace
+
+bool is_on_border(Coord3 point, std::span<const BorderBox> boxes, Cuts cuts) {
+  return std::ranges::any_of(boxes,
+                             [&](const BorderBox& box) { return sides_of(point, box, cuts) != 0; });
+}
+
+BorderSides::BorderSides(std::span<const BorderBox> boxes, Cuts cuts, const Frame& frame)
+    : cuts_(cuts) {
+  for (const BorderBox& box : boxes) boxes_.push_back({box, box.world_sides(frame)});
+}
+
+Sides BorderSides::at(Coord3 point) const {
+  Sides found = 0;
+  for (const auto& [box, names] : boxes_) {
+    const Sides sides = sides_of(point, box, cuts_);
+    for (std::size_t side = 0; sides >> side != 0; ++side)
+      if ((sides >> side & 1) != 0) found |= static_cast<Sides>(1U << names[side]);
+  }
+  return found;
+}
+
+std::size_t side_of_face(const std::array<Sides, 3>& corners) {
+  std::array<int, side_count> votes{};
+  for (const Sides sides : corners)
+    for (std::size_t side = 0; side < side_count; ++side) votes[side] += sides >> side & 1;
+  return static_cast<std::size_t>(std::ranges::max_element(votes) - votes.begin());
 }
 
 }  // namespace core

@@ -239,7 +239,7 @@ Stuffing Stuffing::keep(const KeepRule& rule, Context& context) {
   });
 }
 
-bool Stuffing::has_border() const { return !state_->domain.border().empty(); }
+std::span<const BorderBox> Stuffing::border() const { return state_->domain.border(); }
 
 bool Stuffing::is_on_border(Coord3 point) const {
   return core::is_on_border(point, state_->domain.border(), facts(state_->method).cuts);

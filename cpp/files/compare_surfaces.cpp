@@ -28,7 +28,7 @@ std::string triangles(std::uint64_t count) {
 class Comparison {
  public:
   Comparison(const FileMesh& mesh, const Survey& survey)
-      : mesh_(mesh), survey_(survey),
+      : mesh_(mesh), survey_(survey), first_interface_(Sheets::first_interface(survey)),
         names_(formats::names_of_interfaces(survey, formats::NameRule::quoted)) {
     Sheets::for_each_face(survey, [this](const BoundaryFace& face, std::int32_t sheet) {
       known_.push_back({sorted(face.points), sheet});
@@ -63,7 +63,7 @@ class Comparison {
       if (sheet == nowhere)
         ++report.elsewhere;
       else
-        ++(sheet < Sheets::first_interface ? report.outer : report.between);
+        ++(sheet < first_interface_ ? report.outer : report.between);
     }
     found_.surfaces.push_back(std::move(report));
   }
@@ -76,7 +76,7 @@ class Comparison {
   [[nodiscard]] std::size_t interface_of(const FileSurface& surface) const {
     if (has_names())
       return static_cast<std::size_t>(std::ranges::find(names_, surface.name) - names_.begin());
-    const std::int64_t place = surface.number - Sheets::first_interface;
+    const std::int64_t place = surface.number - first_interface_;
     return place < 0 || !std::in_range<std::int32_t>(surface.number)
                ? names_.size()
                : std::min(static_cast<std::size_t>(place), names_.size());
@@ -113,7 +113,7 @@ class Comparison {
 
   void compare(const FileSurface& surface, std::size_t place, SurfaceReport& report) {
     const Interface& interface = survey_.interfaces[place];
-    const std::int32_t sheet = Sheets::first_interface + static_cast<std::int32_t>(place);
+    const std::int32_t sheet = first_interface_ + static_cast<std::int32_t>(place);
     std::vector<Triangle> right;
     for (const Triangle& face : surface.faces)
       if (sheet_of(face) == sheet) right.push_back(sorted(face));
@@ -144,6 +144,7 @@ class Comparison {
 
   const FileMesh& mesh_;
   const Survey& survey_;
+  std::int32_t first_interface_;    ///< the number of its sheet
   std::vector<std::string> names_;  ///< of the interfaces
   std::vector<Known> known_;        ///< the faces of all sheets, by their points
   SurfaceComparison found_;

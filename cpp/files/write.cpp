@@ -1,8 +1,11 @@
 // A mesh in memory, to a file.
 
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -77,6 +80,40 @@ std::vector<std::string> write_nodes(const Mesh& mesh, std::shared_ptr<const Mid
         return losses_of(format, size);
       },
       mesh.tets);
+}
+
+/// Takes away the names of patches that have no faces.
+void drop_empty_patches(Survey& survey) {
+  std::vector<std::uint16_t> numbers(patch_names.size() + survey.named_patches.size());
+  for (const BoundaryFace& face : survey.boundary) numbers[static_cast<std::size_t>(face.patch)] = 1;
+  std::vector<std::string> names;
+  for (std::size_t i = patch_names.size(); i < numbers.size(); ++i) {
+    if (numbers[i] == 0) continue;
+    numbers[i] = static_cast<std::uint16_t>(patch_names.size() + names.size());
+    names.push_back(std::move(survey.named_patches[i - patch_names.size()]));
+  }
+  for (BoundaryFace& face : survey.boundary)
+    if (static_cast<std::size_t>(face.patch) >= patch_names.size())
+      face.patch = static_cast<Patch>(numbers[static_cast<std::size_t>(face.patch)]);
+  survey.named_patches = std::move(names);
+}
+
+/// By their names; of a surface that is nowhere on the boundary nothing is left.
+void set_patches(Survey& survey, const FileMesh& mesh) {
+  constexpr std::size_t most = std::numeric_limits<std::uint16_t>::max();
+  std::map<std::string_view, std::size_t> numbers;
+  for (std::size_t i = 0; i < patch_names.size(); ++i) numbers.emplace(patch_names[i], i);
+  std::vector<PatchFace> faces;
+  for (const auto& points : mesh.border) faces.push_back({points, Patch::border});
+  for (const FileSurface& patch : mesh.patches) {
+    const auto [known, is_new] = numbers.emplace(patch.name, numbers.size());
+    if (known->second > most) break;
+    if (is_new) survey.named_patches.push_back(patch.name);
+    for (const auto& points : patch.faces)
+      faces.push_back({points, static_cast<Patch>(known->second)});
+  }
+  certet::set_patches(survey, std::move(faces));
+  drop_empty_patches(survey);
 }
 
 }  // namespace
@@ -162,7 +199,7 @@ FileMiddleNodes file_middle_nodes(const FileMesh& mesh, const std::filesystem::p
 Survey survey(const FileMesh& mesh, Context& context) {
   Survey found = survey(mesh.points.size(), std::span<const Tet<std::uint64_t>>(mesh.tets),
                         mesh.labels, context);
-  set_border(found, mesh.border);
+  set_patches(found, mesh);
   name_regions(found, mesh.names);
   return found;
 }

@@ -138,10 +138,10 @@ void put_on_border(Survey& survey, std::span<const DoubtfulFace> faces) {
     for (const BoundaryFace& face : interface.faces)
       between.insert(between.end(), face.points.begin(), face.points.end());
   std::ranges::sort(between);
-  std::vector<std::array<std::uint64_t, 3>> found;
-  for (const auto& [points, third] : faces)
-    if (std::ranges::binary_search(between, third)) found.push_back(points);
-  set_border(survey, std::move(found));
+  std::vector<PatchFace> found;
+  for (const auto& [points, third, patch] : faces)
+    if (std::ranges::binary_search(between, third)) found.push_back({points, patch});
+  set_patches(survey, std::move(found));
 }
 
 std::vector<Interface> interfaces_of(std::vector<InnerFace> faces) {
@@ -199,13 +199,16 @@ std::uint64_t face_count(const Survey& survey) {
   return faces;
 }
 
-void set_border(Survey& survey, std::vector<std::array<std::uint64_t, 3>> faces) {
-  for (auto& face : faces) std::ranges::sort(face);
-  std::ranges::sort(faces);
+void set_patches(Survey& survey, std::vector<PatchFace> faces) {
+  for (PatchFace& face : faces) std::ranges::sort(face.points);
+  std::ranges::stable_sort(faces, {}, &PatchFace::points);
   for (BoundaryFace& face : survey.boundary) {
     std::array<std::uint64_t, 3> points = face.points;
     std::ranges::sort(points);
-    if (std::ranges::binary_search(faces, points)) face.patch = Patch::border;
+    const auto found = std::ranges::lower_bound(faces, points, {}, &PatchFace::points);
+    if (found == faces.end() || found->points != points) continue;
+    face.patch = found->patch;
+    face.is_cut_off = is_border(face.patch);
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "certet/quality.hpp"
 #include "certet/survey.hpp"
+#include "engine/border.hpp"
 
 namespace certet::core {
 
@@ -22,7 +23,7 @@ template <class Index>
 BoundaryFace face_of(const Tet<Index>& tet, std::uint64_t number, std::uint8_t opposite,
                      std::int32_t label = only_label) {
   const auto [a, b, c] = outward_faces[opposite];
-  BoundaryFace face{{tet[a], tet[b], tet[c]}, number, opposite, Patch::surface, label};
+  BoundaryFace face{{tet[a], tet[b], tet[c]}, number, opposite, false, Patch::surface, label};
   std::rotate(face.points.begin(), std::ranges::min_element(face.points), face.points.end());
   return face;
 }
@@ -45,21 +46,26 @@ void keep_single_faces(std::vector<BoundaryFace>& faces, std::vector<InnerFace>&
 struct DoubtfulFace {
   std::array<std::uint64_t, 3> points;
   std::uint64_t third;  ///< its other point
+  Patch patch;          ///< where it belongs if it is on the border
 };
 
-/// Puts faces of the boundary into the patch `border`: those of which `is_on_border` tells
-/// it of three points.  \returns those of which it does of two.
-template <class IsOnBorder>
-std::vector<DoubtfulFace> put_on_border(std::span<BoundaryFace> faces,
-                                        const IsOnBorder& is_on_border) {
+/// Puts faces of the boundary into the patches of sides: those of which `sides_at` tells some
+/// of three points.  \returns those of which it does of two.
+template <class SidesAt>
+std::vector<DoubtfulFace> put_on_border(std::span<BoundaryFace> faces, const SidesAt& sides_at) {
   std::vector<DoubtfulFace> doubtful;
   for (BoundaryFace& face : faces) {
+    std::array<Sides, 3> sides{};
     std::size_t count = 0;
     std::uint64_t third = 0;
-    for (const std::uint64_t point : face.points)
-      is_on_border(point) ? static_cast<void>(++count) : static_cast<void>(third = point);
-    if (count == 3) face.patch = Patch::border;
-    if (count == 2) doubtful.push_back({face.points, third});
+    for (std::size_t i = 0; i < 3; ++i) {
+      sides[i] = sides_at(face.points[i]);
+      sides[i] != 0 ? static_cast<void>(++count) : static_cast<void>(third = face.points[i]);
+    }
+    if (count < 2) continue;
+    const auto patch = static_cast<Patch>(static_cast<std::size_t>(Patch::xmin) + side_of_face(sides));
+    if (count == 3) face.patch = patch, face.is_cut_off = true;
+    if (count == 2) doubtful.push_back({face.points, third, patch});
   }
   return doubtful;
 }

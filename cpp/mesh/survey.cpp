@@ -8,6 +8,7 @@
 
 #include "certet/buffer.hpp"
 #include "certet/error.hpp"
+#include "certet/patches.hpp"
 #include "engine/border.hpp"
 #include "engine/emit.hpp"
 #include "engine/parallel.hpp"
@@ -30,7 +31,7 @@ struct LayerFindings {
 template <class Index>
 class LayerSurvey {
  public:
-  LayerSurvey(const Stuffing& stuffing, std::int32_t layer);
+  LayerSurvey(const Stuffing& stuffing, const core::BorderSides& border, std::int32_t layer);
 
   /// The materials of the layer go to `runs`, where there are labels.
   LayerFindings find(MaterialRuns& runs);
@@ -44,6 +45,7 @@ class LayerSurvey {
   }
 
   const Stuffing& stuffing_;
+  const core::BorderSides& border_;
   std::int32_t layer_;
   core::OneThread context_;
   std::uint64_t first_point_, first_tet_;
@@ -54,16 +56,17 @@ class LayerSurvey {
 };
 
 template <class Index>
-LayerSurvey<Index>::LayerSurvey(const Stuffing& stuffing, std::int32_t layer)
-    : stuffing_(stuffing), layer_(layer), first_point_(stuffing.first_point(layer)),
-      first_tet_(stuffing.first_tet(layer)),
+LayerSurvey<Index>::LayerSurvey(const Stuffing& stuffing, const core::BorderSides& border,
+                                std::int32_t layer)
+    : stuffing_(stuffing), border_(border), layer_(layer),
+      first_point_(stuffing.first_point(layer)), first_tet_(stuffing.first_tet(layer)),
       tets_(stuffing.first_tet(layer + 1) - first_tet_) {
   const std::int32_t behind = std::min(layer + 2, stuffing.layers());
   const std::uint64_t points = stuffing.first_point(behind) - first_point_;
   stuffing.emit_tets(layer, layer + 1, std::span<Tet<Index>>(tets_), context_);
   on_surface_ = Buffer<std::uint8_t>(points);
   stuffing.mark_surface(layer, behind, on_surface_, context_);
-  if (stuffing.labels().empty() && !stuffing.has_border()) return;
+  if (stuffing.labels().empty() && border_.empty()) return;
   points_ = Buffer<Coord3>(points);
   stuffing.emit_points(layer, behind, points_, context_);
 }
@@ -76,7 +79,7 @@ LayerFindings LayerSurvey<Index>::find(MaterialRuns& runs) {
   else if (!tets_.empty())
     found.counts.add(only_label, tets_.size());
   find_faces(found);
-  if (stuffing_.has_border()) find_patches(found);
+  if (!border_.empty()) find_patches(found);
   return found;
 }
 
@@ -101,7 +104,7 @@ void LayerSurvey<Index>::find_faces(LayerFindings& found) const {
 template <class Index>
 void LayerSurvey<Index>::find_patches(LayerFindings& found) const {
   found.doubtful = core::put_on_border(found.faces, [&](std::uint64_t point) {
-    return stuffing_.is_on_border(points_[point - first_point_]);
+    return border_.at(points_[point - first_point_]);
   });
   if (!stuffing_.has_interfaces()) found.doubtful.clear();
 }
@@ -121,12 +124,13 @@ void LayerSurvey<Index>::find_materials(MaterialRuns& runs, RegionCounts& counts
 }
 
 template <class Index>
-Survey survey_layers(const Stuffing& stuffing, Context& context) {
+Survey survey_layers(const Stuffing& stuffing, Context& context, const Frame& frame) {
   std::vector<LayerFindings> layers(static_cast<std::size_t>(stuffing.layers()));
   MaterialRuns runs(stuffing.labels().empty() ? 0 : stuffing.layers());
+  const core::BorderSides border(stuffing.border(), facts(stuffing.method()).cuts, frame);
   core::parallel_for(context, Stage::emit, stuffing.layers(), [&](std::int64_t layer) {
     layers[static_cast<std::size_t>(layer)] =
-        LayerSurvey<Index>(stuffing, static_cast<std::int32_t>(layer)).find(runs);
+        LayerSurvey<Index>(stuffing, border, static_cast<std::int32_t>(layer)).find(runs);
   });
   Survey survey;
   RegionCounts counts;
@@ -151,11 +155,11 @@ Survey survey_layers(const Stuffing& stuffing, Context& context) {
 
 }  // namespace
 
-Survey survey(const Stuffing& stuffing, Context& context) {
+Survey survey(const Stuffing& stuffing, Context& context, const Frame& frame) {
   try {
     return stuffing.point_count() <= std::numeric_limits<std::uint32_t>::max()
-               ? survey_layers<std::uint32_t>(stuffing, context)
-               : survey_layers<std::uint64_t>(stuffing, context);
+               ? survey_layers<std::uint32_t>(stuffing, context, frame)
+               : survey_layers<std::uint64_t>(stuffing, context, frame);
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::too_large, "out of memory while looking for the mesh's boundary");
   }
@@ -169,11 +173,15 @@ Survey survey(const Mesh& mesh, Context& context) {
       mesh.tets);
   name_regions(found, mesh.names);
   if (!facts(mesh.method).interfaces) found.interfaces.clear();
-  const Cuts cuts = facts(mesh.method).cuts;
+  const core::BorderSides border(mesh.border, facts(mesh.method).cuts, mesh.frame);
   const auto doubtful = core::put_on_border(found.boundary, [&](std::uint64_t point) {
-    return core::is_on_border(mesh.points[static_cast<std::size_t>(point)], mesh.border, cuts);
+    return border.at(mesh.points[static_cast<std::size_t>(point)]);
   });
   core::put_on_border(found, doubtful);
+  const auto place = [&](std::uint64_t point) {
+    return mesh.frame.world(mesh.points[static_cast<std::size_t>(point)]);
+  };
+  name_patches(found, mesh.patches, mesh.frame.size, place);
   return found;
 }
 

@@ -23,6 +23,7 @@
 #include "files.hpp"
 #include "images.hpp"
 #include "interfaces.hpp"
+#include "patches.hpp"
 #include "pickling.hpp"
 #include "pieces.hpp"
 #include "python_mesh.hpp"
@@ -291,6 +292,7 @@ PYBIND11_MODULE(_certet, module) {
       .def("quality", quality_of);
   declare_files(module);
   declare_interfaces(module);
+  declare_patches(module);
   declare_pieces(module);
   declare_solids(module);
   declare_distance(module);

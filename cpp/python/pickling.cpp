@@ -22,7 +22,7 @@ namespace py = pybind11;
 
 /// To be changed with what a state holds.
 std::string mark() {
-  return std::string("3 ") + (std::endian::native == std::endian::little ? "little" : "big");
+  return std::string("4 ") + (std::endian::native == std::endian::little ? "little" : "big");
 }
 
 [[noreturn]] void refuse() {
@@ -49,6 +49,22 @@ py::tuple checked(const py::tuple& state, std::size_t size) {
   if (state.size() != size || !py::isinstance<py::str>(state[0]) ||
       state[0].cast<std::string>() != mark())
     refuse();
+  return state;
+}
+
+/// Names of patches, and where they are.
+using Words = std::vector<std::pair<std::string, std::string>>;
+
+Words state_of(const std::vector<PatchChoice>& patches) {
+  Words words;
+  for (const PatchChoice& patch : patches) words.emplace_back(patch.name, text_of(patch.where));
+  return words;
+}
+
+py::list state_of(const std::vector<FileSurface>& patches) {
+  py::list state;
+  for (const FileSurface& patch : patches)
+    state.append(py::make_tuple(patch.name, bytes_of(patch.faces)));
   return state;
 }
 
@@ -120,11 +136,11 @@ py::tuple state_of(const PythonMesh& all) {
       std::visit([](const auto& tets) { return bytes_of(tets); }, mesh.tets), bytes_of(mesh.labels),
       mesh.frame.origin, mesh.frame.axes, mesh.frame.size, mesh.names, bytes_of(border),
       std::string(name(mesh.method)), all.notes, all.warnings,
-      state_of_middles(all.middles), state_of_figures(all.optimised));
+      state_of_middles(all.middles), state_of_figures(all.optimised), state_of(mesh.patches));
 }
 
 std::shared_ptr<PythonMesh> mesh_of_state(const py::tuple& pickled) {
-  const py::tuple state = checked(pickled, 15);
+  const py::tuple state = checked(pickled, 16);
   auto all = std::make_shared<PythonMesh>();
   Mesh& mesh = all->mesh;
   mesh.points = values_of<Buffer<Coord3>>(state[1]);
@@ -146,17 +162,20 @@ std::shared_ptr<PythonMesh> mesh_of_state(const py::tuple& pickled) {
   all->world = world_points(mesh);
   all->middles = middles_of_state(mesh, state[13]);
   all->optimised = figures_of_state(state[14]);
+  for (const auto& [patch, where] : state[15].cast<Words>())
+    mesh.patches.push_back(patch_choice(patch, where));
   return all;
 }
 
 py::tuple state_of(const FileMesh& mesh) {
   return py::make_tuple(mark(), bytes_of(mesh.points), bytes_of(mesh.tets), bytes_of(mesh.labels),
                         mesh.names, mesh.space, bytes_of(mesh.border),
-                        bytes_of(mesh.middle_points), bytes_of(mesh.middles));
+                        bytes_of(mesh.middle_points), bytes_of(mesh.middles),
+                        state_of(mesh.patches));
 }
 
 std::shared_ptr<FileMesh> file_mesh_of_state(const py::tuple& pickled) {
-  const py::tuple state = checked(pickled, 9);
+  const py::tuple state = checked(pickled, 10);
   auto mesh = std::make_shared<FileMesh>();
   mesh->points = values_of<std::vector<Point3>>(state[1]);
   mesh->tets = values_of<std::vector<Tet<std::uint64_t>>>(state[2]);
@@ -166,6 +185,11 @@ std::shared_ptr<FileMesh> file_mesh_of_state(const py::tuple& pickled) {
   mesh->border = values_of<std::vector<std::array<std::uint64_t, 3>>>(state[6]);
   mesh->middle_points = values_of<std::vector<Point3>>(state[7]);
   mesh->middles = values_of<std::vector<std::array<std::uint64_t, 6>>>(state[8]);
+  for (const py::handle& patch : state[9].cast<py::list>()) {
+    const auto parts = patch.cast<py::tuple>();
+    mesh->patches.push_back({0, parts[0].cast<std::string>(),
+                             values_of<std::vector<std::array<std::uint64_t, 3>>>(parts[1])});
+  }
   if (!mesh->labels.empty() && mesh->labels.size() != mesh->tets.size()) refuse();
   if (!mesh->middles.empty() && mesh->middles.size() != mesh->tets.size()) refuse();
   return mesh;

@@ -11,7 +11,7 @@ USAGE, BAD_INPUT, WRITE_FAILED = 2, 3, 6
 READABLE = {"vtu": "x.vtu", "vtu-zlib": "x.vtu", "medit": "x.mesh", "meditb": "x.meshb",
             "msh": "x.msh", "msh22": "x.msh"}
 WRITTEN = {"inp": "x.inp", "feb": "x.feb", "bdf": "x.bdf", "k": "x.k", "mfem": "x.mfem", "xdmf": "x.xdmf", "vtkhdf": "x.vtkhdf",
-           "tetgen": "x.node", "vtp": "x.vtp", "stl": "x.stl", "ply": "x.ply"}
+           "tetgen": "x.node", "polymesh": "polyMesh", "vtp": "x.vtp", "stl": "x.stl", "ply": "x.ply"}
 
 
 class Convert(ProgramTest):
@@ -75,7 +75,7 @@ class Convert(ProgramTest):
         text = (self.folder / "d.mesh").read_text()
         rows = text[text.index("Triangles"):].split("\n")[2:-1]
         patches = {row.split()[-1] for row in rows if len(row.split()) == 4}
-        self.assertEqual(patches, {"1", "2"})
+        self.assertEqual(patches, {"1", "3"})  # xmin
 
     def test_other_numbers_are_no_patches(self):
         self.mesh("--expr", "x^2+y^2+z^2-1", "--bounds", "-0.7,-2,-2,2,2,2", "--size", "0.3",
@@ -84,9 +84,10 @@ class Convert(ProgramTest):
         at = text.index("Triangles")
         first = text[at:].split("\n")[2]
         (self.folder / "e.mesh").write_text(
-            text[:at] + text[at:].replace(first, first[:-1] + "7", 1))
-        self.convert("e.mesh", "e.inp")
-        self.assertNotIn("border", (self.folder / "e.inp").read_text())
+            text[:at] + text[at:].replace(first, first[:-1] + "8", 1))
+        self.convert("e.mesh", "e.inp")  # the first triangle does not look upwards
+        for name in ("border", "xmin", "zmax"):
+            self.assertNotIn(name, (self.folder / "e.inp").read_text())
 
     def test_names_are_kept(self):
         (self.folder / "names.txt").write_text("1 Liver\n2 Spleen\n3 Gut\n")

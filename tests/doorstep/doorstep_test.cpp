@@ -26,7 +26,7 @@ using Folder = test::ScratchFolder;
 constexpr Format formats[] = {Format::vtu,    Format::vtu_zlib, Format::medit, Format::medit_binary,
                               Format::gmsh,   Format::gmsh22,   Format::abaqus, Format::febio,
                               Format::nastran, Format::dyna,   Format::mfem, Format::xdmf, Format::vtkhdf,
-                              Format::tetgen, Format::stl,      Format::ply};
+                              Format::tetgen, Format::polymesh, Format::stl, Format::ply};
 
 std::string bytes_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -66,7 +66,7 @@ void write_by_slabs(const PlacedDomain& domain, Method method, const fs::path& f
   Context context;
   const Stuffing stuffing(domain, domain.lattice(), method, context);
   MeshSize size{stuffing.point_count(), stuffing.tet_count(), !stuffing.labels().empty()};
-  auto found = std::make_shared<Survey>(survey(stuffing, context));
+  auto found = std::make_shared<Survey>(survey(stuffing, context, domain.frame()));
   name_regions(*found, domain.names());
   if (needs_survey(format)) size.survey = found;
   const auto writer = open_writer(file, format, size);
@@ -81,7 +81,8 @@ void expect_the_same_files(const PlacedDomain& domain, Method method) {
   for (const Format format : formats) {
     if (format == Format::vtu_zlib && !can_compress()) continue;
     // Of one name, for some files say the names of those beside them.
-    const fs::path ours = folder / "ours" / "a.node", theirs = folder / "theirs" / "a.node";
+    const char* const called = format == Format::polymesh ? "polyMesh" : "a.node";
+    const fs::path ours = folder / "ours" / called, theirs = folder / "theirs" / called;
     fs::create_directories(ours.parent_path());
     fs::create_directories(theirs.parent_path());
     write(made, ours, format, context);

@@ -22,6 +22,11 @@ from readers import (arrays_of, gmsh, h5py, meshio, open_in_gmsh, read_by_vtk,  
                      vtkXMLUnstructuredGridReader)
 
 SIZE = (9, 8, 7)
+# By their numbers: the patches, of which `border` and two sides have no triangles, and interfaces.
+SHEETS = {1: "surface", 4: "xmax", 5: "ymin", 6: "ymax", 7: "zmin",
+          9: "Left <lobe> & more-Left-lobe", 10: "Left <lobe> & more-left?lobe",
+          11: "Left-lobe-left?lobe"}
+FIRST_SIDE, FIRST_INTERFACE = 3, 9
 FACES = ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1))
 
 
@@ -100,7 +105,7 @@ def differences(truth, read, exact=True):
 def boundary_differences(truth, read):
     found = []
     if read.patches is not None:
-        inner = np.asarray(read.patches) > 2
+        inner = np.asarray(read.patches) >= FIRST_INTERFACE
         if not np.array_equal(interfaces_of(truth.tets, truth.labels),
                               rotated(read.triangles[inner])):
             found.append("other interfaces")
@@ -123,13 +128,16 @@ def patch_differences(read, interfaces):
     """The bricks end at the faces of the voxels of the border; where two of them meet
     there, the boundary has a point between them."""
     low, high = np.full(3, -0.5), np.asarray(SIZE) - 0.5
-    near = (np.abs(read.points - low) < 1e-3) | (np.abs(read.points - high) < 1e-3)
+    near = np.abs(np.stack([read.points - low, read.points - high], 2)).reshape(-1, 6) < 1e-3
+    # A face belongs to the side that most of its corners are at, of several to the first.
+    side = FIRST_SIDE + near[read.triangles].sum(axis=1).argmax(axis=1)
     near = near.any(axis=1)
     between = np.zeros(len(near), bool)
     between[interfaces.ravel()] = True
     at_border = ((near | between)[read.triangles].all(axis=1)
                  & (near[read.triangles].sum(axis=1) >= 2))
-    return [] if np.array_equal(read.patches == 2, at_border) else ["other patches"]
+    expected = np.where(at_border, side, 1)
+    return [] if np.array_equal(read.patches, expected) else ["other patches"]
 
 
 def blocks(mesh, kind, data):
@@ -190,7 +198,7 @@ class Readback(ProgramTest):
                 read.points, read.tets, read.labels, turned, patches)), [])
         if read.patches is not None:
             patches = read.patches.copy()
-            patches[11] = 3 - patches[11]
+            patches[11] = 4 if patches[11] != 4 else 5
             self.assertNotEqual(boundary_differences(truth, Mesh(
                 read.points, read.tets, read.labels, read.triangles, patches)), [])
 
@@ -216,10 +224,8 @@ class Meshio(Readback):
         mesh, read = self.read("a.msh", "gmsh:physical", "--label-names", "names.txt")
         self.assert_same(self.truth.by_region(), read)
         self.assertEqual({name: tuple(tag) for name, tag in mesh.field_data.items()}, {
-            "surface": (1, 2), "border": (2, 2), "Left <lobe> & more": (3, 3),
-            "Left-lobe": (7, 3), "left?lobe": (12, 3),
-            "Left <lobe> & more-Left-lobe": (3, 2), "Left <lobe> & more-left?lobe": (4, 2),
-            "Left-lobe-left?lobe": (5, 2)})
+            "Left <lobe> & more": (3, 3), "Left-lobe": (7, 3), "left?lobe": (12, 3),
+            **{name: (number, 2) for number, name in SHEETS.items()}})
 
     def test_gmsh_22(self):
         mesh, read = self.read("a.msh", "gmsh:physical", "--format", "msh22",
@@ -247,10 +253,11 @@ class Meshio(Readback):
             words = [w.strip() for w in line.split(",")]
             if line.startswith("*"):
                 kind = words[0]
-                patch = {"NAME=surface": 1, "NAME=border": 2,
-                         "NAME=Left__lobe____more_Left_lobe": 3,
-                         "NAME=Left__lobe____more_left_lobe_2": 4,
-                         "NAME=Left_lobe_left_lobe": 5}.get(words[-1], 0)
+                patch = {"NAME=Left__lobe____more_Left_lobe": 9,
+                         "NAME=Left__lobe____more_left_lobe_2": 10,
+                         "NAME=Left_lobe_left_lobe": 11,
+                         **{"NAME=" + name: number for number, name in SHEETS.items()}}.get(
+                             words[-1], 0)
             elif kind == "*ELEMENT":
                 tets[int(words[0])] = [int(w) - 1 for w in words[1:]]
             elif kind == "*SURFACE":
@@ -321,7 +328,7 @@ class Gmsh(Readback):
     def test_41(self):
         read = self.read("a.msh", "--label-names", "names.txt")
         self.assert_same(self.truth, read)
-        self.assertEqual(gmsh.model.getPhysicalName(2, 2), "border")
+        self.assertEqual(gmsh.model.getPhysicalName(2, 4), "xmax")
         self.assertEqual(gmsh.model.getPhysicalName(3, 7), "Left-lobe")
 
     def test_22(self):
@@ -354,20 +361,19 @@ class Vtk(Readback):
         sheet, label, behind = (vtk_to_numpy(data.GetCellData().GetArray(name))
                                 for name in ("surface", "label", "behind"))
         names = data.GetFieldData().GetAbstractArray("surface_names")
-        self.assertEqual([names.GetValue(n) for n in range(names.GetNumberOfValues())], [
-            "surface", "border", "Left <lobe> & more-Left-lobe",
-            "Left <lobe> & more-left?lobe", "Left-lobe-left?lobe"])
+        self.assertEqual([names.GetValue(n) for n in range(names.GetNumberOfValues())],
+                         list(SHEETS.values()))
         # Its points are those of the mesh that surfaces have, in their order.
         number = {tuple(p): n for n, p in enumerate(self.truth.points.tolist())}
         places = np.array([number[tuple(p)] for p in points.tolist()])
         self.assertTrue((np.diff(places) > 0).all())
         triangles = places[triangles]
-        self.assertTrue(np.array_equal(rotated(triangles[sheet <= 2]),
-                                       boundary_of(self.truth.tets)))
+        outer = sheet < FIRST_INTERFACE
+        self.assertTrue(np.array_equal(rotated(triangles[outer]), boundary_of(self.truth.tets)))
         self.assertTrue(np.array_equal(
-            rotated(triangles[sheet > 2]), interfaces_of(self.truth.tets, self.truth.labels)))
-        self.assertTrue((behind[sheet <= 2] == 0).all())
-        pairs = {3: (3, 7), 4: (3, 12), 5: (7, 12)}
+            rotated(triangles[~outer]), interfaces_of(self.truth.tets, self.truth.labels)))
+        self.assertTrue((behind[outer] == 0).all())
+        pairs = {9: (3, 7), 10: (3, 12), 11: (7, 12)}
         for n, (lesser, greater) in pairs.items():
             self.assertEqual(set(zip(label[sheet == n], behind[sheet == n])), {(lesser, greater)})
 
@@ -389,10 +395,8 @@ class Febio(Readback):
         rows = np.array(sorted(rows))
         self.assertEqual(rows[:, 0].tolist(), list(range(1, len(rows) + 1)))
         triangles, patches = [], []
-        sheets = ["surface", "border", "Left <lobe> & more-Left-lobe",
-                  "Left <lobe> & more-left?lobe", "Left-lobe-left?lobe"]
-        self.assertEqual([s.get("name") for s in mesh.findall("Surface")], sheets)
-        for patch, name in enumerate(sheets, start=1):
+        self.assertEqual([s.get("name") for s in mesh.findall("Surface")], list(SHEETS.values()))
+        for patch, name in SHEETS.items():
             (surface,) = (s for s in mesh.findall("Surface") if s.get("name") == name)
             triangles += [numbers(e) for e in surface]
             patches += [patch] * len(surface)
@@ -431,8 +435,8 @@ class Xdmf(Readback):
         self.assert_same(self.truth, Mesh(points, tets, labels, triangles, patches))
         self.assertEqual(names, ["SPACE=LPS", "label 3 is Left &lt;lobe&gt; &amp; more",
                                  "label 7 is Left-lobe", "label 12 is left?lobe"])
-        self.assertEqual(sheets[1], "surface 2 is border")
-        self.assertEqual(sheets[3], "surface 4 is Left &lt;lobe&gt; &amp; more-left?lobe")
+        self.assertEqual(sheets[1], "surface 4 is xmax")
+        self.assertEqual(sheets[6], "surface 10 is Left &lt;lobe&gt; &amp; more-left?lobe")
         self.assertEqual([f for f in self.files() if f.startswith("a")],
                          ["a.h5", "a.nrrd", "a.xdmf", "a_surfaces.xdmf"])
 
@@ -458,8 +462,6 @@ class Xdmf(Readback):
 class Solvers(Readback):
     """Nastran's file is read by meshio and Gmsh too; nobody in reach reads the others."""
 
-    SHEETS = ("surface", "border", "Left <lobe> & more-Left-lobe",
-              "Left <lobe> & more-left?lobe", "Left-lobe-left?lobe")
     REGIONS = {3: "Left <lobe> & more", 7: "Left-lobe", 12: "left?lobe"}
 
     def fields(self, line, width):
@@ -473,7 +475,7 @@ class Solvers(Readback):
         """By the faces of TetGen's file."""
         rows = np.loadtxt(self.make("a.face"), skiprows=1, dtype=np.int64)
         return {name: sorted({int(p) for p in rows[rows[:, 4] == number, 1:4].ravel()})
-                for number, name in enumerate(self.SHEETS, start=1)}
+                for number, name in SHEETS.items()}
 
     def nastran(self, lines):
         """Points, elements by number, sets of points by name, properties by name."""
@@ -576,7 +578,7 @@ class Solvers(Readback):
                 a, b, c, again = (int(f) - 1 for f in self.fields(line, 10))
                 self.assertEqual(c, again)
                 triangles.append((a, b, c))
-                patches.append(self.SHEETS.index(block[0]) + 1)
+                patches.append({name: number for number, name in SHEETS.items()}[block[0]])
         self.assert_same(self.truth, Mesh(points, rows[:, 2:6] - 1, rows[:, 1], triangles,
                                           patches), exact=False)
 
@@ -584,7 +586,7 @@ class Solvers(Readback):
         lines = self.text("a.mfem")
         self.assertEqual(lines[0], "MFEM mesh v1.0")
         told = [line for line in lines if line.startswith("#")]
-        for number, name in enumerate(self.SHEETS, start=1):
+        for number, name in SHEETS.items():
             self.assertIn(f"# boundary attribute {number} is {name}", told)
         for number, name in self.REGIONS.items():
             self.assertIn(f"# attribute {number} is {name}", told)
@@ -635,11 +637,11 @@ class Patches(Readback):
         self.make("m.node", "--cuts", "midpoint", "--smooth", "0")
         points = np.loadtxt(self.folder / "m.node", skiprows=1)[:, 1:4]
         rows = np.loadtxt(self.folder / "m.face", skiprows=1, dtype=np.int64)
-        rows = rows[rows[:, 4] <= 2]  # without interfaces
+        rows = rows[rows[:, 4] < FIRST_INTERFACE]
         low, high = np.full(3, -0.5), np.asarray(SIZE) - 0.5
         near = (np.abs(points - low) < 0.26) | (np.abs(points - high) < 0.26)
         at_border = near.any(axis=1)[rows[:, 1:4] - 1].all(axis=1)
-        border = rows[:, 4] == 2
+        border = rows[:, 4] >= FIRST_SIDE
         self.assertTrue(border.any() and not border.all())
         self.assertFalse((border & ~at_border).any())
         # A cut in the middle of an edge towards label 0 can be as near.
@@ -654,7 +656,7 @@ class Patches(Readback):
         rows = np.loadtxt(self.folder / "h.face", skiprows=1, dtype=np.int64)
         flat = (np.abs(points[:, 2]) < 1e-4)[rows[:, 1:4] - 1].all(axis=1)
         self.assertTrue(flat.any())
-        self.assertTrue(np.array_equal(rows[:, 4] == 2, flat))
+        self.assertTrue(np.array_equal(rows[:, 4] == 7, flat))  # zmin
         labels = np.loadtxt(self.folder / "h.ele", skiprows=1, dtype=np.int64)[:, 5]
         self.assertEqual(set(labels), {1})
 

@@ -20,7 +20,8 @@ namespace {
 
 constexpr const char* convert_notes = R"(
 Labels are kept, and their names and the patches of the boundary where the formats
-have them (.vtu has neither); the boundary is found anew, and so are the interfaces, where
+have them (.vtu has neither; .mesh and .meshb have numbers, of which those of sides are known, and
+other patches are called patch_9, patch_10, ...); the boundary is found anew, and so are the interfaces, where
 two labels touch, which go out beside it.  Groups of .msh have positive numbers: other labels
 have the next that are free there, which a warning tells, and a comment in the file, by which
 they are read back.
@@ -103,8 +104,8 @@ void check_files(const ConvertOptions& options, Format format) {
     if (json_file && same_file(file, options.run.json))
       throw Error(ErrorCode::bad_option,
                   "output and --json are the same file '" + file.string() + "'");
-    check_output(file);
   }
+  check_mesh_output(options.output, format);
   if (!json_file) return;
   if (same_file(options.input, options.run.json))
     throw Error(ErrorCode::bad_option,

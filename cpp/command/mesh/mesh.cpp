@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <iterator>
 #include <optional>
@@ -19,6 +20,7 @@
 #include "mesh_report.hpp"
 #include "output_place.hpp"
 #include "outputs.hpp"
+#include "patch_options.hpp"
 #include "progress.hpp"
 #include "regions.hpp"
 #include "source.hpp"
@@ -62,13 +64,30 @@ void check_written(const MeshReport& report) {
   }
 }
 
+/// Names those patches of the boundary that are to have names, and tells how large all are, unless
+/// there is but the surface.
+void look_at_patches(const MeshOptions& options, const Counted& counted, const Mesh* moved,
+                     Survey& found, Context& context, MeshReport& report) {
+  const auto is_surface = [](const BoundaryFace& face) { return face.patch == Patch::surface; };
+  if (options.patches.empty() && std::ranges::all_of(found.boundary, is_surface)) return;
+  const Frame frame = file_frame(options, report.axes, counted.source.frame);
+  const BoundaryPoints points(found, counted.stuffing, frame,
+                              moved == nullptr ? std::span<const Coord3>() : moved->points, context);
+  const auto place = [&points](std::uint64_t point) { return points.at(point); };
+  name_patches(found, options.patches, frame.size, place);
+  report.patches = patch_figures(found, place);
+}
+
 /// What the format says of the mesh before its numbers.
 MeshSize announce(const MeshOptions& options, const LabelNames& names, const Counted& counted,
-                  Context& context) {
+                  const Mesh* moved, Context& context, MeshReport& report) {
   const Stuffing& stuffing = counted.stuffing;
   MeshSize size{stuffing.point_count(), stuffing.tet_count(), !stuffing.labels().empty()};
   if (!needs_survey(options.format)) return size;
-  auto found = std::make_shared<Survey>(survey(stuffing, context));
+  const Frame frame = output_frame(options, report.axes, counted.source.frame);
+  auto found = std::make_shared<Survey>(survey(stuffing, context, frame));
+  if (has_patches(options.format))
+    look_at_patches(options, counted, moved, *found, context, report);
   name_regions(*found, names);
   choose_surface(options.surface, names, *found);
   size.survey = std::move(found);
@@ -104,8 +123,7 @@ void write(const MeshOptions& options, const SizedShape& shape, const Counted& c
   check_room(options.output, report.output_bytes);
   const auto file = open_writer(options.output, options.format, size);
   WatchedWriter writer(*file, size, progress);
-  Frame frame = output_frame(options, report.axes, source.frame);
-  if (options.origin == OutputOrigin::lattice) frame.origin = {0, 0, 0};
+  const Frame frame = file_frame(options, report.axes, source.frame);
   const MaterialRuns known = materials_of(counted, size, moved, context);
   report.written = write_mesh(stuffing, frame, slabs, writer, context,
                               size.survey == nullptr ? known : size.survey->materials,
@@ -268,7 +286,7 @@ MeshReport run(const MeshOptions& options, Context& context) {
   std::optional<Mesh> moved = optimise(options, counted, context, report);
   const Mesh* const in_memory = moved ? &*moved : nullptr;
   measure_distance(options, source, counted, in_memory, context, report);
-  MeshSize size = announce(options, names, counted, context);
+  MeshSize size = announce(options, names, counted, in_memory, context, report);
   report.order = add_middle_nodes(options.order, *counted.source.domain, counted.stuffing,
                                   in_memory, size, context);
   const Buffer<Coord3> points = moved ? std::move(moved->points) : Buffer<Coord3>();

@@ -34,13 +34,13 @@ void check_outputs(const MeshOptions& options) {
       throw Error(ErrorCode::bad_option,
                   "input and --json are the same file '" + input.string() + "'");
   }
-  if (!options.output.empty())
-    for (const std::filesystem::path& file : files_of(options.output, options.format)) {
+  if (!options.output.empty()) {
+    for (const std::filesystem::path& file : files_of(options.output, options.format))
       if (json_file && same_file(file, options.run.json))
         throw Error(ErrorCode::bad_option,
                     "output and --json are the same file '" + file.string() + "'");
-      if (!options.dry_run) check_output(file);
-    }
+    if (!options.dry_run) check_mesh_output(options.output, options.format);
+  }
   if (json_file) check_output(options.run.json);
 }
 

@@ -2,6 +2,7 @@
 
 #include "json.hpp"
 #include "mesh_report.hpp"
+#include "patch_options.hpp"
 #include "pieces.hpp"
 
 namespace certet::command {
@@ -158,6 +159,7 @@ std::string json(const MeshReport& report) {
     json["optimised"] = json_of(*report.optimised, report.size * report.scale);
   if (report.order) json["order2"] = json_of(*report.order, report.size * report.scale);
   add_pieces(json["mesh"], report.pieces);
+  if (!report.patches.empty()) json["patches"] = json_of(report.patches);
   if (report.distance) json["distance"] = json_of(*report.distance);
   if (!report.keep.empty())
     json["dropped"] = {{"keep", report.keep},

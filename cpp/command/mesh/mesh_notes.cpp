@@ -74,6 +74,13 @@ each tetrahedron has the label at its centre, the surface follows the faces of v
 --smooth SIGMA smooths the outside alone.  Formats with named surfaces have one for
 each pair that touches, called after both.
 
+The boundary has the patch surface and, where the edge of an image, --crop or --bounds cut the
+shape off, the sides xmin to zmax, called after the axes of the output.  A triangle there belongs
+to the side at which most of its corners are, of several to the first.  --patch NAME=xmin (or any
+patch) gives one a name, --patch NAME=z:12.5 to what lies at a plane of the output: triangles with all
+corners within half a long edge of it, which lean by at most 60 degrees.  Of several the last one
+has a triangle; a patch without any is refused.
+
 A label that the lattice is too coarse for is named in a warning, and so is one that
 has more or fewer pieces among the lattice's points than in the image, where voxels may
 touch at edges and corners or not.  That is looked at unless every voxel has a point of the
@@ -168,7 +175,8 @@ violated, stayed, shortened, missed (the surface, by shortened moves) {greatest,
 greatest_edges, rms_edges}, clamped {cuts and the same}}, theorem, mesh {points, tets, volume,
 volume_fraction (of shapes without an end), checksum, file_checksum, pieces {by_faces,
 by_vertices, largest_tets}, nonmanifold {edges, vertices, edge_places, vertex_places: in the
-world, of the first 8}}, with --order 2: order2 {middle_nodes, curved, and with --curved:
+world, of the first 8}}, where the boundary has others than surface, and the format has patches: patches [{name, triangles,
+area (of the output)}], with --order 2: order2 {middle_nodes, curved, and with --curved:
 surface_edges, moved, on_surface, straight {guarded (would spoil an element), far (from the
 surface), seams}, greatest_move, greatest_move_edges, least_jacobian (a lower bound, of what it
 is while straight)}, with --optimise: optimised {goal, rounds, moved (vertices),

@@ -11,6 +11,7 @@
 #include "mesh_notes.hpp"
 #include "method.hpp"
 #include "option_values.hpp"
+#include "patch_options.hpp"
 #include "refusal.hpp"
 #include "shared_options.hpp"
 #include "surface_choice.hpp"
@@ -24,6 +25,7 @@ struct RawMesh {
       bounds, format, origin, keep, frame, scale, merge;
   std::vector<std::filesystem::path> inputs;
   RawMaterials materials;
+  std::vector<std::string> patches;
   MethodChoice method;
   std::string optimise_to;
   bool compress = false;
@@ -139,6 +141,12 @@ void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
                   "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
       ->option_text("FILE");
   declare_surface_choice(mesh, options.surface);
+  mesh.add_option("--patch", raw.patches,
+                  "Names a patch of the boundary, like inlet=xmin (a side where bounds or the "
+                  "image's edge cut the shape off; or surface) or top=z:12.5 (what lies at a plane, "
+                  "within half a long edge); may be repeated")
+      ->option_text("NAME=SIDE|AXIS:AT")
+      ->take_all();
   declare_threads(mesh, options.run);
   mesh.add_option("--max-memory", options.max_memory,
                   "Memory to use, like 800M or 4G (default: three quarters of what is free)")
@@ -291,6 +299,7 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   if (options.output.empty() && !options.dry_run) refuse("mesh needs an output: -o OUT");
   options.format = choose_format(options.output, raw.format, raw.compress);
   check_surface_choice(options.surface, options.format);
+  options.patches = chosen_patches(raw.patches, options.format);
   check_order(options.order, options.format, options.method);
   check_optimise(options.optimise, raw.optimise_to, options.method);
   if (raw.origin == "0") options.origin = OutputOrigin::lattice;

@@ -15,6 +15,7 @@
 #include "certet/image.hpp"
 #include "certet/merge_labels.hpp"
 #include "certet/method.hpp"
+#include "certet/patch.hpp"
 #include "certet/pieces.hpp"
 #include "material_options.hpp"
 #include "optimise_choice.hpp"
@@ -80,6 +81,7 @@ struct MeshOptions {
   double scale = 1;  ///< of coordinates that go out
   std::filesystem::path label_names;  ///< empty: labels have no names
   std::string surface;                ///< what --surface says; empty: all of the boundary
+  std::vector<PatchChoice> patches;   ///< of the boundary, that get names
 };
 
 /// Declares the options and gives what reads them once the command line has

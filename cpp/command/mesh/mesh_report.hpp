@@ -10,6 +10,7 @@
 
 #include "certet/kept.hpp"
 #include "certet/method.hpp"
+#include "certet/patches.hpp"
 #include "certet/patient_axes.hpp"
 #include "certet/pieces.hpp"
 #include "certet/quality.hpp"
@@ -63,6 +64,7 @@ struct MeshReport {
   std::uint64_t points = 0, tets = 0;
   std::optional<OrderReport> order;  ///< of tetrahedra of ten nodes
   std::optional<OptimiseFigures> optimised;  ///< where vertices moved
+  std::vector<PatchFigures> patches;  ///< of the boundary, where it has others than `surface`
   Pieces pieces;
   std::optional<DistanceReport> distance;  ///< if it was to be measured
   std::string keep;  ///< which pieces were to stay; empty: all

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "mesh_report.hpp"
+#include "patch_options.hpp"
 #include "pieces.hpp"
 #include "table.hpp"
 
@@ -121,6 +122,7 @@ std::string table(const MeshReport& report) {
     add_optimise(lines, *report.optimised, report.size * report.scale);
   if (report.order) add_order(lines, *report.order, report.size * report.scale);
   add_pieces(lines, report);
+  add_patches(lines, report.patches);
   add_regions(lines, report);
   if (report.distance) add_distance(lines, *report.distance);
   if (!report.dry_run) {

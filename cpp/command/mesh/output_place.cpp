@@ -27,4 +27,10 @@ Frame output_frame(const MeshOptions& options, std::optional<PatientAxes> axes, 
   return world;
 }
 
+Frame file_frame(const MeshOptions& options, std::optional<PatientAxes> axes, const Frame& world) {
+  Frame frame = output_frame(options, axes, world);
+  if (options.origin == OutputOrigin::lattice) frame.origin = {0, 0, 0};
+  return frame;
+}
+
 }  // namespace certet::command

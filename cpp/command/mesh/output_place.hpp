@@ -17,4 +17,7 @@ std::optional<PatientAxes> output_axes(const MeshOptions& options, const Source&
 /// coordinates of the output, without --origin 0.
 Frame output_frame(const MeshOptions& options, std::optional<PatientAxes> axes, Frame world);
 
+/// The same with --origin 0, too: that of what goes to the file.
+Frame file_frame(const MeshOptions& options, std::optional<PatientAxes> axes, const Frame& world);
+
 }  // namespace certet::command

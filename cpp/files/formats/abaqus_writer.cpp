@@ -1,10 +1,15 @@
-// Abaqus input: nodes, an element set for each region, a surface for each patch and interface.
+// Abaqus input: nodes, an element set and a node set for each region, a surface and a node set for
+// each patch and interface.  What a solver needs besides, a material and a section for each region,
+// is said in comments: the file may be included by one that has its own.
+
+#include <algorithm>
 
 #include "element_nodes.hpp"
 #include "line.hpp"
 #include "names.hpp"
 #include "region_sections.hpp"
 #include "registry.hpp"
+#include "sheet_points.hpp"
 #include "sheet_text.hpp"
 #include "sheets.hpp"
 #include "streamed_writer.hpp"
@@ -23,6 +28,23 @@ std::string_view element_heading(bool middles) {
   return middles ? "*ELEMENT, TYPE=C3D10, ELSET=" : "*ELEMENT, TYPE=C3D4, ELSET=";
 }
 constexpr std::string_view surface_heading = "*SURFACE, TYPE=ELEMENT, NAME=";
+constexpr std::string_view set_heading = "*NSET, NSET=";
+/// Numbers in a line of a set.
+constexpr std::uint64_t numbers_in_line = 16;
+constexpr std::string_view material_heading = "** *MATERIAL, NAME=";
+constexpr std::string_view elastic = "\n** *ELASTIC\n** E, nu\n";
+constexpr std::string_view section_heading = "** *SOLID SECTION, ELSET=", section_material = ", MATERIAL=";
+
+/// Names of the node sets: those of the sheets, and different ones for the regions.
+std::vector<std::string> names_of_region_sets(const Survey& survey, const Sheets& sheets) {
+  std::vector<Region> all;
+  for (const Sheet& sheet : sheets.all()) all.push_back({sheet.number, sheet.name});
+  for (const Region& region : survey.regions)
+    all.push_back({region.label, region.name.empty() ? default_name(region.label) : region.name});
+  std::vector<std::string> names = names_of(all, NameRule::identifier);
+  names.erase(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(sheets.all().size()));
+  return names;
+}
 
 class AbaqusWriter final : public StreamedWriter {
  public:
@@ -72,6 +94,7 @@ class AbaqusWriter final : public StreamedWriter {
   void close() override {
     tets_.flush();
     const Sheets sheets(survey(), NameRule::identifier);
+    put_sets(sheets);
     for (const Sheet& sheet : sheets.all()) {
       text_.append_all((Line() << surface_heading << sheet.name << '\n').text());
       sheets.for_each_face(sheet, [&](const BoundaryFace& face) {
@@ -79,7 +102,65 @@ class AbaqusWriter final : public StreamedWriter {
             (Line() << face.tet + 1 << ", S" << face_number[face.opposite] << '\n').text());
       });
     }
+    put_sections();
     text_.flush();
+  }
+
+  void put_sets(const Sheets& sheets) {
+    for (const Sheet& sheet : sheets.all()) put_set(sheet.name, nodes_of(sheets, sheet));
+    const std::vector<std::string> names = names_of_region_sets(survey(), sheets);
+    std::vector<bool> is_in(size_.points);
+    for (std::size_t region = 0; region < names.size(); ++region) {
+      std::vector<std::uint64_t> nodes;
+      tets_.for_each_record(region, line_bytes(), [&](std::span<const std::byte> record) {
+        add_new_nodes(record, is_in, nodes);
+      });
+      for (const std::uint64_t node : nodes) is_in[node] = false;
+      std::ranges::sort(nodes);
+      put_set(names[region], nodes);
+    }
+  }
+
+  /// Corners, and middle nodes behind them.
+  std::vector<std::uint64_t> nodes_of(const Sheets& sheets, const Sheet& sheet) {
+    if (!nodes_.has_middles()) return points_of(sheets, sheet);
+    std::vector<std::uint64_t> nodes;
+    sheets.for_each_face(sheet, [&](const BoundaryFace& face) {
+      const std::span<const std::uint64_t> own = nodes_.face(face.points);
+      nodes.insert(nodes.end(), own.begin(), own.end());
+    });
+    std::ranges::sort(nodes);
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+  }
+
+  /// Those of a line that `line_bytes` describes, which are not in the set yet.
+  void add_new_nodes(std::span<const std::byte> record, std::vector<bool>& is_in,
+                     std::vector<std::uint64_t>& nodes) const {
+    for (std::size_t n = 0; n < nodes_.per_tet(); ++n) {
+      std::uint64_t node = 0;
+      const std::size_t end = tet_digits_ + (n + 1) * (2 + point_digits_);
+      for (const std::byte byte : record.subspan(end - point_digits_, point_digits_))
+        if (byte != std::byte{' '}) node = 10 * node + std::to_integer<std::uint64_t>(byte) - '0';
+      if (is_in[--node]) continue;
+      is_in[node] = true;
+      nodes.push_back(node);
+    }
+  }
+
+  void put_set(std::string_view name, std::span<const std::uint64_t> nodes) {
+    text_.append_all((Line() << set_heading << name << '\n').text());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const bool ends = i + 1 == nodes.size() || (i + 1) % numbers_in_line == 0;
+      text_.append_all((Line() << nodes[i] + 1 << (ends ? "\n" : ", ")).text());
+    }
+  }
+
+  void put_sections() {
+    for (const std::string& name : names_of(survey().regions, NameRule::identifier))
+      text_.append_all((Line() << material_heading << name << elastic << section_heading << name
+                               << section_material << name << '\n')
+                           .text());
   }
 
   ElementNodes nodes_;
@@ -95,6 +176,22 @@ std::unique_ptr<MeshWriter> open_abaqus(const std::filesystem::path& file,
   return std::make_unique<AbaqusWriter>(file, size);
 }
 
+namespace {
+
+/// A surface has half as many points as triangles and, of ten nodes, one and a half times as many
+/// edges; some points are in several regions.
+std::uint64_t sets_bytes(const MeshSize& size, const SheetText& text) {
+  const std::uint64_t number = digits_of(size.points) + 2;
+  const std::uint64_t of_faces = text.faces / 2 * (size.middles == nullptr ? 1 : 4);
+  return number * (size.points + of_faces * (text.regions > 1 ? 2 : 1)) +
+         (text.sheets + text.regions) * (set_heading.size() + 1) + text.sheet_names +
+         text.region_names + 3 * text.region_names +
+         text.regions * (material_heading.size() + elastic.size() + section_heading.size() +
+                         section_material.size() + 1);
+}
+
+}  // namespace
+
 std::uint64_t abaqus_bytes(const MeshSize& size) {
   const std::uint64_t point_digits = digits_of(size.points), tet_digits = digits_of(size.tets);
   const SheetText text(survey_of(size), NameRule::identifier);
@@ -102,7 +199,7 @@ std::uint64_t abaqus_bytes(const MeshSize& size) {
          size.tets * (tet_digits + ElementNodes(size).per_tet() * (2 + point_digits) + 1) +
          text.regions * (element_heading(size.middles != nullptr).size() + 1) + text.region_names +
          text.sheets * (surface_heading.size() + 1) + text.sheet_names +
-         text.faces * (tet_digits + 5);
+         text.faces * (tet_digits + 5) + sets_bytes(size, text);
 }
 
 }  // namespace certet::formats

@@ -7,6 +7,7 @@
 #include "certet/checksum.hpp"
 #include "certet/error.hpp"
 #include "gmsh_labels.hpp"
+#include "polymesh_files.hpp"
 #include "registry.hpp"
 
 namespace certet {
@@ -42,6 +43,7 @@ constexpr Entry registry[] = {
      nastran_label_losses},
     {Format::dyna, "k", {".k", ".key"}, true, open_dyna, dyna_bytes, nullptr, dyna_label_losses},
     {Format::mfem, "mfem", {".mfem"}, true, open_mfem, mfem_bytes, nullptr, mfem_label_losses},
+    {Format::polymesh, "polymesh", {}, true, open_polymesh, polymesh_bytes, nullptr},
     {Format::xdmf, "xdmf", {".xdmf"}, true, open_xdmf, xdmf_bytes, nullptr},
     {Format::vtkhdf, "vtkhdf", {".vtkhdf"}, false, open_vtkhdf, vtkhdf_bytes, nullptr},
     {Format::tetgen, "tetgen", {".node", ".ele", ".face"}, true, open_tetgen, tetgen_bytes,
@@ -51,7 +53,17 @@ constexpr Entry registry[] = {
     {Format::ply, "ply", {".ply"}, true, open_ply, ply_bytes, nullptr},
 };
 
+/// OpenFOAM's folder has no extension, but always this name.
+bool is_polymesh(const fs::path& file) {
+  return (file.has_filename() ? file : file.parent_path()).filename() == "polyMesh";
+}
+
+const Entry& entry_of(Format format) {
+  return *std::ranges::find(registry, format, &Entry::format);
+}
+
 const Entry* entry_of(const fs::path& file) {
+  if (is_polymesh(file)) return &entry_of(Format::polymesh);
   std::string extension = file.extension().string();
   for (char& c : extension)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -59,10 +71,6 @@ const Entry* entry_of(const fs::path& file) {
     for (const std::string_view known : entry.extensions)
       if (!known.empty() && known == extension) return &entry;
   return nullptr;
-}
-
-const Entry& entry_of(Format format) {
-  return *std::ranges::find(registry, format, &Entry::format);
 }
 
 void append_word(std::string& words, std::string_view word) {
@@ -81,6 +89,7 @@ std::string first_extensions(bool surfaces) {
       if (entry.format == Format::tetgen) words += " (with .ele, .face)";
       if (entry.format == Format::xdmf) words += " (with _surfaces.xdmf, .h5)";
     }
+  if (!surfaces) append_word(words, "a folder polyMesh (OpenFOAM)");
   return words;
 }
 
@@ -114,6 +123,11 @@ std::vector<fs::path> files_of(const fs::path& file, Format format) {
     const fs::path name = file.parent_path() / file.stem();
     return {file, fs::path(name).concat("_surfaces.xdmf"), fs::path(name).concat(".h5")};
   }
+  if (format == Format::polymesh) {
+    std::vector<fs::path> files;
+    for (const std::string_view name : polymesh_files) files.push_back(file / name);
+    return files;
+  }
   if (format != Format::tetgen) return {file};
   std::vector<fs::path> files;
   for (const std::string_view extension : entry_of(format).extensions)
@@ -122,6 +136,10 @@ std::vector<fs::path> files_of(const fs::path& file, Format format) {
 }
 
 bool needs_survey(Format format) { return entry_of(format).needs_survey; }
+
+bool has_patches(Format format) {
+  return needs_survey(format) && format != Format::stl && format != Format::ply;
+}
 
 bool holds_middle_nodes(Format format) {
   switch (format) {

@@ -380,6 +380,9 @@ void GmshReader::finish_surfaces() {
     FileSurface surface{group, name == surface_names_.end() ? "" : name->second, std::move(faces)};
     if (surface.name == patch_names[static_cast<std::size_t>(Patch::border)])
       mesh_.border = surface.faces;
+    else if (!surface.name.empty() &&
+             surface.name != patch_names[static_cast<std::size_t>(Patch::surface)])
+      mesh_.patches.push_back(surface);
     mesh_.surfaces.push_back(std::move(surface));
   }
 }

@@ -107,6 +107,16 @@ std::vector<std::string> names_of(const std::vector<Region>& regions, NameRule r
   return names;
 }
 
+std::vector<std::string> names_of_patches(const Survey& survey, NameRule rule) {
+  std::vector<Region> patches;
+  const auto add = [&](std::string_view name) {
+    patches.push_back({static_cast<std::int32_t>(patches.size()) + 1, std::string(name), 0});
+  };
+  for (const std::string_view name : patch_names) add(name);
+  for (const std::string& name : survey.named_patches) add(name);
+  return names_of(patches, rule);
+}
+
 std::vector<std::string> names_of_interfaces(const Survey& survey, NameRule rule) {
   const auto name_of = [&](std::int32_t label) {
     const auto region = std::ranges::find(survey.regions, label, &Region::label);
@@ -117,7 +127,16 @@ std::vector<std::string> names_of_interfaces(const Survey& survey, NameRule rule
   for (const Interface& interface : survey.interfaces)
     pairs.push_back({static_cast<std::int32_t>(pairs.size()) + 1,
                      name_of(interface.labels[0]) + "-" + name_of(interface.labels[1]), 0});
-  return names_of(pairs, rule);
+  if (survey.named_patches.empty()) return names_of(pairs, rule);
+  // Those of patches come first, so that they keep theirs.
+  std::vector<Region> all;
+  for (const std::string& name : survey.named_patches)
+    all.push_back({static_cast<std::int32_t>(all.size()) + 1, name, 0});
+  all.insert(all.end(), pairs.begin(), pairs.end());
+  std::vector<std::string> names = names_of(all, rule);
+  names.erase(names.begin(),
+              names.begin() + static_cast<std::ptrdiff_t>(survey.named_patches.size()));
+  return names;
 }
 
 }  // namespace certet::formats

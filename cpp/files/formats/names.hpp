@@ -28,8 +28,11 @@ std::string default_name(std::int32_t label);
 /// that have none have their `default_name`.
 std::vector<std::string> names_of(const std::vector<Region>& regions, NameRule rule);
 
+/// A name for each patch, those of `patch_names` first; all different.
+std::vector<std::string> names_of_patches(const Survey& survey, NameRule rule);
+
 /// A name for each interface: those of its two regions, with a hyphen between them or, in an
-/// identifier, an underscore; all different.
+/// identifier, an underscore; all different, and different from those of patches.
 std::vector<std::string> names_of_interfaces(const Survey& survey, NameRule rule);
 
 }  // namespace certet::formats

@@ -18,15 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Too short for any limit on names, and so random that no other run has it.
-std::string hidden_name() {
-  std::random_device random;
-  const std::uint64_t number = std::uint64_t{random()} << 32 | random();
-  std::array<char, 16> digits;
-  const auto end = std::to_chars(digits.begin(), digits.end(), number, 16).ptr;
-  return ".certet-" + std::string(digits.begin(), end) + ".tmp";
-}
-
 /// Opens a file that was not there; -1 and errno if that fails.
 int create_new(const fs::path& file) {
   int descriptor;
@@ -38,7 +29,16 @@ int create_new(const fs::path& file) {
 
 }  // namespace
 
-OutputFile::OutputFile(const fs::path& target) : asked_for_(target), target_(target) {
+std::string hidden_name() {
+  std::random_device random;
+  const std::uint64_t number = std::uint64_t{random()} << 32 | random();
+  std::array<char, 16> digits;
+  const auto end = std::to_chars(digits.begin(), digits.end(), number, 16).ptr;
+  return ".certet-" + std::string(digits.begin(), end) + ".tmp";
+}
+
+OutputFile::OutputFile(const fs::path& target, const fs::path& asked_for)
+    : asked_for_(asked_for), target_(target) {
   std::error_code error;
   const fs::file_status status = fs::status(target, error);
   if (fs::is_directory(status)) fail("it is a folder");

@@ -17,7 +17,9 @@ namespace certet::formats {
 class OutputFile {
  public:
   /// Refuses a target that is a folder, a device or read-only.
-  explicit OutputFile(const std::filesystem::path& target);
+  explicit OutputFile(const std::filesystem::path& target) : OutputFile(target, target) {}
+  /// Sentences name `asked_for` in its place.
+  OutputFile(const std::filesystem::path& target, const std::filesystem::path& asked_for);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -55,6 +57,10 @@ class OutputFile {
   bool published_ = false;
   int descriptor_ = -1;
 };
+
+/// A name for what is not whole yet: too short for any limit on names, and so random that no other
+/// run has it.
+std::string hidden_name();
 
 /// All of them are whole on the disk before the first one takes its name, and where one cannot,
 /// none does.

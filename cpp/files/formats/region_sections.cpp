@@ -9,7 +9,7 @@ std::uint64_t RegionSections::open(const Region& region, std::uint64_t offset,
   const std::uint64_t begin = offset + heading.size();
   // Images can have thousands of labels.
   constexpr std::size_t few_bytes = std::size_t{1} << 15;
-  parts_.push_back({region.label, region.tets, Section(file_, begin, few_bytes)});
+  parts_.push_back({region.label, region.tets, Section(file_, begin, few_bytes), begin, region.tets});
   return begin + region.tets * record_bytes;
 }
 

@@ -28,11 +28,29 @@ class RegionSections {
   /// After the last record.  Fails if a region has fewer than announced.
   void flush();
 
+  /// Calls visit(record) for all records of a region, by its place among those that were opened, as
+  /// they are in the file.  After `flush`.
+  template <class Visit>
+  void for_each_record(std::size_t region, std::uint64_t record_bytes, const Visit& visit) const {
+    constexpr std::uint64_t records_at_once = 4096;
+    const Part& part = parts_[region];
+    std::vector<std::byte> bytes;
+    for (std::uint64_t done = 0; done < part.tets;) {
+      const std::uint64_t count = std::min(records_at_once, part.tets - done);
+      bytes.resize(count * record_bytes);
+      file_.read_at(part.begin + done * record_bytes, bytes);
+      for (std::uint64_t i = 0; i < count; ++i)
+        visit(std::span<const std::byte>(bytes).subspan(i * record_bytes, record_bytes));
+      done += count;
+    }
+  }
+
  private:
   struct Part {
     std::int32_t label;
     std::uint64_t missing;  ///< records that have not come
     Section section;
+    std::uint64_t begin, tets;  ///< where its records are, and how many
   };
   Part& part_of(std::int32_t label);
 

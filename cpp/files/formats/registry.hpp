@@ -39,6 +39,7 @@ OpenWriter open_tetgen; FileBytes tetgen_bytes;
 OpenWriter open_nastran; FileBytes nastran_bytes; LabelLosses nastran_label_losses;
 OpenWriter open_dyna; FileBytes dyna_bytes; LabelLosses dyna_label_losses;
 OpenWriter open_mfem; FileBytes mfem_bytes; LabelLosses mfem_label_losses;
+OpenWriter open_polymesh; FileBytes polymesh_bytes;
 OpenWriter open_xdmf; FileBytes xdmf_bytes;
 OpenWriter open_vtkhdf; FileBytes vtkhdf_bytes;
 OpenWriter open_stl; FileBytes stl_bytes;

@@ -20,7 +20,11 @@ class StreamedWriter : public MeshWriter {
 
  protected:
   StreamedWriter(const std::filesystem::path& file, const MeshSize& size)
-      : size_(size), file_(file), announced_(size, file_) {}
+      : StreamedWriter(file, file, size) {}
+  /// Sentences name `asked_for` in the place of the file.
+  StreamedWriter(const std::filesystem::path& file, const std::filesystem::path& asked_for,
+                 const MeshSize& size)
+      : size_(size), file_(file, asked_for), announced_(size, file_) {}
 
   /// Some points; the first of them has the number `first`.
   virtual void put_points(std::uint64_t first, std::span<const Point3> points) = 0;

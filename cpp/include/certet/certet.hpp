@@ -25,6 +25,7 @@
 ///     curve(nodes, mesh, domain)   puts those of the surface on it
 ///     write(mesh, nodes, path)  with them
 ///     measure_distance(surface_of(mesh, context), domain, context)   from its shape, and back
+///     patch_choice(name, where)   a patch of the boundary, for Mesh::patches
 ///     find_losses(shape, mesh, context)   what it has not kept of its shape, and a size that does
 ///
 /// Each takes a `Context` too, which has the number of threads, stops a run and tells of
@@ -52,6 +53,7 @@
 #include "certet/middle_nodes.hpp"
 #include "certet/method.hpp"
 #include "certet/optimise.hpp"
+#include "certet/patches.hpp"
 #include "certet/placed_quality.hpp"
 #include "certet/quality.hpp"
 #include "certet/shape.hpp"

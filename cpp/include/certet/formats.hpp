@@ -31,6 +31,7 @@ enum class Format {
   nastran,       ///< Nastran bulk data: the mesh alone (.bdf, .nas)
   dyna,          ///< LS-DYNA keywords: the mesh alone (.k, .key)
   mfem,          ///< MFEM mesh v1.0 (.mfem)
+  polymesh,      ///< OpenFOAM's folder polyMesh, ASCII
   xdmf,          ///< XDMF 3, with its numbers in HDF5: .xdmf, _surfaces.xdmf and .h5
   vtkhdf,        ///< VTKHDF 1.0, an unstructured grid (.vtkhdf)
   tetgen,        ///< three files: .node, .ele and .face
@@ -42,7 +43,7 @@ enum class Format {
 /// The format that a file name's extension stands for.
 std::optional<Format> format_of(const std::filesystem::path& file);
 /// The format of a name: vtu, vtu-zlib, medit, meditb, msh, msh22, inp, feb,
-/// bdf, k, mfem, xdmf, vtkhdf, tetgen, vtp, stl, ply.
+/// bdf, k, mfem, polymesh, xdmf, vtkhdf, tetgen, vtp, stl, ply.
 std::optional<Format> format_named(std::string_view name);
 std::string_view name(Format format);
 /// All names, for sentences.
@@ -51,7 +52,8 @@ std::string format_names();
 std::string mesh_extensions();
 std::string surface_extensions();
 
-/// All files that are written for this one: more than one for TetGen and XDMF.
+/// All files that are written for this one: more than one for TetGen and XDMF, and for OpenFOAM those
+/// in the folder.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& file, Format format);
 
 /// Whether `vtu_zlib` was built in; without it compressed files cannot be read
@@ -63,6 +65,10 @@ bool has_hdf5();
 
 /// Whether a format has tetrahedra of ten nodes: .vtu, .mesh, .meshb, .msh, .inp, .feb and TetGen.
 bool holds_middle_nodes(Format format);
+
+/// Whether a format has the patches of the boundary apart: all but .vtu and .vtkhdf, which hold
+/// tetrahedra alone, and .stl and .ply, which hold one surface.
+bool has_patches(Format format);
 
 /// Whether a writer needs to know the mesh's survey beforehand.
 bool needs_survey(Format format);
@@ -136,6 +142,9 @@ struct FileMesh {
   std::string space = {};            ///< as `MeshSize` has it; where .vtu tells
   /// The points of faces of the patch `border`, in any order; where the format has them.
   std::vector<std::array<std::uint64_t, 3>> border;
+  /// The same of other patches than `surface` and `border`, with their names: those of the sides of
+  /// a box are `patch_names`.  What of them is not on the boundary is no patch's.
+  std::vector<FileSurface> patches = {};
   /// All triangles of .mesh, .meshb and .msh files, by growing numbers: the patches, the
   /// interfaces, or whatever the writer meant by them.
   std::vector<FileSurface> surfaces = {};
@@ -147,7 +156,7 @@ struct FileMesh {
 };
 
 /// The regions, the boundary and the interfaces of what a file held, found anew, with the names
-/// and the border that it told.
+/// and the patches that it told.
 /// \throws Error `cancelled`.
 Survey survey(const FileMesh& mesh, Context& context);
 

@@ -12,6 +12,7 @@
 #include "certet/frame.hpp"
 #include "certet/labels.hpp"
 #include "certet/method.hpp"
+#include "certet/patch.hpp"
 
 namespace certet {
 
@@ -33,6 +34,7 @@ struct Mesh {
   LabelNames names = {};             ///< of labels, where the domain knew some
   std::vector<BorderBox> border = {};  ///< at whose faces the shape is cut off
   Method method{};                   ///< that it was made by in the end; its theorem covers it
+  std::vector<PatchChoice> patches = {};  ///< of its boundary, beside those that it has
 
   [[nodiscard]] std::size_t tet_count() const {
     return std::visit([](const auto& t) { return t.size(); }, tets);

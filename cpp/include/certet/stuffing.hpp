@@ -121,8 +121,10 @@ class Stuffing {
   /// \throws Error as `pieces`; then nothing is changed.
   Stuffing keep(const KeepRule& rule, Context& context);
 
+  /// The boxes at which the domain is cut off.
+  [[nodiscard]] std::span<const BorderBox> border() const;
   /// Whether the domain is cut off anywhere.
-  [[nodiscard]] bool has_border() const;
+  [[nodiscard]] bool has_border() const { return !border().empty(); }
   /// Whether a point of the mesh's surface, in steps, lies where the domain is cut off.
   /// A face of the boundary whose three points do is part of no surface of the shape.
   [[nodiscard]] bool is_on_border(Coord3 point) const;

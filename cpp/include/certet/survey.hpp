@@ -7,13 +7,13 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "certet/context.hpp"
 #include "certet/labels.hpp"
 #include "certet/material_runs.hpp"
 #include "certet/mesh.hpp"
+#include "certet/patch.hpp"
 #include "certet/stuffing.hpp"
 
 namespace certet {
@@ -29,19 +29,13 @@ struct Region {
   double volume = 0;  ///< in long edges cubed; 0 where it was not measured
 };
 
-/// What a face of the boundary is part of.
-enum class Patch : std::uint8_t {
-  surface,  ///< the surface of the shape
-  border,   ///< where the shape is cut off, by the edge of the image or the bounds
-};
-inline constexpr std::array<std::string_view, 2> patch_names{"surface", "border"};
-
 /// A face that belongs to one tetrahedron only, or to two of different labels.
 struct BoundaryFace {
   /// Counterclockwise as seen from outside, from the lowest number on.
   std::array<std::uint64_t, 3> points;
   std::uint64_t tet;      ///< whose face it is
   std::uint8_t opposite;  ///< which of that one's corners it does not have
+  bool is_cut_off = false;       ///< whether the shape goes on behind it
   Patch patch = Patch::surface;  ///< of a face of one tetrahedron
   std::int32_t label = only_label;  ///< of `tet`
 
@@ -63,15 +57,19 @@ struct Survey {
   std::vector<Interface> interfaces = {};  ///< by growing labels; none is empty
   /// Of the tetrahedra of a counted mesh, where they have labels.
   MaterialRuns materials = {};
+  /// The names of patches behind those of `patch_names`: `Patch` counts on.
+  std::vector<std::string> named_patches = {};
 };
 
 /// Surveys a mesh that is counted but not written, with memory for its boundary and
-/// the runs of its materials alone.  A face of the boundary belongs to the patch
-/// `border` if the domain is cut off at its three points.  Interfaces are found where the
+/// the runs of its materials alone.  A face of the boundary belongs to the patch of a
+/// side if the domain is cut off at its three points, at most of them at this side, which is
+/// called after the axes of `frame`, by which the mesh goes out; of several such sides to the
+/// first.  Interfaces are found where the
 /// mesh is made to have them (`Stuffing::has_interfaces`).  The result does not depend
 /// on the number of threads.  Names are left empty.
 /// \throws Error `cancelled`, `too_large` (out of memory); what the domain throws.
-Survey survey(const Stuffing& stuffing, Context& context);
+Survey survey(const Stuffing& stuffing, Context& context, const Frame& frame = {});
 
 /// Surveys a mesh in memory of so many points; `labels` is empty or as long as `tets`.  Tetrahedra
 /// that name a point which is not there, or one twice, have no faces.  All faces
@@ -82,14 +80,20 @@ Survey survey(std::uint64_t points, std::span<const Tet<std::uint32_t>> tets,
 Survey survey(std::uint64_t points, std::span<const Tet<std::uint64_t>> tets,
               std::span<const std::int32_t> labels, Context& context);
 
-/// Surveys a mesh in memory, with its names and patches; interfaces only where its method cuts
-/// labels apart.
-/// \throws Error `cancelled`.
+/// Surveys a mesh in memory, with its names and patches, those of `Mesh::patches` too; interfaces
+/// only where its method cuts labels apart.
+/// \throws Error `cancelled`, and as `name_patches`.
 Survey survey(const Mesh& mesh, Context& context);
 
+/// A triangle, and the patch that it is to be of.
+struct PatchFace {
+  std::array<std::uint64_t, 3> points;
+  Patch patch;
+};
+
 /// Puts those faces of the boundary that have the points of one of `faces`, in any
-/// order, into the patch `border`.
-void set_border(Survey& survey, std::vector<std::array<std::uint64_t, 3>> faces);
+/// order, into the patch of that one.
+void set_patches(Survey& survey, std::vector<PatchFace> faces);
 
 /// The faces of the boundary and of all interfaces.
 std::uint64_t face_count(const Survey& survey);

@@ -114,7 +114,7 @@ std::vector<SurfaceTriangle> surface_triangles(const Survey& survey) {
   const bool apart = !survey.interfaces.empty();
   for (const BoundaryFace& face : survey.boundary)
     triangles.push_back({face.points, {apart ? face.label : only_label, 0},
-                         face.patch == Patch::border, true});
+                         face.is_cut_off, true});
   for (const Interface& interface : survey.interfaces)
     for (const BoundaryFace& face : interface.faces)
       triangles.push_back({face.points, interface.labels, false, false});

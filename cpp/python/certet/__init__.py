@@ -8,7 +8,7 @@
 `mesh` makes one of voxels, of a function that is negative inside, of closed triangles, or of several
 solids; so do `mesh_image`, `mesh_function`, `mesh_surface` and `mesh_solids`, each for one
 of these.  A `Solid` is made of any of them, and `a & b`, `a | b` and `a - b` of two solids.
-`write`, `read`, `check`, `interfaces`, `inside`, `quality` and `voxelise` do what they say.  They
+`write`, `read`, `check`, `interfaces`, `patches`, `inside`, `quality` and `voxelise` do what they say.  They
 run on all cores without Python's lock; Ctrl-C stops them.  What they refuse is a `ValueError` with one sentence, a lattice or
 mesh that is too large a `MemoryError`.
 """
@@ -27,9 +27,9 @@ from numpy.typing import ArrayLike, NDArray
 from . import _arguments, _certet
 
 __all__ = ["CheckReport", "Curve", "Distance", "Distances", "FileMesh", "Interface", "LossWarning",
-           "Mesh", "Optimised", "Pieces", "Quality", "Solid", "Warp", "check", "distance", "inside",
+           "Mesh", "Optimised", "Patch", "Pieces", "Quality", "Solid", "Warp", "check", "distance", "inside",
            "interfaces", "mesh", "mesh_function", "mesh_image", "mesh_solids", "mesh_surface",
-           "quality", "read", "voxelise", "write"]
+           "patches", "quality", "read", "voxelise", "write"]
 __version__: str = _certet.version
 
 Cuts = Literal["bisect", "midpoint"]
@@ -205,6 +205,19 @@ class Interface(NamedTuple):
     """In world units squared."""
 
 
+class Patch(NamedTuple):
+    """A part of the boundary of a mesh."""
+
+    name: str
+    """"surface"; where bounds or the edge of an image cut the shape off "xmin", "xmax", "ymin",
+    "ymax", "zmin" or "zmax"; or as `Mesh.name_patches` or the file says."""
+    triangles: NDArray[np.uint64]
+    """Shape (n, 3): numbers of points of the mesh, anticlockwise seen from outside, by growing
+    numbers of points."""
+    area: float
+    """In world units squared."""
+
+
 class _MiddleNodes:
     """The middle nodes of tetrahedra, where they have ten nodes."""
 
@@ -261,6 +274,11 @@ class FileMesh(_MiddleNodes):
         """Where labels touch, by growing labels: one for each pair of them.  The arrays share
         memory that is theirs alone."""
         return _interfaces(self._inner)
+
+    def patches(self) -> list[Patch]:
+        """The patches of the boundary, each of which has triangles: those that the file tells, and
+        "surface" for all else.  The arrays share memory that is theirs alone."""
+        return [Patch(*one) for one in _certet.patches(self._inner)]
 
     def pieces(self) -> Pieces:
         """Counts the pieces, by faces and by vertices, of the whole and of each label."""
@@ -379,6 +397,30 @@ class Mesh(_MiddleNodes):
         memory that is theirs alone.  Empty where the method does
         not cut labels apart (the paper's)"""
         return _interfaces(self._inner)
+
+    def patches(self) -> list[Patch]:
+        """The patches of the boundary, each of which has triangles, as `write` writes them where
+        the format has patches.  The arrays share memory that is theirs alone."""
+        return [Patch(*one) for one in _certet.patches(self._inner)]
+
+    def name_patches(self, where: Mapping[str, str | tuple[str, float]]) -> None:
+        """Gives parts of the boundary names of their own, by which `patches` and `write` call them.
+
+            mesh.name_patches({"inlet": "xmin", "top": ("z", 12.5), "wall": "surface"})
+
+        Parameters
+        ----------
+        where : by name (a letter, and letters, digits and underscores), either a patch that there
+            is by itself, or an axis and a coordinate in world units: what of the boundary lies
+            within half a long edge of that plane and leans by at most 60 degrees against it.  What
+            several have is the last one's.
+
+        Raises
+        ------
+        ValueError : a name that is taken or no name, or a patch without triangles; no name is
+            given then
+        """
+        _certet.name_patches(self._inner, _arguments.patches(where))
 
     def pieces(self) -> Pieces:
         """Counts the pieces, by faces and by vertices, of the whole and of each label."""
@@ -577,6 +619,11 @@ def check(mesh: Mesh | FileMesh) -> CheckReport:
 def interfaces(mesh: Mesh | FileMesh) -> list[Interface]:
     """Where labels touch; `mesh.interfaces()` is the same."""
     return mesh.interfaces()
+
+
+def patches(mesh: Mesh | FileMesh) -> list[Patch]:
+    """The patches of the boundary; `mesh.patches()` is the same."""
+    return mesh.patches()
 
 
 def quality(mesh: Mesh | FileMesh) -> Quality:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import operator
 import reprlib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -46,6 +46,25 @@ def word(name: str, value: Any) -> str:
     if not isinstance(value, str):
         raise ValueError(f"{name} is a word, not {_shown(value)}")
     return value
+
+
+def patches(where: Any) -> list[tuple[str, str]]:
+    """Names of patches and where they are, each as a word of the command line."""
+    if not isinstance(where, Mapping):
+        raise ValueError(f"patches are named by a dict, not {_shown(where)}")
+    return [(word("the name of a patch", name), _place(name, place))
+            for name, place in where.items()]
+
+
+def _place(name: str, place: Any) -> str:
+    if isinstance(place, str):
+        return place
+    try:
+        axis, at = place
+    except (TypeError, ValueError):
+        raise ValueError(f"the patch {name!r} is a word or an axis and a coordinate, "
+                         f"not {_shown(place)}") from None
+    return f"{word('the axis of a patch', axis)}:{number('the coordinate of a patch', at)!r}"
 
 
 def size(value: Any) -> float:
