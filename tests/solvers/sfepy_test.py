@@ -167,7 +167,7 @@ class SfePy(SolverTest):
         self.assert_caught(lambda: self.shells_error(wrong, 1), shells_tolerance(size))
 
     def test_example(self):
-        self.assert_poisson("sfepy_ball.py", "sfepy-run", "sfepy_ball.py",
+        self.assert_poisson("sfepy_ball.py", "sfepy-run", "simple", "sfepy_ball.py",
                             tolerance=heated_tolerance(0.2))
 
 
