@@ -158,7 +158,7 @@ class FreeFem(SolverTest):
 
     def test_example(self):
         self.assert_poisson("freefem.edp", "FreeFem++-nw", "-nw", "-v", "0", "freefem.edp",
-                            tolerance=heated_tolerance(0.2))
+                            tolerance=heated_tolerance(0.3))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,5 @@
 """GetFEM, on files of Gmsh's format 2.2."""
 
-import contextlib
-import os
 import re
 import sys
 import unittest

@@ -1,6 +1,5 @@
 """The solids that solvers are tried on, what is right of each, and files with a planted defect."""
 
-import os
 import pathlib
 import re
 import shlex

@@ -1,4 +1,4 @@
-# -Δu = 1 in a ball, u = 0 around it: certet mesh --shape sphere:1 --size 0.2 -o ball.xdmf
+# -Δu = 1 in a ball, u = 0 around it: certet mesh --shape sphere:1 --size 0.3 -o ball.xdmf
 import ufl
 from dolfinx import fem, io
 from dolfinx.fem.petsc import LinearProblem

@@ -1,4 +1,4 @@
-# For sfepy-run simple: -Δu = 1 in a ball, u = 0 around it: certet mesh --shape sphere:1 --size 0.2 -o ball.bdf
+# For sfepy-run simple: -Δu = 1 in a ball, u = 0 around it: certet mesh --shape sphere:1 --size 0.3 -o ball.bdf
 filename_mesh = "ball.bdf"
 regions = {"ball": "all", "around": ("vertices of surface", "facet")}
 fields = {"temperature": ("real", 1, "ball", 2)}
