@@ -353,6 +353,14 @@ class Vtk(Readback):
     def test_vtkhdf(self):
         self.assert_grid(read_by_vtk(vtkHDFReader(), self.make("a.vtkhdf")))
 
+    def test_frame_is_where_slicer_looks(self):
+        for options, frame in (((), "LPS"), (("--frame", "ras"), "RAS")):
+            data = read_by_vtk(vtkXMLPolyDataReader(), self.make("a.vtp", *options))
+            self.assertEqual(data.GetFieldData().GetAbstractArray("SPACE").GetValue(0), frame)
+        self.mesh("--shape", "sphere:1", "--size", 0.5, "-o", "b.vtp")
+        data = read_by_vtk(vtkXMLPolyDataReader(), str(self.folder / "b.vtp"))
+        self.assertIsNone(data.GetFieldData().GetAbstractArray("SPACE"))
+
     def test_vtp(self):
         data = read_by_vtk(vtkXMLPolyDataReader(),
                            self.make("a.vtp", "--label-names", "names.txt"))

@@ -1,6 +1,6 @@
 // VTK XML surfaces, for ParaView beside the .vtu file: the boundary and all interfaces, each
 // triangle with the number of its sheet, its region and the one behind it; the sheets' names
-// are field data.
+// and the frame are field data.
 
 #include <limits>
 
@@ -23,17 +23,25 @@ std::string bytes_in_words(std::string_view text) {
   return words + "0 ";
 }
 
-std::string field_data_of(const Sheets& sheets) {
-  const std::string tuples = " NumberOfTuples=\"" + std::to_string(sheets.all().size()) +
-                             "\" format=\"ascii\">";
-  std::string numbers, names;
+std::string text_array(std::string_view name, const std::vector<std::string>& texts) {
+  std::string words;
+  for (const std::string& text : texts) words += bytes_in_words(text);
+  return "      <Array type=\"String\" Name=\"" + std::string(name) + "\" NumberOfTuples=\"" +
+         std::to_string(texts.size()) + "\" format=\"ascii\">" + words + "</Array>\n";
+}
+
+/// 3D Slicer looks for the frame there, and takes a file without one for LPS.
+std::string field_data_of(const MeshSize& size, const Sheets& sheets) {
+  std::string numbers;
+  std::vector<std::string> names;
   for (const Sheet& sheet : sheets.all()) {
     numbers += std::to_string(sheet.number) + " ";
-    names += bytes_in_words(sheet.name);
+    names.push_back(sheet.name);
   }
-  return "    <FieldData>\n      <DataArray type=\"Int32\" Name=\"surface_numbers\"" + tuples +
-         numbers + "</DataArray>\n      <Array type=\"String\" Name=\"surface_names\"" + tuples +
-         names + "</Array>\n    </FieldData>\n";
+  return "    <FieldData>\n" + (size.space.empty() ? "" : text_array("SPACE", {size.space})) +
+         "      <DataArray type=\"Int32\" Name=\"surface_numbers\" NumberOfTuples=\"" +
+         std::to_string(names.size()) + "\" format=\"ascii\">" + numbers + "</DataArray>\n" +
+         text_array("surface_names", names) + "    </FieldData>\n";
 }
 
 class VtpWriter final : public SurfaceWriter {
@@ -102,7 +110,7 @@ class VtpWriter final : public SurfaceWriter {
     };
     std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"";
     text.append(vtu_byte_order).append("\" header_type=\"UInt64\">\n  <PolyData>\n");
-    text += field_data_of(Sheets(survey(), NameRule::quoted));
+    text += field_data_of(size_, Sheets(survey(), NameRule::quoted));
     text += "    <Piece NumberOfPoints=\"" + std::to_string(kept().size()) +
             "\" NumberOfPolys=\"" + std::to_string(faces) + "\">\n      <Points>\n";
     // One after the other: each is placed behind those before it.
@@ -128,7 +136,7 @@ std::uint64_t vtp_bytes(const MeshSize& size) {
   // Points, of which there are half as many as triangles, and seven numbers for each of those.
   const Survey& survey = survey_of(size);
   const std::uint64_t faces = face_count(survey);
-  return 1300 + field_data_of(Sheets(survey, NameRule::quoted)).size() +
+  return 1300 + field_data_of(size, Sheets(survey, NameRule::quoted)).size() +
          faces / 2 * sizeof(Point3) + 7 * sizeof(std::int32_t) * faces;
 }
 
