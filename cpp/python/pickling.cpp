@@ -22,7 +22,7 @@ namespace py = pybind11;
 
 /// To be changed with what a state holds.
 std::string mark() {
-  return std::string("3 ") + (std::endian::native == std::endian::little ? "little" : "big");
+  return std::string("4 ") + (std::endian::native == std::endian::little ? "little" : "big");
 }
 
 [[noreturn]] void refuse() {
@@ -109,6 +109,21 @@ std::optional<OptimiseFigures> figures_of_state(const py::object& state) {
                          whole(5), f[6].cast<double>(), f[7].cast<double>(), whole(8), whole(9)};
 }
 
+py::object state_of_kept(const std::optional<FeatureFigures>& kept) {
+  if (!kept) return py::none();
+  return py::make_tuple(kept->length, kept->followed_length, kept->kept_length, kept->greatest_distance, kept->corners,
+                        kept->kept_corners, kept->moved, kept->greatest_move);
+}
+
+std::optional<FeatureFigures> kept_of_state(const py::object& state) {
+  if (state.is_none()) return std::nullopt;
+  const auto f = state.cast<py::tuple>();
+  if (f.size() != 8) refuse();
+  const auto real = [&](std::size_t i) { return f[i].cast<double>(); };
+  const auto whole = [&](std::size_t i) { return f[i].cast<std::uint64_t>(); };
+  return FeatureFigures{real(0), real(1), real(2), real(3), whole(4), whole(5), whole(6), real(7)};
+}
+
 }  // namespace
 
 py::tuple state_of(const PythonMesh& all) {
@@ -120,11 +135,12 @@ py::tuple state_of(const PythonMesh& all) {
       std::visit([](const auto& tets) { return bytes_of(tets); }, mesh.tets), bytes_of(mesh.labels),
       mesh.frame.origin, mesh.frame.axes, mesh.frame.size, mesh.names, bytes_of(border),
       std::string(name(mesh.method)), all.notes, all.warnings,
-      state_of_middles(all.middles), state_of_figures(all.optimised));
+      state_of_middles(all.middles), state_of_figures(all.optimised), all.features.angle,
+      all.features.why, state_of_kept(all.kept));
 }
 
 std::shared_ptr<PythonMesh> mesh_of_state(const py::tuple& pickled) {
-  const py::tuple state = checked(pickled, 15);
+  const py::tuple state = checked(pickled, 18);
   auto all = std::make_shared<PythonMesh>();
   Mesh& mesh = all->mesh;
   mesh.points = values_of<Buffer<Coord3>>(state[1]);
@@ -146,6 +162,9 @@ std::shared_ptr<PythonMesh> mesh_of_state(const py::tuple& pickled) {
   all->world = world_points(mesh);
   all->middles = middles_of_state(mesh, state[13]);
   all->optimised = figures_of_state(state[14]);
+  all->features.angle = state[15].cast<std::optional<double>>();
+  all->features.why = state[16].cast<std::string>();
+  all->kept = kept_of_state(state[17]);
   return all;
 }
 

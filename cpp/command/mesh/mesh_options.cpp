@@ -25,7 +25,7 @@ struct RawMesh {
   std::vector<std::filesystem::path> inputs;
   RawMaterials materials;
   MethodChoice method;
-  std::string optimise_to;
+  std::string optimise_to, features;
   bool compress = false;
 };
 
@@ -134,6 +134,7 @@ void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
       ->option_text("world|0");
   declare_order(mesh, options.order);
   declare_optimise(mesh, options.optimise, raw.optimise_to);
+  declare_features(mesh, raw.features);
   declare_placing(mesh, raw.frame, raw.scale);
   mesh.add_option("--label-names", options.label_names,
                   "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
@@ -293,6 +294,7 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   check_surface_choice(options.surface, options.format);
   check_order(options.order, options.format, options.method);
   check_optimise(options.optimise, raw.optimise_to, options.method);
+  options.features = chosen_features(raw.features, options.method);
   if (raw.origin == "0") options.origin = OutputOrigin::lattice;
   if (raw.frame == "lps") options.frame = OutputFrame::lps;
   if (raw.frame == "ras") options.frame = OutputFrame::ras;

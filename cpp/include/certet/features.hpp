@@ -3,11 +3,12 @@
 /// Sharp edges and corners of a surface, and a mesh whose vertices move onto them.
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "certet/context.hpp"
-#include "certet/lattice/well_shaped.hpp"
 #include "certet/mesh.hpp"
 #include "certet/placed_domain.hpp"
 
@@ -53,32 +54,64 @@ struct Creases {
 };
 Creases creases_of(std::span<const TriangleCorners> triangles);
 
-/// What no move onto a feature leaves: 8 and 165 degrees, rounded so that the limits are narrower.
-inline constexpr AngleLimits feature_limits{{2531, 50}, {348, 25}};
-inline constexpr double feature_least_angle = 8, feature_greatest_angle = 165;
+/// What is asked for.
+struct FeatureChoice {
+  bool automatic = true;        ///< by `usual_feature_angle`, where a surface was drawn
+  std::optional<double> angle;  ///< degrees; neither: vertices stay
+};
+
+/// Whether vertices are to move onto sharp edges, and why.
+struct FeatureDecision {
+  std::optional<double> angle;     ///< of sharp edges, degrees; nothing: vertices stay
+  std::optional<Creases> creases;  ///< of a shape whose faces are known
+  std::string why;                 ///< the end of a sentence
+};
+
+/// Decides by the facets of a domain.
+/// \throws Error `bad_option` where an angle is asked for that makes no sense, of a domain whose
+/// faces are not known, or of cuts in the middle of edges.
+FeatureDecision decide_features(const FeatureChoice& choice, const PlacedDomain& domain,
+                                Method method);
 
 /// A feature counts as kept where edges of the mesh's surface are no farther than this, in long
 /// edges.
 inline constexpr double kept_distance = 0.02;
 
-/// How much of the features a mesh has.
+/// How much of the features a mesh has.  Where these are bent, edges that follow them miss them by
+/// what a chord does.
 struct FeatureFigures {
   double length = 0;       ///< of all sharp edges, in long edges
-  double kept_length = 0;  ///< of what has edges of the mesh within `kept_distance`
+  double followed_length = 0;  ///< of what is between two vertices exactly on it, joined by an edge
+  double kept_length = 0;  ///< of that, what these edges are within `kept_distance` of
   double greatest_distance = 0;  ///< of a sharp edge from the edges of the mesh's surface, in long edges
   std::uint64_t corners = 0, kept_corners = 0;  ///< the latter have a vertex exactly there
   std::uint64_t moved = 0;                      ///< vertices
   double greatest_move = 0;                     ///< in long edges
+
+  [[nodiscard]] double followed_percent() const { return percent(followed_length); }
+  [[nodiscard]] double kept_percent() const { return percent(kept_length); }
+  [[nodiscard]] bool all_followed() const {
+    return kept_corners == corners && followed_length >= length * (1 - 1e-9);
+  }
+
+  [[nodiscard]] double percent(double part) const {
+    return length > 0 ? 100 * part / length : 100;
+  }
 };
+
+/// What is not kept, in a sentence; empty if all is.
+std::string sentence_on(const FeatureFigures& figures);
 
 /// Moves vertices of the boundary onto corners and sharp edges, and others to make room, so that
 /// the edges of the surface run along the features and its other vertices near them lie on the
-/// faces between.  A vertex moves only where all tetrahedra around stay positive and keep
-/// `feature_limits`: decided in integers.  Numbers of points,
-/// tetrahedra and labels stay.  Vertices where the shape is cut off, and of interfaces, stay.
+/// faces between.  A vertex moves only where all tetrahedra around stay positive and within the
+/// bounds of the mesh's method, decided in integers: so its theorem's bounds hold still, checked.
+/// Numbers of points, tetrahedra and labels stay.  Vertices where the shape is cut off, those of
+/// interfaces, and those at which the boundary is no manifold stay where they are.
 ///
 /// The result does not depend on the number of threads: vertices move one after the other.
-/// \throws Error `cancelled`, `too_large` (out of memory).
+/// \throws Error `cancelled`, `too_large` (out of memory), `bad_option` (cuts in the middle of
+/// edges, whose surface has steps).
 FeatureFigures keep_features(Mesh& mesh, const Features& features, Context& context);
 inline FeatureFigures keep_features(Mesh& mesh, const Features& features) {
   Context context;

@@ -5,10 +5,18 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "certet/features.hpp"
+#include "certet/lattice/well_shaped.hpp"
+#include "certet/method.hpp"
 #include "zone.hpp"
 
 namespace certet::features {
+
+/// Those of a method, in degrees, rounded so that they are narrower.
+inline AngleLimits limits_of(Method method) {
+  // 9.27 and 161.46 degrees.
+  if (method == Method::embedding) return {{375, 10}, {889, 100}};
+  return {least_angle, greatest_angle};
+}
 
 class Guard {
  public:

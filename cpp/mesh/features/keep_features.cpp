@@ -39,7 +39,7 @@ class Keeper {
   Keeper(Mesh& mesh, const Features& features, Context& context)
       : mesh_(mesh), features_(features), context_(context), curves_(curves_of(features)),
         patches_(features), zone_(mesh, features.edges), sites_(zone_, patches_, curves_),
-        mover_(zone_, sites_), taken_(zone_.size()), dislike_(zone_.size()),
+        limits_(limits_of(mesh.method)), mover_(zone_, sites_, limits_), taken_(zone_.size()), dislike_(zone_.size()),
         corners_(features.corners.size(), none), chains_(curves_.size()), home_(zone_.size(), none) {
     for (Number v = 0; v < zone_.size(); ++v) home_[v] = sites_[v].which;
   }
@@ -79,6 +79,7 @@ class Keeper {
   Patches patches_;
   Zone zone_;
   Sites sites_;
+  AngleLimits limits_;
   Mover mover_;
   std::vector<std::uint8_t> taken_;
   std::vector<double> dislike_;
@@ -91,7 +92,7 @@ std::vector<Pending> Keeper::push(std::vector<Pending> pending) {
   for (int round = 0; round < most_rounds && !pending.empty(); ++round) {
     stop_if_cancelled(context_);
     const bool first = round < first_rounds;
-    mover_.keep(first ? first_limits : feature_limits);
+    mover_.keep(first ? first_limits : limits_);
     bool any = false;
     for (const Pending& one : pending) any = mover_.push(one.vertex, one.target) || any;
     std::erase_if(pending, [&](const Pending& one) {
@@ -301,6 +302,9 @@ FeatureFigures Keeper::figures() {
 }  // namespace features
 
 FeatureFigures keep_features(Mesh& mesh, const Features& features, Context& context) {
+  if (facts(mesh.method).cuts == Cuts::midpoint)
+    throw Error(ErrorCode::bad_option,
+                "vertices cannot move onto sharp edges from a surface that passes the middles of edges");
   if (features.none() || mesh.tet_count() == 0) return {};
   try {
     return features::Keeper(mesh, features, context).run();

@@ -30,11 +30,32 @@ std::vector<Ends> surface_edges(const Zone& zone) {
   return edges;
 }
 
-std::vector<Ends> edges_of(const Zone& zone, const Chain& chain) {
-  std::vector<Ends> edges;
-  for (std::size_t i = 0; i + 1 < chain.vertices.size(); ++i)
-    edges.push_back({zone.place(chain.vertices[i]), zone.place(chain.vertices[i + 1])});
-  return edges;
+/// Where along a curve an edge of its chain begins and ends, if both are exactly on it.
+struct Piece {
+  double from, to;
+};
+
+/// Those edges of a chain that follow the curve, and what of the curve they do.
+void follow(const Zone& zone, const Curve& curve, const Chain& chain, std::vector<Ends>& edges,
+            std::vector<Piece>& pieces) {
+  constexpr double one_step = 1;
+  for (std::size_t i = 0; i + 1 < chain.vertices.size(); ++i) {
+    const Ends ends{zone.place(chain.vertices[i]), zone.place(chain.vertices[i + 1])};
+    const CurvePoint from = curve.nearest(in_doubles(ends[0])), to = curve.nearest(in_doubles(ends[1]));
+    if (from.away > one_step || to.away > one_step) continue;
+    edges.push_back(ends);
+    pieces.push_back({from.at, to.at});
+    Piece& piece = pieces.back();
+    if (!curve.is_loop()) {
+      // Both ends may be one corner.
+      if (i == 0 && in_doubles(ends[0]) == curve.points().front()) piece.from = 0;
+      if (i + 2 == chain.vertices.size() && in_doubles(ends[1]) == curve.points().back())
+        piece.to = curve.length();
+      continue;
+    }
+    // On from the first, the shorter way.
+    piece.to += std::round((piece.from - piece.to) / curve.length()) * curve.length();
+  }
 }
 
 }  // namespace
@@ -50,9 +71,14 @@ FeatureFigures measure_features(const Zone& zone, const std::vector<Curve>& curv
   const distance::TriangleTree surface = tree_of(all);
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const Curve& curve = curves[c];
-    const std::vector<Ends> own = edges_of(zone, chains[c]);
+    std::vector<Ends> edges;
+    std::vector<Piece> pieces;
+    follow(zone, curve, chains[c], edges, pieces);
+    double followed = 0;
+    for (const Piece& piece : pieces) followed += piece.to - piece.from;
+    figures.followed_length += std::min(followed, curve.length()) / long_edge;
     std::optional<distance::TriangleTree> chain;
-    if (!own.empty()) chain = tree_of(own);
+    if (!edges.empty()) chain = tree_of(edges);
     const double length = curve.length() / long_edge, parts = std::ceil(length / interval);
     figures.length += length;
     double kept = 0;

@@ -39,11 +39,11 @@ bool Mover::put(Number v, Coord3 place, const AngleLimits& limits) {
 }
 
 bool Mover::push(Number v, Coord3 target) {
-  if (put(v, target, limits_)) return true;
+  if (put(v, target, push_limits_)) return true;
   const Vector own = in_doubles(zone_.place(v)), by = between(zone_.place(v), target);
   constexpr double least_share = 0.05;
   for (double share = 0.5; share > least_share; share /= 2)
-    if (put(v, sites_.onto(sites_[v], own + share * by), limits_)) return true;
+    if (put(v, sites_.onto(sites_[v], own + share * by), push_limits_)) return true;
   return false;
 }
 
@@ -78,7 +78,7 @@ bool Mover::descend(Number v, double worst) {
     const double farthest = std::min(band / slope, long_edge / 4);
     for (double far = farthest; far > farthest / 10; far /= 2) {
       const Coord3 place = sites_.onto(sites_[v], own + (-far / slope) * shortest);
-      if (star_.keeps(between(zone_.place(v), place), bars) && put(v, place, feature_limits))
+      if (star_.keeps(between(zone_.place(v), place), bars) && put(v, place, limits_))
         return true;
     }
   }

@@ -12,10 +12,12 @@ namespace certet::features {
 
 class Mover {
  public:
-  Mover(Zone& zone, Sites& sites) : zone_(zone), sites_(sites), guard_(zone) {}
+  /// No move leaves the limits.
+  Mover(Zone& zone, Sites& sites, const AngleLimits& limits)
+      : zone_(zone), sites_(sites), guard_(zone), limits_(limits), push_limits_(limits) {}
 
   /// From now on no push leaves these.
-  void keep(const AngleLimits& limits) { limits_ = limits; }
+  void keep(const AngleLimits& limits) { push_limits_ = limits; }
 
   /// Towards a place, along what the vertex is on, as far as halving finds that it may.
   /// \returns whether it moved.
@@ -33,7 +35,7 @@ class Mover {
   Zone& zone_;
   Sites& sites_;
   Guard guard_;
-  AngleLimits limits_ = feature_limits;
+  AngleLimits limits_, push_limits_;
   optimising::Star star_;
   std::vector<Vector> gradients_;
 };
