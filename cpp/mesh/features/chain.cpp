@@ -10,11 +10,11 @@ namespace certet::features {
 namespace {
 
 /// In long edges: how far from a curve a vertex may be that goes there, and one that counts for on it.
-constexpr double greatest_way = 1.2, on_it = 1e-3;
+constexpr double greatest_way = 1.6, on_it = 1e-3;
 /// Along a curve, in long edges: no edge of a chain goes on by less, and one that goes on by less
 /// than the second costs more.
 constexpr double least_advance = 0.02, fair_advance = 0.4;
-constexpr double cost_of_edge = 0.03;
+constexpr double cost_of_edge = 0.03, cost_of_sagitta = 4;
 
 struct Candidate {
   Number vertex;
@@ -45,6 +45,7 @@ class Search {
   void connect();
   [[nodiscard]] bool may_be(Number v) const;
   [[nodiscard]] bool is_beside(Number v) const;
+  [[nodiscard]] double sagitta(double at, double by) const;
   [[nodiscard]] double advance(const Candidate& from, const Candidate& to) const;
   [[nodiscard]] std::vector<Number> around();
   [[nodiscard]] std::vector<Number> from_end_to_end() const;
@@ -116,6 +117,16 @@ double Search::advance(const Candidate& from, const Candidate& to) const {
   return by / long_edge;
 }
 
+/// How far the chord over a part of the curve is from its middle, in long edges.
+double Search::sagitta(double at, double by) const {
+  using optimising::operator+;
+  using optimising::operator-;
+  using optimising::operator*;
+  const double half = by / 2 * long_edge;
+  const Vector chord = 0.5 * (curve_.place(at) + curve_.place(at + 2 * half));
+  return optimising::length(curve_.place(at + half) - chord) / long_edge;
+}
+
 void Search::connect() {
   edges_.clear();
   first_edge_.assign(candidates_.size() + 1, 0);
@@ -126,11 +137,12 @@ void Search::connect() {
       const std::uint32_t to = index_[next];
       if (to == none) continue;
       const double by = advance(own, candidates_[to]);
-      if (by < least_advance) continue;
+      const bool at_end = own.vertex == first_ || next == last_;
+      if (by < (at_end ? 0 : least_advance)) continue;
       const double away = candidates_[to].away;
       edges_.push_back({c, to,
                         away * away + cost_of_edge + 2 * std::max(0.0, fair_advance - by) +
-                            search_.dislike[next]});
+                            cost_of_sagitta * sagitta(own.at, by) + search_.dislike[next]});
     }
   }
   first_edge_[candidates_.size()] = static_cast<std::uint32_t>(edges_.size());
@@ -173,11 +185,14 @@ std::vector<Number> Search::best(const std::vector<std::uint8_t>& starts,
 
 std::vector<Number> Search::from_end_to_end() const {
   std::vector<std::uint8_t> starts(candidates_.size()), ends(candidates_.size());
+  // Where a corner has no vertex, from what is nearest to it.
+  double least = curve_.length(), greatest = 0;
+  for (const Candidate& one : candidates_)
+    least = std::min(least, one.at), greatest = std::max(greatest, one.at);
   for (std::uint32_t c = 0; c < candidates_.size(); ++c) {
     const Candidate& own = candidates_[c];
-    starts[c] = first_ == none ? own.at < long_edge : own.vertex == first_;
-    ends[c] = last_ == none ? own.at > curve_.length() - long_edge : own.vertex == last_;
-    if (starts[c] != 0 && ends[c] != 0 && first_ == none) starts[c] = 0;
+    starts[c] = first_ == none ? own.at <= least + long_edge / 2 : own.vertex == first_;
+    ends[c] = last_ == none ? own.at >= greatest - long_edge / 2 : own.vertex == last_;
   }
   return best(starts, ends);
 }

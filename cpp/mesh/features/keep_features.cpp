@@ -32,7 +32,7 @@ constexpr AngleLimits first_limits{{138, 10}, {46, 10}};  // about 15 and 155 de
 constexpr int first_rounds = 6, most_rounds = 40;
 constexpr double aim = 25, last_aim = 20;  ///< degrees
 constexpr int tries_of_corners = 3, tries_of_chains = 5;
-constexpr double corner_reach = 1.2;  ///< long edges
+constexpr double corner_reach = 1.6;  ///< long edges
 
 class Keeper {
  public:
@@ -40,7 +40,8 @@ class Keeper {
       : mesh_(mesh), features_(features), context_(context), curves_(curves_of(features)),
         patches_(features), zone_(mesh, features.edges), sites_(zone_, patches_, curves_),
         limits_(limits_of(mesh.method)), mover_(zone_, sites_, limits_), taken_(zone_.size()), dislike_(zone_.size()),
-        corners_(features.corners.size(), none), chains_(curves_.size()), home_(zone_.size(), none) {
+        corners_(features.corners.size(), none), chains_(curves_.size()),
+        home_(zone_.size(), none) {
     for (Number v = 0; v < zone_.size(); ++v) home_[v] = sites_[v].which;
   }
 
@@ -61,6 +62,7 @@ class Keeper {
   Number corner_vertex(std::uint32_t corner, const std::set<std::uint32_t>& beside) const;
   [[nodiscard]] std::vector<Pending> pending_corners() const;
 
+  std::vector<std::uint32_t> lost_first();
   bool find_chains();
   void push_chains();
   void release(Chain& chain);
@@ -85,6 +87,7 @@ class Keeper {
   std::vector<double> dislike_;
   std::vector<Number> corners_;  ///< the vertices of corners
   std::vector<Chain> chains_;
+  bool is_new_ = true;       ///< no chain was looked for
   std::vector<std::uint32_t> home_;  ///< patches of vertices, before they went to curves
 };
 
@@ -180,12 +183,34 @@ void Keeper::release(Chain& chain) {
   chain = {};
 }
 
+/// Curves for which no chain was found, which begin again before others; those that end where they
+/// do make room.
+std::vector<std::uint32_t> Keeper::lost_first() {
+  std::vector<std::uint32_t> order;
+  std::set<std::uint32_t> ends;
+  for (std::uint32_t c = 0; c < curves_.size(); ++c) {
+    if (!is_new_ && chains_[c].empty()) {
+      order.push_back(c);
+      ends.insert({curves_[c].first, curves_[c].last});
+    }
+  }
+  ends.erase(none);
+  for (std::uint32_t c = 0; c < curves_.size(); ++c) {
+    if (!is_new_ && chains_[c].empty()) continue;
+    order.push_back(c);
+    if (ends.contains(curves_[c].first) || ends.contains(curves_[c].last)) release(chains_[c]);
+  }
+  is_new_ = false;
+  return order;
+}
+
 /// \returns whether there are any that are new.
 bool Keeper::find_chains() {
+  const std::vector<std::uint32_t> order = lost_first();
   bool any = false;
-  for (std::uint32_t c = 0; c < curves_.size(); ++c)
+  for (const std::uint32_t c : order)
     if (!is_done(chains_[c])) release(chains_[c]), any = true;
-  for (std::uint32_t c = 0; c < curves_.size(); ++c) {
+  for (const std::uint32_t c : order) {
     if (!chains_[c].empty()) continue;
     const Curve& curve = curves_[c];
     const auto vertex_at = [&](std::uint32_t end) { return end == none ? none : corners_[end]; };

@@ -15,7 +15,7 @@ using optimising::operator+;
 using optimising::operator*;
 
 /// In long edges, from where stuffing put it.
-constexpr double greatest_reach = 1.5;
+constexpr double greatest_reach = 2;
 /// In squared cosines.
 constexpr double least_gain = 5e-4;
 constexpr std::array<double, 3> bands{0.08, 0.02, 0.005};
