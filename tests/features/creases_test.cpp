@@ -55,11 +55,15 @@ TEST(Creases, TheAngleDecides) {
 /// What a triangle's normal is where rounding has it.
 TEST(Creases, ThinTrianglesAreNoEdges) {
   certet::TriangleSurface surface = parts::box(1, 1, 1).surface;
-  // Two needles on the upper face, of which the one is a step high.
+  // Beside an edge of each triangle of the upper face another, some steps high.
   const auto triangles = triangles_of(surface);
   std::vector<certet::TriangleCorners> with;
   for (const certet::TriangleCorners& t : triangles) {
-    const Coord3 beside = t[0] + Coord3{1, 1, 0};
+    const auto between = [](std::int32_t a, std::int32_t b, std::int32_t c) {
+      const std::int32_t middle = a / 2 + b / 2;
+      return middle + (c - middle) / 50'000;
+    };
+    const Coord3 beside{between(t[0].x, t[1].x, t[2].x), between(t[0].y, t[1].y, t[2].y), t[0].z};
     if (t[0].z != t[1].z || t[1].z != t[2].z || t[0].z < 0) {
       with.push_back(t);
       continue;

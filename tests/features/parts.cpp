@@ -105,7 +105,10 @@ Part placed(Part part, std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   std::array<double, 4> q;
   double square = 0;
-  for (double& c : q) square += (c = normal(random)) * c;
+  for (double& c : q) {
+    c = normal(random);
+    square += c * c;
+  }
   for (double& c : q) c /= std::sqrt(square);
   const auto [w, x, y, z] = q;
   const double turn[3][3] = {

@@ -24,7 +24,7 @@ struct Candidate {
 class Search {
  public:
   Search(const ChainSearch& search, std::uint32_t curve, Number first, Number last)
-      : search_(search), number_(curve), curve_(search.sites.curves()[curve]), first_(first),
+      : search_(search), curve_(search.sites.curves()[curve]), first_(first),
         last_(last) {}
 
   /// Of those alone that are beside the curve, or of all near it.
@@ -58,7 +58,6 @@ class Search {
   }
 
   const ChainSearch& search_;
-  std::uint32_t number_;
   const Curve& curve_;
   Number first_, last_;
   std::vector<Candidate> candidates_;
