@@ -32,7 +32,7 @@ std::vector<TriangleCorners> prism(const std::vector<Coord3>& low, const std::ve
 }  // namespace
 
 std::vector<TriangleCorners> facets_of(const Box& box, const Frame& frame) {
-  const auto& [a, b] = box.sides;
+  const Point3 &a = box.sides.low, &b = box.sides.high;
   const auto corners = [&](double z) {
     return std::vector{step_of(frame, {a[0], a[1], z}), step_of(frame, {b[0], a[1], z}),
                        step_of(frame, {b[0], b[1], z}), step_of(frame, {a[0], b[1], z})};
