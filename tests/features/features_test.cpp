@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <iostream>
 
 #include "certet/error.hpp"
 #include "certet/features.hpp"
+#include "certet/placed_quality.hpp"
 #include "certet/shape.hpp"
 #include "certet/stuffing.hpp"
 #include "judge.hpp"
@@ -131,6 +133,44 @@ TEST(Features, ThePointsDoNotDependOnThreads) {
     const Kept one = keep(part, 0.15, 1);
     for (const int threads : {2, 4})
       EXPECT_TRUE(std::ranges::equal(one.after.points, keep(part, 0.15, threads).after.points));
+  }
+}
+
+/// The rows of cpp/docs/features.md.
+TEST(Features, Figures) {
+  struct Row {
+    const char* name;
+    parts::Part part;
+    double size;
+    bool turned;
+  };
+  const std::vector<Row> rows{
+      {"box 1 x 1.3 x 0.8", parts::box(1, 1.3, 0.8), 0.1, false},
+      {"box 1 x 1.3 x 0.8", parts::box(1, 1.3, 0.8), 0.1, true},
+      {"cylinder, radius 1, 24 sides", parts::cylinder(1, 1.5, 24), 0.25, true},
+      {"cylinder, radius 1, 200 sides", parts::cylinder(1, 1.5, 200), 0.25, true},
+      {"cylinder, radius 1, 200 sides", parts::cylinder(1, 1.5, 200), 0.1, true},
+      {"angle beam", parts::angle_beam(2.5, 1.2), 0.1, false},
+      {"angle beam", parts::angle_beam(2.5, 1.2), 0.1, true},
+      {"star", parts::star(2, 1.1, 1), 0.1, true},
+      {"rounded block", parts::rounded_block(0.5, 2, 0.8, 24), 0.1, true},
+      {"roof of 24 degrees", parts::prism({{0, 0}, {2, 0}, {2, 0.9}}, {1.5, 0.3}, 1.1), 0.1, false},
+  };
+  for (const Row& row : rows) {
+    std::mt19937_64 random(7);
+    const parts::Part part = row.turned ? parts::placed(row.part, random) : row.part;
+    const Kept kept = keep(part, row.size);
+    ASSERT_EQ(judge::fault(kept.before, kept.after, kept.features), "") << row.name;
+    const certet::Quality was = certet::quality(kept.before).lattice,
+                          is = certet::quality(kept.after).lattice;
+    const certet::FeatureFigures& told = kept.figures;
+    std::printf("| %s%s | %g | %.2f %% | %.2f %% | %llu of %llu | %.4f | %.1f–%.1f° | %.1f–%.1f° | %+.3f %% | %+.3f %% |\n",
+                row.name, row.turned ? ", turned" : "", row.size, told.followed_percent(),
+                told.kept_percent(), static_cast<unsigned long long>(told.kept_corners),
+                static_cast<unsigned long long>(told.corners), told.greatest_distance,
+                was.min_dihedral, was.max_dihedral, is.min_dihedral, is.max_dihedral,
+                100 * (judge::volume(kept.before) / part.volume - 1),
+                100 * (judge::volume(kept.after) / part.volume - 1));
   }
 }
 
