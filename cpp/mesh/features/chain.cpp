@@ -25,7 +25,12 @@ class Search {
  public:
   Search(const ChainSearch& search, std::uint32_t curve, Number first, Number last)
       : search_(search), curve_(search.sites.curves()[curve]), first_(first),
-        last_(last) {}
+        last_(last), near_(search.zone.near(curve_.points())) {
+    for (const Number end : {first, last})
+      if (end != none) near_.push_back(end);
+    std::ranges::sort(near_);
+    near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
+  }
 
   /// Of those alone that are beside the curve, or of all near it.
   std::vector<Number> find(bool strip) {
@@ -44,6 +49,12 @@ class Search {
   void collect(bool strip);
   void connect();
   [[nodiscard]] bool may_be(Number v) const;
+  [[nodiscard]] std::uint32_t index_of(Number v) const {
+    const auto found = std::ranges::lower_bound(candidates_, v, {}, &Candidate::vertex);
+    return found != candidates_.end() && found->vertex == v
+               ? static_cast<std::uint32_t>(found - candidates_.begin())
+               : none;
+  }
   [[nodiscard]] bool is_beside(Number v) const;
   [[nodiscard]] double sagitta(double at, double by) const;
   [[nodiscard]] double advance(const Candidate& from, const Candidate& to) const;
@@ -60,8 +71,8 @@ class Search {
   const ChainSearch& search_;
   const Curve& curve_;
   Number first_, last_;
-  std::vector<Candidate> candidates_;
-  std::vector<std::uint32_t> index_;  ///< of vertices
+  std::vector<Number> near_;
+  std::vector<Candidate> candidates_;  ///< by growing numbers of vertices
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> first_edge_;  ///< of candidates
 };
@@ -91,8 +102,7 @@ bool Search::is_beside(Number v) const {
 void Search::collect(bool strip) {
   const Zone& zone = search_.zone;
   candidates_.clear();
-  index_.assign(zone.size(), none);
-  for (Number v = 0; v < zone.size(); ++v) {
+  for (const Number v : near_) {
     if (!may_be(v)) continue;
     CurvePoint near = curve_.nearest(in_doubles(zone.place(v)));
     if (v == first_) near.at = 0;
@@ -104,7 +114,6 @@ void Search::collect(bool strip) {
     if (!end && site.role == Role::face && site.which != curve_.left && site.which != curve_.right &&
         near.away > on_it * long_edge)
       continue;
-    index_[v] = static_cast<std::uint32_t>(candidates_.size());
     candidates_.push_back({v, near.at, near.away / long_edge});
   }
   connect();
@@ -133,7 +142,7 @@ void Search::connect() {
     const Candidate& own = candidates_[c];
     first_edge_[c] = static_cast<std::uint32_t>(edges_.size());
     for (const auto& [next, beyond] : search_.zone.fan(own.vertex)) {
-      const std::uint32_t to = index_[next];
+      const std::uint32_t to = index_of(next);
       if (to == none) continue;
       const double by = advance(own, candidates_[to]);
       const bool at_end = own.vertex == first_ || next == last_;
@@ -211,7 +220,7 @@ std::vector<Number> Search::around() {
     std::vector<Number> found = best(ends, ends);
     if (found.empty()) return way;
     way = std::move(found);
-    begin = index_[way[way.size() / 2]];
+    begin = index_of(way[way.size() / 2]);
   }
   return way;
 }

@@ -39,7 +39,8 @@ class Keeper {
   Keeper(Mesh& mesh, const Features& features, Context& context)
       : mesh_(mesh), features_(features), context_(context), curves_(curves_of(features)),
         patches_(features), zone_(mesh, features.edges), sites_(zone_, patches_, curves_),
-        limits_(limits_of(mesh.method)), mover_(zone_, sites_, limits_), taken_(zone_.size()), dislike_(zone_.size()),
+        limits_(limits_of(mesh.method)), mover_(zone_, sites_, limits_), taken_(zone_.size()),
+        is_corner_(zone_.size()), dislike_(zone_.size()),
         corners_(features.corners.size(), none), chains_(curves_.size()),
         home_(zone_.size(), none) {
     for (Number v = 0; v < zone_.size(); ++v) home_[v] = sites_[v].which;
@@ -59,6 +60,11 @@ class Keeper {
   bool make_room(const std::vector<Pending>& pending);
 
   void place_corners();
+  /// Another vertex is to go to a corner.
+  void give_up(Number v) {
+    taken_[v] = is_corner_[v] = 0;
+    dislike_[v] += 1;
+  }
   Number corner_vertex(std::uint32_t corner, const std::set<std::uint32_t>& beside) const;
   [[nodiscard]] std::vector<Pending> pending_corners() const;
 
@@ -83,7 +89,7 @@ class Keeper {
   Sites sites_;
   AngleLimits limits_;
   Mover mover_;
-  std::vector<std::uint8_t> taken_;
+  std::vector<std::uint8_t> taken_, is_corner_;
   std::vector<double> dislike_;
   std::vector<Number> corners_;  ///< the vertices of corners
   std::vector<Chain> chains_;
@@ -135,8 +141,9 @@ Number Keeper::corner_vertex(std::uint32_t corner, const std::set<std::uint32_t>
   const Coord3 place = features_.corners[corner];
   Number best = none;
   double least = 1e9;
-  for (Number v = 0; v < zone_.size(); ++v) {
-    if (!zone_.is_free(v) || !zone_.on_surface(v) || taken_[v] != 0) continue;
+  const Vector line = in_doubles(place);
+  for (const Number v : zone_.near({&line, 1})) {
+    if (taken_[v] != 0) continue;
     const double away = length(between(zone_.place(v), place)) / long_edge;
     if (away > corner_reach) continue;
     std::set<std::uint32_t> seen{home_[v]};
@@ -156,9 +163,9 @@ void Keeper::place_corners() {
   for (int turn = 0; turn < tries_of_corners; ++turn) {
     for (std::uint32_t c = 0; c < corners_.size(); ++c) {
       if (corners_[c] != none && zone_.place(corners_[c]) == features_.corners[c]) continue;
-      if (corners_[c] != none) taken_[corners_[c]] = 0, dislike_[corners_[c]] += 1;
+      if (corners_[c] != none) give_up(corners_[c]);
       corners_[c] = corner_vertex(c, beside[c]);
-      if (corners_[c] != none) taken_[corners_[c]] = 1;
+      if (corners_[c] != none) taken_[corners_[c]] = is_corner_[corners_[c]] = 1;
     }
     if (push(pending_corners()).empty()) break;
   }
@@ -175,7 +182,7 @@ bool Keeper::is_done(const Chain& chain) const {
 /// Those that did not arrive are not wanted again.
 void Keeper::release(Chain& chain) {
   for (const Number v : chain.vertices) {
-    if (std::ranges::count(corners_, v) != 0) continue;
+    if (is_corner_[v] != 0) continue;
     taken_[v] = 0;
     if (sites_[v].role == Role::face) dislike_[v] += 1;
     sites_.set(v, {Role::face, home_[v]});
@@ -228,7 +235,7 @@ std::vector<Pending> Keeper::pending_chains() const {
     for (std::size_t i = 0; i < chain.vertices.size(); ++i) {
       const Number v = chain.vertices[i];
       const bool again = i + 1 == chain.vertices.size() && curves_[c].is_loop();
-      if (again || sites_[v].role != Role::face || std::ranges::count(corners_, v) != 0) continue;
+      if (again || sites_[v].role != Role::face || is_corner_[v] != 0) continue;
       const Site then = chain.pinned[i] != 0 ? Site{Role::fixed, none} : Site{Role::curve, c};
       pending.push_back({v, chain.targets[i], then});
     }

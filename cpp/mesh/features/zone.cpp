@@ -4,46 +4,13 @@
 #include <unordered_set>
 #include <variant>
 
+#include "cubes.hpp"
 #include "engine/border.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/optimise/vertex_faces.hpp"
 
 namespace certet::features {
 namespace {
-
-/// Cubes of four lattice units; a vertex is near a feature that passes its cube or one beside.
-class NearCubes {
- public:
-  explicit NearCubes(std::span<const FeatureEdge> edges) {
-    for (const FeatureEdge& edge : edges) {
-      const Vector from = in_doubles(edge.from);
-      const Vector by = optimising::between(edge.from, edge.to);
-      const double parts = std::ceil(optimising::length(by) / (width / 2)) + 1;
-      using optimising::operator+;
-      using optimising::operator*;
-      for (double i = 0; i <= parts; ++i) add(in_steps(from + (i / parts) * by));
-    }
-  }
-  [[nodiscard]] bool has(Coord3 p) const { return cubes_.contains(key(p, 0, 0, 0)); }
-
- private:
-  static constexpr int width_bits = step_bits + 2;
-  static constexpr double width = 1 << width_bits;
-
-  static std::uint64_t key(Coord3 p, int i, int j, int k) {
-    const auto index = [](std::int32_t c, int by) {
-      return static_cast<std::uint64_t>((c >> width_bits) + by + (1 << 16)) & 0x3ffff;
-    };
-    return (index(p.x, i) << 36) | (index(p.y, j) << 18) | index(p.z, k);
-  }
-  void add(Coord3 p) {
-    for (int i = -1; i <= 1; ++i)
-      for (int j = -1; j <= 1; ++j)
-        for (int k = -1; k <= 1; ++k) cubes_.insert(key(p, i, j, k));
-  }
-
-  std::unordered_set<std::uint64_t> cubes_;
-};
 
 /// In the order in which they follow each other, if they are a closed fan.
 bool put_in_order(std::vector<std::array<Number, 2>>& fan) {
@@ -61,9 +28,12 @@ bool put_in_order(std::vector<std::array<Number, 2>>& fan) {
 template <class Index>
 void Zone::gather(const Mesh& mesh, std::span<const Tet<Index>> tets,
                   std::span<const FeatureEdge> edges) {
-  const NearCubes near(edges);
+  std::unordered_set<CubeKey> near;
+  for (const FeatureEdge& edge : edges)
+    visit_along(in_doubles(edge.from), in_doubles(edge.to), [&](CubeKey key) { near.insert(key); });
   std::vector<std::uint8_t> near_one(mesh.points.size());
-  for (std::size_t v = 0; v < near_one.size(); ++v) near_one[v] = near.has(mesh.points[v]);
+  for (std::size_t v = 0; v < near_one.size(); ++v)
+    near_one[v] = near.contains(cube_of(mesh.points[v]));
   std::vector<Number> own(mesh.points.size(), none);
   std::vector<std::uint64_t> chosen;
   for (std::size_t t = 0; t < tets.size(); ++t) {
@@ -129,8 +99,23 @@ void Zone::find_fans(const Mesh& mesh, std::span<const std::int32_t> labels) {
         core::is_on_border(places_[v], mesh.border, Cuts::bisect))
       stays[v] = 1;
   }
-  for (Number v = 0; v < size(); ++v)
+  for (Number v = 0; v < size(); ++v) {
     if (stays[v] != 0) free_[v] = 0;
+    if (is_free(v) && on_surface(v)) cubes_[cube_of(origins_[v])].push_back(v);
+  }
+}
+
+std::vector<Number> Zone::near(std::span<const Vector> line) const {
+  std::unordered_set<CubeKey> keys;
+  visit_along(line.front(), line.front(), [&](CubeKey key) { keys.insert(key); });
+  for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    visit_along(line[i], line[i + 1], [&](CubeKey key) { keys.insert(key); });
+  std::vector<Number> found;
+  for (const CubeKey key : keys)
+    if (const auto cube = cubes_.find(key); cube != cubes_.end())
+      found.insert(found.end(), cube->second.begin(), cube->second.end());
+  std::ranges::sort(found);
+  return found;
 }
 
 Zone::Zone(const Mesh& mesh, std::span<const FeatureEdge> edges) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "certet/mesh.hpp"
@@ -42,6 +43,9 @@ class Zone {
   /// Triangles of the boundary at a free vertex: their other points, anticlockwise from outside,
   /// each triangle beginning where the one before ends.
   [[nodiscard]] std::span<const std::array<Number, 2>> fan(Number v) const { return fans_[v]; }
+  /// Free vertices of the boundary that were within two long edges of a line of points when the
+  /// zone was made, and some more, by growing numbers.
+  [[nodiscard]] std::vector<Number> near(std::span<const Vector> line) const;
   [[nodiscard]] bool are_neighbours(Number v, Number w) const;
   /// Whether they are two ends of an edge of the boundary.
   [[nodiscard]] bool are_on_edge(Number v, Number w) const;
@@ -60,6 +64,7 @@ class Zone {
   Stars stars_{std::span<const Tet<Number>>(), std::span<const std::uint8_t>()};
   std::vector<std::vector<Number>> neighbours_;
   std::vector<std::vector<std::array<Number, 2>>> fans_;
+  std::unordered_map<std::uint64_t, std::vector<Number>> cubes_;
 };
 
 }  // namespace certet::features
