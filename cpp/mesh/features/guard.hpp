@@ -39,7 +39,7 @@ class Guard {
  private:
   /// As `keeps_limits` wants it.
   static bool is_narrow(const TetCorners& p) {
-    constexpr std::int64_t width = 1 << 18;
+    constexpr std::int64_t width = 1 << 19;
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = i + 1; j < 4; ++j)
         for (const std::int64_t by :

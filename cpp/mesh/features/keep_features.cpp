@@ -31,7 +31,7 @@ struct Pending {
 constexpr AngleLimits first_limits{{138, 10}, {46, 10}};  // about 15 and 155 degrees
 constexpr int first_rounds = 6, most_rounds = 40;
 constexpr double aim = 25, last_aim = 20;  ///< degrees
-constexpr int tries_of_corners = 3, tries_of_chains = 5;
+constexpr int tries_of_corners = 3, tries_of_chains = 6;
 constexpr double corner_reach = 1.6;  ///< long edges
 
 class Keeper {

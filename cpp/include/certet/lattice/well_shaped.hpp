@@ -26,8 +26,9 @@ struct AngleLimits {
 };
 
 /// Whether a tetrahedron, positions in steps, has a positive volume and all dihedral angles
-/// within the limits, exactly.  No coordinates differ by 2^18 steps or more, and no numerator or
-/// denominator is 2^12 or more.
+/// within the limits, exactly.  No coordinates differ by 2^19 steps or more, numerators are less than
+/// 2^12 and denominators at most 130: then no number has more than 127 bits, the greatest being
+/// denominator * rest^2, with rest less than a volume of at most 2^59.4.
 constexpr bool keeps_limits(const std::array<Coord3, 4>& p, const AngleLimits& limits) {
   __extension__ using Wide = __int128;
   struct Vector {
