@@ -87,6 +87,22 @@ TEST(Creases, ShapesHaveTheirs) {
   EXPECT_TRUE(ball.facets().empty());
 }
 
+/// Of two boxes that overlap, the edges of each that are in the other are none of their union.
+TEST(Creases, EdgesWithinTheSolidAreNone) {
+  parts::Part one = parts::box(1, 1, 1);
+  const parts::Part small = parts::box(0.5, 0.4, 0.3);
+  const auto first = static_cast<std::uint32_t>(one.surface.points.size());
+  for (const auto& [x, y, z] : small.surface.points)
+    one.surface.points.push_back({x + 0.2, y + 0.3, z + 0.4});
+  for (const auto& [a, b, c] : small.surface.triangles)
+    one.surface.triangles.push_back({a + first, b + first, c + first});
+  const auto domain = certet::surface_domain(one.surface, {0.1, 2});
+  EXPECT_EQ(features_of(domain->facets(), 40).edges.size(), 24U);
+  const Features found = features_of(*domain, 40);
+  EXPECT_EQ(found.edges.size(), 12U);
+  EXPECT_EQ(found.corners.size(), 8U);
+}
+
 TEST(Creases, WhatWasDrawnIsToldFromScans) {
   std::mt19937_64 random(11);
   using namespace parts;

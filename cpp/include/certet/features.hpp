@@ -40,6 +40,10 @@ struct Features {
 /// \throws Error `bad_option` (an angle that is not from 1 to 179 degrees).
 Features features_of(std::span<const TriangleCorners> triangles, double angle);
 
+/// Of the facets of a domain, without the edges that are within it, as where solids overlap.
+/// \throws Error as that; what the domain throws.
+Features features_of(const PlacedDomain& domain, double angle);
+
 /// How the edges of a surface are, by their lengths.
 struct Creases {
   double flat = 0;       ///< share whose normals differ by 20 degrees at most

@@ -60,6 +60,20 @@ std::vector<Coord3> corners_of(std::span<const FeatureEdge> edges) {
   return corners;
 }
 
+/// Whether all around the middle of an edge is inside.
+bool is_within(const PlacedDomain& domain, const FeatureEdge& edge) {
+  constexpr std::int32_t beside = 16;  // steps, beyond what rounding moves the middle by
+  const Coord3 by = edge.to - edge.from;
+  const Coord3 middle = edge.from + Coord3{by.x / 2, by.y / 2, by.z / 2};
+  std::vector<Coord3> probes;
+  for (const std::int32_t x : {-beside, beside})
+    for (const std::int32_t y : {-beside, beside})
+      for (const std::int32_t z : {-beside, beside}) probes.push_back(middle + Coord3{x, y, z});
+  std::vector<Sign> signs(probes.size());
+  domain.at(probes, signs);
+  return std::ranges::all_of(signs, [](Sign sign) { return sign == Sign::plus; });
+}
+
 }  // namespace
 }  // namespace features
 
@@ -74,6 +88,14 @@ Features features_of(std::span<const TriangleCorners> triangles, double angle) {
       found.edges.push_back(edge_of(faceted, found.patches, edge));
   });
   found.corners = corners_of(found.edges);
+  return found;
+}
+
+Features features_of(const PlacedDomain& domain, double angle) {
+  Features found = features_of(domain.facets(), angle);
+  std::erase_if(found.edges,
+                [&](const FeatureEdge& edge) { return features::is_within(domain, edge); });
+  found.corners = features::corners_of(found.edges);
   return found;
 }
 
