@@ -229,6 +229,24 @@ py::object optimised_of(const PythonMesh& mesh) {
   return result;
 }
 
+/// Whether vertices moved onto sharp edges, why, and what became of it.
+py::dict features_told(const PythonMesh& mesh) {
+  const auto& [angle, creases, why] = mesh.features;
+  py::dict result;
+  result["angle"] = angle;
+  result["why"] = why;
+  const FeatureFigures figures = mesh.kept.value_or(FeatureFigures{});
+  result["length"] = figures.length * mesh.mesh.frame.size;
+  result["followed_percent"] = figures.followed_percent();
+  result["kept_percent"] = figures.kept_percent();
+  result["corners"] = figures.corners;
+  result["kept_corners"] = figures.kept_corners;
+  result["greatest_distance_edges"] = figures.greatest_distance;
+  result["moved"] = figures.moved;
+  result["greatest_move_edges"] = figures.greatest_move;
+  return result;
+}
+
 py::array positions_of(const py::object& self) {
   static_assert(sizeof(Coord3) == 3 * sizeof(std::int32_t));
   const auto& points = self.cast<const PythonMesh&>().mesh.points;
@@ -254,15 +272,15 @@ PYBIND11_MODULE(_certet, module) {
   py::register_exception_translator(translate);
   py::class_<Options>(module, "Options")
       .def(py::init([](const std::string& method, int threads, int order, bool curved,
-                       double optimise) {
+                       double optimise, bool automatic, std::optional<double> features) {
              const std::optional<Method> named = method_named(method);
              if (!named)
                throw Error(ErrorCode::bad_option,
                            "method is one of " + method_names() + ", not '" + method + "'");
-             return Options{*named, threads, order, curved, optimise};
+             return Options{*named, threads, order, curved, optimise, {automatic, features}};
            }),
            py::arg("method"), py::arg("threads"), py::arg("order"), py::arg("curved"),
-           py::arg("optimise"));
+           py::arg("optimise"), py::arg("automatic"), py::arg("features"));
   py::class_<PythonMesh, std::shared_ptr<PythonMesh>>(module, "Mesh")
       .def_property_readonly("points", [](const py::object& self) {
         const auto& world = self.cast<const PythonMesh&>().world;
@@ -275,6 +293,7 @@ PYBIND11_MODULE(_certet, module) {
       .def_property_readonly("middles", middles_of)
       .def_property_readonly("curve", curve_of)
       .def_property_readonly("optimised", optimised_of)
+      .def_property_readonly("features", features_told)
       .def_property_readonly("size", [](const PythonMesh& mesh) { return mesh.mesh.frame.size; })
       .def_property_readonly("origin", [](const PythonMesh& mesh) { return mesh.mesh.frame.origin; })
       .def_property_readonly("axes", [](const PythonMesh& mesh) { return mesh.mesh.frame.axes; })

@@ -125,6 +125,21 @@ std::optional<OptimiseFigures> figures_of_state(const py::object& state) {
                          whole(5), f[6].cast<double>(), f[7].cast<double>(), whole(8), whole(9)};
 }
 
+py::object state_of_kept(const std::optional<FeatureFigures>& kept) {
+  if (!kept) return py::none();
+  return py::make_tuple(kept->length, kept->followed_length, kept->kept_length, kept->greatest_distance, kept->corners,
+                        kept->kept_corners, kept->moved, kept->greatest_move);
+}
+
+std::optional<FeatureFigures> kept_of_state(const py::object& state) {
+  if (state.is_none()) return std::nullopt;
+  const auto f = state.cast<py::tuple>();
+  if (f.size() != 8) refuse();
+  const auto real = [&](std::size_t i) { return f[i].cast<double>(); };
+  const auto whole = [&](std::size_t i) { return f[i].cast<std::uint64_t>(); };
+  return FeatureFigures{real(0), real(1), real(2), real(3), whole(4), whole(5), whole(6), real(7)};
+}
+
 }  // namespace
 
 py::tuple state_of(const PythonMesh& all) {
@@ -136,11 +151,12 @@ py::tuple state_of(const PythonMesh& all) {
       std::visit([](const auto& tets) { return bytes_of(tets); }, mesh.tets), bytes_of(mesh.labels),
       mesh.frame.origin, mesh.frame.axes, mesh.frame.size, mesh.names, bytes_of(border),
       std::string(name(mesh.method)), all.notes, all.warnings,
-      state_of_middles(all.middles), state_of_figures(all.optimised), state_of(mesh.patches));
+      state_of_middles(all.middles), state_of_figures(all.optimised), state_of(mesh.patches),
+      all.features.angle, all.features.why, state_of_kept(all.kept));
 }
 
 std::shared_ptr<PythonMesh> mesh_of_state(const py::tuple& pickled) {
-  const py::tuple state = checked(pickled, 16);
+  const py::tuple state = checked(pickled, 19);
   auto all = std::make_shared<PythonMesh>();
   Mesh& mesh = all->mesh;
   mesh.points = values_of<Buffer<Coord3>>(state[1]);
@@ -164,6 +180,9 @@ std::shared_ptr<PythonMesh> mesh_of_state(const py::tuple& pickled) {
   all->optimised = figures_of_state(state[14]);
   for (const auto& [patch, where] : state[15].cast<Words>())
     mesh.patches.push_back(patch_choice(patch, where));
+  all->features.angle = state[16].cast<std::optional<double>>();
+  all->features.why = state[17].cast<std::string>();
+  all->kept = kept_of_state(state[18]);
   return all;
 }
 

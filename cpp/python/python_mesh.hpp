@@ -15,6 +15,7 @@
 #include "certet/curve.hpp"
 #include "certet/curve.hpp"
 #include "certet/mesh.hpp"
+#include "certet/features.hpp"
 #include "certet/optimise.hpp"
 #include "certet/warp_figures.hpp"
 
@@ -41,6 +42,8 @@ struct PythonMesh {
   WarpFigures warp;
   std::vector<std::string> warnings;  ///< what it has lost
   std::optional<OptimiseFigures> optimised = std::nullopt;  ///< where vertices moved
+  FeatureDecision features = {};                            ///< whether they moved onto sharp edges
+  std::optional<FeatureFigures> kept = std::nullopt;        ///< how much of these the mesh has
   std::optional<PythonMiddles> middles = std::nullopt;  ///< where tetrahedra have ten nodes
 };
 

@@ -28,6 +28,11 @@ void fill(const Shape& shape, double size, const Options& options, Context& cont
   result.mesh = mesh(*domain, stuffing, context);
   if (options.optimise != 0)
     result.optimised = optimise(result.mesh, *domain, {options.optimise}, context);
+  result.features = decide_features(options.features, *domain, options.method);
+  if (result.features.angle)
+    result.kept = keep_features(result.mesh,
+                                features_of(*domain, *result.features.angle), context);
+  if (result.kept && !result.kept->all_followed()) result.warnings.push_back(sentence_on(*result.kept));
   if (options.order == 2) result.middles = middles_of(result.mesh, *domain, options, context);
   result.warp = stuffing.warp_figures();
   result.notes = shape.notes;
@@ -61,7 +66,9 @@ std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape(const Context&)>& 
   run(context, [&] {
     const Shape shape = make(context);
     fill(shape, size, options, context, *result);
-    if (shape.warnings) result->warnings = shape.warnings(result->mesh);
+    if (shape.warnings)
+      for (std::string& warning : shape.warnings(result->mesh))
+        result->warnings.push_back(std::move(warning));
     result->world = world_points(result->mesh);
   });
   return result;

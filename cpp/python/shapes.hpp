@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "certet/features.hpp"
 #include "certet/kept.hpp"
 #include "certet/method.hpp"
 #include "certet/surface.hpp"
@@ -26,6 +27,7 @@ struct Options {
   int order = 1;        ///< 2: tetrahedra of ten nodes
   bool curved = false;  ///< whether middle nodes of the surfaces are put on these
   double optimise = 0;  ///< degrees that vertices move for; 0: they stay
+  FeatureChoice features = {};
 };
 
 /// A shape that can be put on lattices of several sizes, and what is doubtful about it.

@@ -124,7 +124,8 @@ class Distances(ProgramTest):
 class DistancesOfSurfaces(SurfaceProgramTest):
     def test_are_exact(self):
         (self.folder / "cube.stl").write_bytes(surfaces.stl(surfaces.cube()))
-        distance = self.mesh("cube.stl", "--size", "0.07", "-o", "c.vtu", "--distance")["distance"]
+        distance = self.mesh("cube.stl", "--size", "0.07", "-o", "c.vtu", "--distance",
+                             "--features", "off")["distance"]
         self.assertTrue(distance["exact"])
         self.assertEqual(distance["against"], "its triangles, exactly")
         # A corner of the cube is cut off, which the shape sees best.
@@ -136,6 +137,12 @@ class DistancesOfSurfaces(SurfaceProgramTest):
         self.assertTrue(again["exact"])
         self.assertAlmostEqual(again["to_mesh"]["greatest"], distance["to_mesh"]["greatest"], places=4)
         self.assertAlmostEqual(again["to_shape"]["greatest"], distance["to_shape"]["greatest"], places=4)
+
+    def test_sharp_edges_leave_nothing(self):
+        (self.folder / "cube.stl").write_bytes(surfaces.stl(surfaces.cube()))
+        distance = self.mesh("cube.stl", "--size", "0.07", "-o", "c.vtu", "--distance")["distance"]
+        for way in ("to_shape", "to_mesh"):
+            self.assertLess(distance[way]["greatest_edges"], 1e-4)
 
     def test_one_that_is_elsewhere(self):
         """Planted: the mesh is of a cube that is longer by a quarter."""

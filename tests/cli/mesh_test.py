@@ -16,6 +16,7 @@ KEYS = {
     "method": {"name", "violated", "stayed", "shortened", "missed", "clamped"},
     "mesh": {"points", "tets", "volume", "checksum", "file_checksum", "pieces", "nonmanifold"},
     "dihedral": {"min", "max", "lattice_min", "lattice_max", "rounding", "histogram"},
+    "features": {"asked", "chosen", "why"},
     "theorem": None,
     "guarantee": {"asked", "used", "theorem", "min_dihedral", "max_dihedral",
                   "inverted_tets", "holds"},

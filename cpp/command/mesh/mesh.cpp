@@ -192,11 +192,33 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
   report.count_seconds = progress.seconds(Stage::count);
 }
 
+/// Moves vertices onto sharp edges, if they are to.
+void keep_sharp(const MeshOptions& options, const Counted& counted, std::optional<Mesh>& made,
+                Context& context, MeshReport& report) {
+  const PlacedDomain& domain = *counted.source.domain;
+  report.features = {name(options.features),
+                     decide_features(options.features, domain, options.method), {}};
+  if (!report.features.decision.angle || options.dry_run) return;
+  const Stopwatch clock;
+  if (!made && options.features.automatic && !can_move(counted, report)) {
+    report.features.decision.angle.reset();
+    report.features.decision.why = "the mesh does not fit the memory, in which vertices would move";
+    return;
+  }
+  if (!made) {
+    check_moving_memory(counted, "to keep sharp edges", report);
+    made = mesh(domain, counted.stuffing, context);
+  }
+  report.features.figures =
+      keep_features(*made, features_of(domain, *report.features.decision.angle), context);
+  report.features_seconds = clock.seconds();
+}
+
 /// The mesh in memory once its vertices have moved, if they are to.
 std::optional<Mesh> optimise(const MeshOptions& options, const Counted& counted, Context& context,
                              MeshReport& report) {
   if (!options.optimise.wanted || options.dry_run) return std::nullopt;
-  check_optimise_memory(counted, report);
+  check_moving_memory(counted, "to optimise the mesh", report);
   const Stopwatch clock;
   OptimiseFigures figures;
   Mesh moved =
@@ -284,6 +306,7 @@ MeshReport run(const MeshOptions& options, Context& context) {
   const SizedShape shape = sized(options, source, counted, report.memory_limit);
   if (report.tets == 0) refuse_empty(shape, report.size, options.method, context);
   std::optional<Mesh> moved = optimise(options, counted, context, report);
+  keep_sharp(options, counted, moved, context, report);
   const Mesh* const in_memory = moved ? &*moved : nullptr;
   measure_distance(options, source, counted, in_memory, context, report);
   MeshSize size = announce(options, names, counted, in_memory, context, report);
@@ -306,6 +329,8 @@ MeshReport run(const MeshOptions& options, Context& context) {
     return size_for_pieces(shape, *source.voxels, regions, report, context);
   };
   describe(watch, size_for, report);
+  if (report.features.figures && !report.features.figures->all_followed())
+    report.warnings.push_back(sentence_on(*report.features.figures));
   if (!options.materials.empty()) describe_materials(counted.source, context, report);
   report.total_seconds = clock.seconds();
   report.memory_peak = peak_memory();

@@ -20,7 +20,7 @@ Json guarantee(const MeshReport& report) {
             {"max_dihedral", bounds.max_dihedral},
             {"inverted_tets", report.inverted_tets}};
   if (!report.dry_run) json["holds"] = standing(report) == Standing::within;
-  if (report.optimised) json["angles"] = "checked";
+  if (report.moved()) json["angles"] = "checked";
   if (report.cut_apart) json["surface"] = surface_of_several;
   return json;
 }
@@ -56,6 +56,7 @@ Json seconds(const MeshReport& report) {
             {"pieces", report.pieces_seconds}};
   if (report.distance) json["distance"] = report.distance_seconds;
   if (report.optimised) json["optimise"] = report.optimise_seconds;
+  if (report.features.figures) json["features"] = report.features_seconds;
   if (!report.dry_run) {
     json["emit"] = report.written.emit_seconds;
     json["measure"] = report.written.measure_seconds;
@@ -157,6 +158,7 @@ std::string json(const MeshReport& report) {
   }
   if (report.optimised)
     json["optimised"] = json_of(*report.optimised, report.size * report.scale);
+  json["features"] = json_of(report.features, report.size * report.scale);
   if (report.order) json["order2"] = json_of(*report.order, report.size * report.scale);
   add_pieces(json["mesh"], report.pieces);
   if (!report.patches.empty()) json["patches"] = json_of(report.patches);

@@ -56,10 +56,21 @@ void check_lattice(const PlacedSource& source, Method method, std::uint64_t limi
                   static_cast<std::uint64_t>(needed), limit);
 }
 
-void check_optimise_memory(const Counted& counted, const MeshReport& report) {
-  const std::uint64_t needed =
-      counted.source.bytes + counted.stuffing.bytes() + bytes_to_optimise(counted.stuffing);
-  if (needed > report.memory_limit) refuse_memory("to optimise the mesh", needed, report.memory_limit);
+namespace {
+
+std::uint64_t bytes_to_move(const Counted& counted) {
+  return counted.source.bytes + counted.stuffing.bytes() + bytes_to_optimise(counted.stuffing);
+}
+
+}  // namespace
+
+bool can_move(const Counted& counted, const MeshReport& report) {
+  return bytes_to_move(counted) <= report.memory_limit;
+}
+
+void check_moving_memory(const Counted& counted, const std::string& what,
+                         const MeshReport& report) {
+  if (!can_move(counted, report)) refuse_memory(what, bytes_to_move(counted), report.memory_limit);
 }
 
 Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report) {
@@ -67,7 +78,7 @@ Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report) {
   std::uint64_t held = source.bytes + stuffing.bytes();
   if (size.survey != nullptr)
     held += face_count(*size.survey) * sizeof(BoundaryFace) + size.survey->materials.bytes();
-  if (report.optimised) held += stuffing.point_count() * sizeof(Coord3);
+  if (report.moved()) held += stuffing.point_count() * sizeof(Coord3);
   // Middle nodes, of which a slab has as many for a tetrahedron as the whole.
   double for_each_tet = 0;
   if (size.middles != nullptr) {

@@ -23,8 +23,11 @@ void check_target(const MeshOptions& options, std::uint64_t limit);
 /// \throws Error `too_large` where the engine's lattice does not fit.
 void check_lattice(const PlacedSource& source, Method method, std::uint64_t limit);
 
-/// \throws Error `too_large` where the mesh cannot be held while its vertices move.
-void check_optimise_memory(const Counted& counted, const MeshReport& report);
+/// Whether the mesh can be held while its vertices move.
+bool can_move(const Counted& counted, const MeshReport& report);
+/// \throws Error `too_large` where it cannot; `what` needs it.
+void check_moving_memory(const Counted& counted, const std::string& what,
+                         const MeshReport& report);
 
 /// Chooses the slabs by the memory that is left.  \throws Error `too_large`.
 Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report);

@@ -182,13 +182,19 @@ surface), seams}, greatest_move, greatest_move_edges, least_jacobian (a lower bo
 is while straight)}, with --optimise: optimised {goal, rounds, moved (vertices),
 moved_on_surface, moved_on_seams (where several surfaces meet), left_surface, greatest_move,
 greatest_move_edges, greatest_move_on_surface_edges, short_before, short_after (tetrahedra with an
-angle nearer to 0 or 180 than the goal)}, with --distance: distance {against (what the shape's
+angle nearer to 0 or 180 than the goal)}, features {asked, chosen (degrees, or off), why, where
+the shape's faces are known flat, sharp (shares of the length of its edges), loose_ends, and
+where vertices moved length (of sharp edges), followed_length (of what is between two vertices
+on it, joined by an edge), followed_percent, kept_length (of that, what these edges are within 2 %
+of a long edge of), kept_percent, corners, kept_corners, greatest_distance and
+greatest_distance_edges (of a sharp edge from the edges of the mesh's surface), moved (vertices),
+greatest_move_edges}, with --distance: distance {against (what the shape's
 surface is), exact (to triangles), edge (the long edge), to_shape and to_mesh {greatest, rms,
 greatest_edges, rms_edges, at (where it is the greatest), points}}, with --keep: dropped {keep,
 pieces, kept, tets, volume}, dihedral {min, max, lattice_min, lattice_max, rounding, histogram},
 guarantee {asked, used, theorem, min_dihedral, max_dihedral, inverted_tets, holds, with
---optimise: angles (checked), of several labels: surface (a sentence on it)}, seconds {read,
-sample, cut, warp, count, pieces, optimise, distance, emit, measure, write, total}, memory
+--optimise or features: angles (checked), of several labels: surface (a sentence on it)}, seconds {read,
+sample, cut, warp, count, pieces, optimise, features, distance, emit, measure, write, total}, memory
 {limit, needed, least, peak}, warnings, where pieces were not compared: losses {not_compared (a
 sentence), size (of the finer lattice), cells (of it, to be looked at)}, and for images regions
 [{label, voxels, tets, name where the file or --label-names has one, volume, voxel_volume,

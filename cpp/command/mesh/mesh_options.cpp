@@ -27,7 +27,7 @@ struct RawMesh {
   RawMaterials materials;
   std::vector<std::string> patches;
   MethodChoice method;
-  std::string optimise_to;
+  std::string optimise_to, features;
   bool compress = false;
 };
 
@@ -136,6 +136,7 @@ void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
       ->option_text("world|0");
   declare_order(mesh, options.order);
   declare_optimise(mesh, options.optimise, raw.optimise_to);
+  declare_features(mesh, raw.features);
   declare_placing(mesh, raw.frame, raw.scale);
   mesh.add_option("--label-names", options.label_names,
                   "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
@@ -302,6 +303,7 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   options.patches = chosen_patches(raw.patches, options.format);
   check_order(options.order, options.format, options.method);
   check_optimise(options.optimise, raw.optimise_to, options.method);
+  options.features = chosen_features(raw.features, options.method);
   if (raw.origin == "0") options.origin = OutputOrigin::lattice;
   if (raw.frame == "lps") options.frame = OutputFrame::lps;
   if (raw.frame == "ras") options.frame = OutputFrame::ras;

@@ -17,6 +17,7 @@
 #include "certet/method.hpp"
 #include "certet/patch.hpp"
 #include "certet/pieces.hpp"
+#include "features_choice.hpp"
 #include "material_options.hpp"
 #include "optimise_choice.hpp"
 #include "order.hpp"
@@ -70,6 +71,7 @@ struct MeshOptions {
   bool label_pieces = false;     ///< counts the pieces of each label
   OrderChoice order;
   OptimiseChoice optimise;
+  FeatureChoice features;
   RunOptions run;
   std::uint64_t max_memory = 0;  ///< 0: by what is available
   bool distance = false;  ///< to be measured

@@ -17,6 +17,7 @@
 #include "certet/warp_figures.hpp"
 #include "certet/write_mesh.hpp"
 #include "distance.hpp"
+#include "features_choice.hpp"
 #include "meshed_materials.hpp"
 #include "optimise_choice.hpp"
 #include "order.hpp"
@@ -65,6 +66,7 @@ struct MeshReport {
   std::optional<OrderReport> order;  ///< of tetrahedra of ten nodes
   std::optional<OptimiseFigures> optimised;  ///< where vertices moved
   std::vector<PatchFigures> patches;  ///< of the boundary, where it has others than `surface`
+  FeaturesReport features;
   Pieces pieces;
   std::optional<DistanceReport> distance;  ///< if it was to be measured
   std::string keep;  ///< which pieces were to stay; empty: all
@@ -72,13 +74,16 @@ struct MeshReport {
   WrittenMesh written;  ///< empty after a dry run
 
   double read_seconds = 0, sample_seconds = 0, cut_seconds = 0, warp_seconds = 0,
-         count_seconds = 0, pieces_seconds = 0, optimise_seconds = 0, distance_seconds = 0,
+         count_seconds = 0, pieces_seconds = 0, optimise_seconds = 0,
+         features_seconds = 0, distance_seconds = 0,
          total_seconds = 0;
   std::uint64_t memory_limit = 0;   ///< what the run may use
   std::uint64_t memory_needed = 0;  ///< what it holds while writing
   std::uint64_t memory_least = 0;   ///< the smallest limit that would do
   std::uint64_t memory_peak = 0;    ///< what the process had in the end
 
+  /// Whether vertices moved after stuffing.
+  [[nodiscard]] bool moved() const { return optimised || features.figures; }
   /// A volume in the units of the output.
   [[nodiscard]] double out(double volume) const { return volume * scale * scale * scale; }
 };

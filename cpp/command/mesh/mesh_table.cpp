@@ -15,17 +15,18 @@ void add_method(Lines& lines, const MeshReport& report) {
   lines.add(report.dry_run ? "bounds" : "proven", "{:.3f}° to {:.3f}°, theorem {}{}",
             method.bounds.min_dihedral, method.bounds.max_dihedral, bounds_of(report).theorem,
             report.dry_run ? "; no angle was measured" : "");
-  if (report.optimised)
+  if (report.moved())
     lines.add("checked", "{:.3f}° to {:.3f}°, once vertices had moved, none of which let an angle "
-              "leave what the others had",
-              report.written.lattice.min_dihedral, report.written.lattice.max_dihedral);
+              "leave {}",
+              report.written.lattice.min_dihedral, report.written.lattice.max_dihedral,
+              report.features.figures ? "these bounds" : "what the others had");
   // What is proved of one solid besides its angles is not of several.
   lines.add("method", "{}: {}{}{}", method.name,
             report.cut_apart
                 ? fmt::format("labels are cut apart, each keeps its pieces; surfaces are {}",
                               surface_of_several)
                 : std::string(method.sentence),
-            report.optimised ? "; this is of the mesh before vertices moved" : "",
+            report.moved() ? "; this is of the mesh before vertices moved" : "",
             report.used == report.asked
                 ? ""
                 : fmt::format(" ({} inverted {} dropped tetrahedra)", name(report.asked),
@@ -120,6 +121,7 @@ std::string table(const MeshReport& report) {
   lines.add("mesh", "{} points, {} tetrahedra", grouped(report.points), grouped(report.tets));
   if (report.optimised)
     add_optimise(lines, *report.optimised, report.size * report.scale);
+  add_features(lines, report.features, report.size * report.scale);
   if (report.order) add_order(lines, *report.order, report.size * report.scale);
   add_pieces(lines, report);
   add_patches(lines, report.patches);
@@ -143,10 +145,12 @@ std::string table(const MeshReport& report) {
   add_method(lines, report);
   add_settling(lines, report);
   lines.add("seconds", "read {:.2f}, sample {:.2f}, cut {:.2f}, warp {:.2f}, count {:.2f}, "
-            "pieces {:.2f}{}",
+            "pieces {:.2f}{}{}",
             report.read_seconds, report.sample_seconds, report.cut_seconds,
             report.warp_seconds, report.count_seconds, report.pieces_seconds,
-            report.optimised ? fmt::format(", optimise {:.2f}", report.optimise_seconds) : "");
+            report.optimised ? fmt::format(", optimise {:.2f}", report.optimise_seconds) : "",
+            report.features.figures ? fmt::format(", features {:.2f}", report.features_seconds)
+                                    : "");
   if (!report.dry_run)
     lines.add("", "emit {:.2f}, measure {:.2f}, write {:.2f}", report.written.emit_seconds,
               report.written.measure_seconds, report.written.write_seconds);

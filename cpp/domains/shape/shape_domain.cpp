@@ -12,6 +12,7 @@
 #include "certet/function_domain.hpp"
 #include "certet/shape.hpp"
 #include "distances.hpp"
+#include "facets.hpp"
 
 namespace certet {
 namespace {
@@ -175,6 +176,8 @@ ShapeDomain::ShapeDomain(const std::string& shape, const std::optional<Bounds>& 
   if (bounds)
     border_.push_back(BorderBox::along_frame(around_.frame, bounds->low, bounds->high));
   solid_ = domain(solid, bounds, around_.frame);
+  if (!bounds)
+    facets_ = std::visit([&](const auto& one) { return facets_of(one, around_.frame); }, solid);
 }
 
 bool is_shape(const std::string& text) {

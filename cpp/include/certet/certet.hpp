@@ -42,6 +42,7 @@
 #include "certet/distance.hpp"
 #include "certet/error.hpp"
 #include "certet/examine.hpp"
+#include "certet/features.hpp"
 #include "certet/formats.hpp"
 #include "certet/formula.hpp"
 #include "certet/image.hpp"

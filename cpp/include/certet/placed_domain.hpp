@@ -29,6 +29,9 @@ class PlacedDomain : public Domain {
   /// The triangles that the solid is given by, where they are all around it; else none.  Some may
   /// be within the solid.
   [[nodiscard]] virtual std::vector<TriangleCorners> triangles() const { return {}; }
+  /// Triangles around the solid, to a step, where they are known: they tell its sharp edges and
+  /// the faces between.  None where it is cut off, or more than one material.
+  [[nodiscard]] virtual std::vector<TriangleCorners> facets() const { return triangles(); }
   /// Bytes that the object holds, where they are many.
   [[nodiscard]] virtual std::uint64_t bytes() const { return 0; }
 };

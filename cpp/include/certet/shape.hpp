@@ -68,9 +68,12 @@ class ShapeDomain final : public PlacedDomain {
     return solid_->extent(box);
   }
   [[nodiscard]] std::span<const BorderBox> border() const override { return border_; }
+  /// Of boxes and cylinders.
+  [[nodiscard]] std::vector<TriangleCorners> facets() const override { return facets_; }
 
  private:
   Bounds bounds_;
+  std::vector<TriangleCorners> facets_;
   std::optional<double> volume_, room_;
   PlacedLattice around_;
   std::vector<BorderBox> border_;  ///< the bounds, if they cut the solid off

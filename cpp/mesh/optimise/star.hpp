@@ -46,6 +46,8 @@ class Star {
  public:
   void clear() { spokes_.clear(); }
   void add(const TetCorners& corners, std::size_t vertex, double worst);
+  /// Finds the worst angle of the one that was added last.
+  void measure_last() { spokes_.back().worst = spokes_.back().worst_after({0, 0, 0}); }
 
   [[nodiscard]] std::span<const Spoke> spokes() const { return spokes_; }
   /// The greatest squared cosine of all.

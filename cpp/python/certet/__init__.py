@@ -26,8 +26,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments, _certet
 
-__all__ = ["CheckReport", "Curve", "Distance", "Distances", "FileMesh", "Interface", "LossWarning",
-           "Mesh", "Optimised", "Patch", "Pieces", "Quality", "Solid", "Warp", "check", "distance", "inside",
+__all__ = ["CheckReport", "Curve", "Distance", "Distances", "Features", "FileMesh", "Interface",
+           "LossWarning", "Mesh", "Optimised", "Patch", "Pieces", "Quality", "Solid", "Warp", "check",
+           "distance", "inside",
            "interfaces", "mesh", "mesh_function", "mesh_image", "mesh_solids", "mesh_surface",
            "patches", "quality", "read", "voxelise", "write"]
 __version__: str = _certet.version
@@ -186,6 +187,29 @@ class Distances(NamedTuple):
     """Whether the shape is a closed surface, and distances those from its triangles."""
 
 
+class Features(NamedTuple):
+    """Vertices that moved onto sharp edges."""
+
+    angle: float | None
+    """Between normals of neighbours, in degrees, of sharp edges; None where vertices stayed."""
+    why: str
+    """The end of a sentence."""
+    length: float
+    """Of all sharp edges, in world units."""
+    followed_percent: float
+    """Of that what is between two vertices exactly on it, joined by an edge of the mesh."""
+    kept_percent: float
+    """What these edges are within 2 % of a long edge of; where the shape is bent, chords are not."""
+    corners: int
+    kept_corners: int
+    """Those with a vertex exactly there."""
+    greatest_distance_edges: float
+    """Of a sharp edge from the edges of the mesh's surface, in long edges."""
+    moved: int
+    """Vertices."""
+    greatest_move_edges: float
+
+
 class LossWarning(UserWarning):
     """A mesh has not the pieces of its shape, or a volume that differs by a fiftieth or more; the
     sentence says a size that keeps them, which was tried, if one was found."""
@@ -330,6 +354,11 @@ class Mesh(_MiddleNodes):
     def optimised(self) -> Optimised | None:
         """What became of the vertices that were to move; None but by optimise."""
         return None if self._inner.optimised is None else Optimised(**self._inner.optimised)
+
+    @property
+    def features(self) -> Features:
+        """Whether vertices moved onto sharp edges, why, and what became of that."""
+        return Features(**self._inner.features)
 
     @property
     def size(self) -> float:
@@ -564,7 +593,7 @@ def mesh(shape: Any, **options: Any) -> Mesh:
     shape : a function that is negative inside, as `mesh_function` takes; a pair (points,
         triangles), as `mesh_surface` does; a dictionary of these, as `mesh_solids` does; an
         array of voxels, as `mesh_image` does; or a `Solid`, with `size`, `margin`, `method`,
-        `threads`, `order`, `curved` and `optimise` as options
+        `threads`, `order`, `curved`, `optimise` and `features` as options
     options : those of that function, by name; `bounds` is required for a function
 
     Raises
@@ -693,6 +722,7 @@ def mesh_image(
     order: Literal[1, 2] = 1,
     curved: bool = False,
     optimise: bool | float = False,
+    features: float | Literal["auto", "off"] = "auto",
 ) -> Mesh:
     """Meshes voxels: chosen labels, or where a grayscale image is above `iso`.
 
@@ -733,6 +763,12 @@ def mesh_image(
     optimise : vertices move, those of surfaces along these, where the worst dihedral angle around
         grows by it, until none is nearer to 0 or to 180 than so many degrees, at most 60 (True:
         25), or no move helps; `Mesh.optimised` says what became of them
+    features : "auto" (default), "off", or an angle in degrees: vertices of the boundary move onto
+        edges of the shape at which normals differ by more than that, and onto the corners of these,
+        as far as all angles stay within the method's bounds.  "auto" does so by 40 degrees for
+        surfaces of which nine tenths of the edges are flat or sharp, boxes and cylinders; of
+        voxels, functions and several solids no sharp edges are known.  `Mesh.features` says what
+        was chosen, and why
 
     Warns of labels that the mesh has lost, with a size that keeps them, of labels asked for one by
     one that no voxel has, and of gray values taken for labels; `Mesh.warnings` has the sentences.
@@ -755,7 +791,7 @@ def mesh_image(
         _arguments.three("spacing", spacing, one_will_do=True),
         _arguments.three("origin", origin), _arguments.direction(direction), ranges, levels,
         None if smooth is None else float(smooth), merges, _arguments.size(size), _arguments.whole("margin", margin),
-        _options(method, cuts, guarantee, threads, order, curved, optimise)))
+        _options(method, cuts, guarantee, threads, order, curved, optimise, features)))
 
 
 def mesh_function(
@@ -772,6 +808,7 @@ def mesh_function(
     order: Literal[1, 2] = 1,
     curved: bool = False,
     optimise: bool | float = False,
+    features: float | Literal["auto", "off"] = "auto",
 ) -> Mesh:
     """Meshes where a function is negative.
 
@@ -785,7 +822,7 @@ def mesh_function(
         outside
     size : the long edge of the lattice (default: a 64th of the longest side of the box)
     batch : how many points `f` is called with at most; the mesh is the same for any number
-    margin, method, cuts, guarantee, threads, order, curved, optimise : as `mesh_image` has them
+    margin, method, cuts, guarantee, threads, order, curved, optimise, features : as `mesh_image` has them
 
     Raises
     ------
@@ -797,7 +834,7 @@ def mesh_function(
     return _told(_certet.mesh_function(
         _arguments.signs(f), low, high, _arguments.batch(batch), _arguments.size(size),
         _arguments.whole("margin", margin),
-        _options(method, cuts, guarantee, threads, order, curved, optimise)))
+        _options(method, cuts, guarantee, threads, order, curved, optimise, features)))
 
 
 def mesh_surface(
@@ -814,6 +851,7 @@ def mesh_surface(
     order: Literal[1, 2] = 1,
     curved: bool = False,
     optimise: bool | float = False,
+    features: float | Literal["auto", "off"] = "auto",
 ) -> Mesh:
     """Meshes the inside of a closed surface.
 
@@ -828,7 +866,7 @@ def mesh_surface(
         solid is thin, as far as some 4 million tetrahedra)
     repair : of an open surface, mesh what it winds around by more than one half (the
         generalised winding number); `Mesh.notes` says how many holes that closed
-    margin, method, cuts, guarantee, threads, order, curved, optimise : as `mesh_image` has them
+    margin, method, cuts, guarantee, threads, order, curved, optimise, features : as `mesh_image` has them
 
     Raises
     ------
@@ -839,7 +877,7 @@ def mesh_surface(
     return _told(_certet.mesh_surface(
         _arguments.points(points), _arguments.triangles(triangles), _arguments.size(size),
         _arguments.whole("margin", margin), bool(repair),
-        _options(method, cuts, guarantee, threads, order, curved, optimise)))
+        _options(method, cuts, guarantee, threads, order, curved, optimise, features)))
 
 
 def mesh_solids(
@@ -859,6 +897,7 @@ def mesh_solids(
     order: Literal[1, 2] = 1,
     curved: bool = False,
     optimise: bool | float = False,
+    features: float | Literal["auto", "off"] = "auto",
 ) -> Mesh:
     """Meshes several solids as the materials of one mesh, cut apart where they meet.
 
@@ -881,7 +920,7 @@ def mesh_solids(
     size : the long edge of the lattice (default: the spacing of the first image or, without one, a
         64th of the longest side of the box around all)
     repair : of surfaces, as `mesh_surface` has it
-    margin, method, cuts, guarantee, threads, order, curved, optimise : as `mesh_image` has them; with the paper's methods the
+    margin, method, cuts, guarantee, threads, order, curved, optimise, features : as `mesh_image` has them; with the paper's methods the
         solids are meshed as one, and a tetrahedron has the label at its centre
 
     Raises
@@ -896,7 +935,7 @@ def mesh_solids(
              for name, one in solids.items()]
     return _told(_certet.mesh_solids(inner, list(priority), _arguments.size(size),
                                      _arguments.whole("margin", margin),
-                                     _options(method, cuts, guarantee, threads, order, curved, optimise)))
+                                     _options(method, cuts, guarantee, threads, order, curved, optimise, features)))
 
 
 def _mesh_solid(
@@ -911,10 +950,11 @@ def _mesh_solid(
     order: Literal[1, 2] = 1,
     curved: bool = False,
     optimise: bool | float = False,
+    features: float | Literal["auto", "off"] = "auto",
 ) -> Mesh:
     return _told(_certet.mesh_solid(solid._inner, _arguments.size(size),
                                     _arguments.whole("margin", margin),
-                                    _options(method, cuts, guarantee, threads, order, curved, optimise)))
+                                    _options(method, cuts, guarantee, threads, order, curved, optimise, features)))
 
 
 def _one_of_several(name: str, solid: Any, bounds: Sequence[Sequence[float]] | None,
@@ -1031,7 +1071,8 @@ def _inner(mesh: Any) -> Any:
 
 def _options(method: str | None, cuts: str, guarantee: str | None, threads: int,
              order: int = 1, curved: bool = False,
-             optimise: bool | float = False) -> _certet.Options:
+             optimise: bool | float = False,
+             features: float | str = "auto") -> _certet.Options:
     if order not in (1, 2):
         raise ValueError(f"order is 1 or 2, not {order!r}")
     if curved and order != 2:
@@ -1046,6 +1087,7 @@ def _options(method: str | None, cuts: str, guarantee: str | None, threads: int,
         raise ValueError("method says all that cuts and guarantee do: give one or the others")
     if optimise is not False and optimise is not True and not 0 < optimise <= 60:
         raise ValueError(f"optimise is an angle of at most 60 degrees, or True, not {optimise!r}")
+    angle = None if features in ("auto", "off") else _arguments.angle("features", features)
     return _certet.Options(_arguments.word("method", method), _arguments.whole("threads", threads),
                            int(order), bool(curved),
-                           25.0 if optimise is True else float(optimise))
+                           25.0 if optimise is True else float(optimise), features == "auto", angle)

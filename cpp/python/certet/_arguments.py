@@ -42,6 +42,18 @@ def batch(value: Any) -> int:
     return number
 
 
+def angle(name: str, value: Any) -> float:
+    """Degrees, from 1 to 179."""
+    try:
+        degrees = float(value)
+    except (TypeError, ValueError):
+        degrees = float("nan")
+    if isinstance(value, (bool, np.bool_)) or not 1 <= degrees <= 179:
+        raise ValueError(f"{name} is 'auto', 'off' or an angle from 1 to 179 degrees, "
+                         f"not {_shown(value)}")
+    return degrees
+
+
 def word(name: str, value: Any) -> str:
     if not isinstance(value, str):
         raise ValueError(f"{name} is a word, not {_shown(value)}")

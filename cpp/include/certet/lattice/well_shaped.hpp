@@ -20,10 +20,16 @@ struct SquaredCotangent {
 inline constexpr SquaredCotangent least_angle{221, 8};
 inline constexpr SquaredCotangent greatest_angle{1751, 130};
 
-/// Whether a tetrahedron, positions in steps, has a positive volume and all dihedral
-/// angles within the bounds: `IsWellShaped` of the certificate, exactly.  No coordinates
-/// differ by 2^18 steps or more.
-constexpr bool is_well_shaped(const std::array<Coord3, 4>& p) {
+/// Between which all dihedral angles of a tetrahedron are to be.
+struct AngleLimits {
+  SquaredCotangent least, greatest;
+};
+
+/// Whether a tetrahedron, positions in steps, has a positive volume and all dihedral angles
+/// within the limits, exactly.  No coordinates differ by 2^19 steps or more, numerators are less than
+/// 2^12 and denominators at most 130: then no number has more than 127 bits, the greatest being
+/// denominator * rest^2, with rest less than a volume of at most 2^59.4.
+constexpr bool keeps_limits(const std::array<Coord3, 4>& p, const AngleLimits& limits) {
   __extension__ using Wide = __int128;
   struct Vector {
     std::int64_t x, y, z;
@@ -45,7 +51,7 @@ constexpr bool is_well_shaped(const std::array<Coord3, 4>& p) {
     const Vector edge = from(p[a], p[b]);
     // The cotangent is this over the volume and the length of the edge.
     const Wide product = dot(cross(edge, from(p[a], p[c])), cross(edge, from(p[a], p[d])));
-    const auto [numerator, denominator] = product > 0 ? least_angle : greatest_angle;
+    const auto [numerator, denominator] = product > 0 ? limits.least : limits.greatest;
     // den product^2 <= num volume^2 edge^2, and no number has more than 127 bits: with
     // product = quotient volume + rest it is
     // 2 den quotient rest + den rest^2 / volume <= (num edge^2 - den quotient^2) volume.
@@ -58,6 +64,13 @@ constexpr bool is_well_shaped(const std::array<Coord3, 4>& p) {
     if (2 * denominator * quotient * rest + of_rest > room * volume) return false;
   }
   return true;
+}
+
+/// Whether a tetrahedron, positions in steps, has a positive volume and all dihedral
+/// angles within the bounds: `IsWellShaped` of the certificate, exactly.  No coordinates
+/// differ by 2^18 steps or more.
+constexpr bool is_well_shaped(const std::array<Coord3, 4>& p) {
+  return keeps_limits(p, {least_angle, greatest_angle});
 }
 
 }  // namespace certet
