@@ -83,6 +83,11 @@ class Segments(unittest.TestCase):
         self.assertEqual(mesh.names.get(2), "marrow")
         self.assertNotIn(1, mesh.names)
 
+    def test_segments_without_voxels(self):
+        """They have names and no region."""
+        mesh = mesh_segments(segments(), MATRIX, [*NAMES, "nail"])
+        self.assertEqual((set(mesh.labels), mesh.names[2]), ({1, 2}, "marrow"))
+
     def test_names_go_into_files(self):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "a.msh"
