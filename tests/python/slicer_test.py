@@ -83,6 +83,11 @@ class Segments(unittest.TestCase):
         self.assertEqual(mesh.names.get(2), "marrow")
         self.assertNotIn(1, mesh.names)
 
+    def test_segments_without_voxels(self):
+        """They have names and no region."""
+        mesh = mesh_segments(segments(), MATRIX, [*NAMES, "nail"])
+        self.assertEqual((set(mesh.labels), mesh.names[2]), ({1, 2}, "marrow"))
+
     def test_names_go_into_files(self):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "a.msh"
@@ -90,7 +95,9 @@ class Segments(unittest.TestCase):
             self.assertEqual(certet.read(file).names, {1: "bone", 2: "marrow"})
 
     def test_options_are_those_of_images(self):
-        mesh = mesh_segments(segments(), MATRIX, labels=2, method="midpoint", order=2)
+        with self.assertWarnsRegex(certet.LossWarning, "of the volume") as told:
+            mesh = mesh_segments(segments(), MATRIX, labels=2, method="midpoint", order=2)
+        self.assertEqual(pathlib.Path(told.filename).name, "slicer_test.py")
         self.assertEqual((set(mesh.labels), mesh.method, mesh.order), ({2}, "midpoint", 2))
 
     def test_what_is_refused(self):

@@ -1023,7 +1023,7 @@ def _solid_of_image(
 def _told(inner: _certet.Mesh) -> Mesh:
     """The mesh, after warnings of what it has not kept, which point at the user's line."""
     level, frame = 2, sys._getframe(1)
-    while frame.f_back and frame.f_globals.get("__name__") == __name__:
+    while frame.f_back and frame.f_globals.get("__package__") == __package__:
         level, frame = level + 1, frame.f_back
     for sentence in inner.losses:
         warnings.warn(sentence, LossWarning, stacklevel=level)

@@ -57,7 +57,7 @@ def mesh_segments(
         if place in options:
             raise ValueError(f"{place} is what ijk_to_ras tells")
     spacing, direction, origin = _placed(_matrix(ijk_to_ras))
-    merges: dict[Any, int | str] = {**_by_label(names), **options.pop("merge", {})}
+    merges: dict[Any, int | str] = {**_by_label(names), **(options.pop("merge", None) or {})}
     return mesh_image(voxels.transpose(), spacing=spacing, origin=origin, direction=direction,
                       merge=merges or None, **options)
 
