@@ -21,22 +21,22 @@ Vector normal_of(const SurfaceTriangle& triangle, const SurfacePoints& points) {
 }
 
 /// A side of a triangle, by its middle node.
-struct Side {
+struct EdgeOfTriangle {
   std::uint64_t node;
   std::size_t triangle;
   std::uint64_t a, b;
 };
 
-std::vector<Side> sides_of(const std::vector<SurfaceTriangle>& triangles,
+std::vector<EdgeOfTriangle> sides_of(const std::vector<SurfaceTriangle>& triangles,
                            const MiddleNodes& middles) {
-  std::vector<Side> sides;
+  std::vector<EdgeOfTriangle> sides;
   sides.reserve(3 * triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint64_t a = triangles[t].points[i], b = triangles[t].points[(i + 1) % 3];
       sides.push_back({middles.between(a, b), t, a, b});
     }
-  std::ranges::sort(sides, [](const Side& s, const Side& t) {
+  std::ranges::sort(sides, [](const EdgeOfTriangle& s, const EdgeOfTriangle& t) {
     return s.node != t.node ? s.node < t.node : s.triangle < t.triangle;
   });
   return sides;
@@ -61,7 +61,7 @@ class EdgeView {
   EdgeView(const std::vector<SurfaceTriangle>& triangles, const SurfacePoints& points)
       : triangles_(triangles), points_(points) {}
 
-  void add(const Side& side) {
+  void add(const EdgeOfTriangle& side) {
     const SurfaceTriangle& triangle = triangles_[side.triangle];
     const Vector normal = normal_of(triangle, points_);
     if (triangle.border) return add_border(normal);
@@ -71,7 +71,7 @@ class EdgeView {
   }
 
   /// Nothing of an edge that has no surface at it.
-  [[nodiscard]] std::optional<SurfaceEdge> edge(const Side& side) const {
+  [[nodiscard]] std::optional<SurfaceEdge> edge(const EdgeOfTriangle& side) const {
     if (!first_) return std::nullopt;
     const Coord3 a = points_.at(side.a), b = points_.at(side.b);
     const Vector along = to_vector(a, b);
@@ -124,10 +124,10 @@ std::vector<SurfaceTriangle> surface_triangles(const Survey& survey) {
 std::vector<SurfaceEdge> surface_edges(const std::vector<SurfaceTriangle>& triangles,
                                        const MiddleNodes& middles, const SurfacePoints& points) {
   std::vector<SurfaceEdge> edges;
-  const std::vector<Side> sides = sides_of(triangles, middles);
+  const std::vector<EdgeOfTriangle> sides = sides_of(triangles, middles);
   for (auto side = sides.begin(); side != sides.end();) {
     EdgeView view(triangles, points);
-    const Side& first = *side;
+    const EdgeOfTriangle& first = *side;
     for (; side != sides.end() && side->node == first.node; ++side) view.add(*side);
     if (const auto edge = view.edge(first)) edges.push_back(*edge);
   }
