@@ -1,0 +1,48 @@
+(** * What the theorems on graded meshes speak of *)
+
+From Certet Require Import Angles.Definitions.
+From Certet Require Import Lattice.Tiling Mesh.Method.
+From Certet Require Import Grading.Octree Grading.Flag Grading.GradedTet
+  Grading.Surface.
+Open Scope Z_scope.
+
+(** The same points, in whatever order. *)
+Definition SameVertices (a b : list Coord3) : Prop :=
+  forall v, In v a <-> In v b.
+
+Definition FlagOfName (tid : GradedTetId) : Flag :=
+  match tid with GTId _ x => x end.
+
+(** Half the side of the cell that a tetrahedron belongs to. *)
+Definition GradedSize (tid : GradedTetId) : Z :=
+  HalfSide (LevelOf (FlagOfName tid)).
+
+(** 45 and 120 degrees: the squares of the cotangents of 45 and of 180 - 120
+    degrees are 1 and 1/3. *)
+Definition TransitionBounds : AngleBounds := AB (CotSq 1 1) (CotSq 1 3).
+
+(** ** What goes wrong otherwise *)
+
+(** Cells balanced across faces only, and not across edges. *)
+Definition WithinFace (step : Coord3) : Prop :=
+  match step with C3 x y z => Z.abs x + Z.abs y + Z.abs z <= 1 end.
+
+Definition IsFaceBalanced (cells : CellSet) : Prop :=
+  forall level c step,
+    WithinFace step -> cells level c = true ->
+    cells (S level) (ParentCell (Translate c step)) = true.
+
+(** The least such with one cell of level 0 and all of level 2. *)
+Definition FaceBalancedCells : CellSet :=
+  fun level c =>
+    match level with
+    | O => Coord3Equal c (C3 0 0 0)
+    | S O => existsb (Coord3Equal c)
+               [C3 0 0 0; C3 (-1) 0 0; C3 0 (-1) 0; C3 0 0 (-1)]
+    | _ => true
+    end.
+
+(** The pyramid on a face cut along the other diagonal: its name has a corner on
+    the diagonal. *)
+Definition FlippedPyramid (tid : GradedTetId) : GradedTetId :=
+  match tid with GTId kind x => GTId kind (OtherCorner x) end.
