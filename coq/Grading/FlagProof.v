@@ -86,9 +86,9 @@ Ltac arrange :=
   cbn [LevelOf CellOf StepFrom];
   unfold CellSeen; cbn [LevelOf CellOf StepFrom];
   match goal with o : AxisOrder |- _ =>
-    rewrite ?(OneArrange o), ?TranslateArrange, ?ArrangeSwapLast, ?ArrangeSwapFirst,
-      ?ArrangeRotateIn,
-      ?ArrangeRotateOut, ?ScaleArrange, ?TranslateArrange, ?ParentArrange
+    rewrite ?(OneArrange o);
+    repeat (progress rewrite ?ArrangeSwapLast, ?ArrangeSwapFirst, ?ArrangeRotateIn,
+      ?ArrangeRotateOut, ?ScaleArrange, ?TranslateArrange, ?ParentArrange)
   end.
 
 Ltac signs :=
@@ -190,3 +190,136 @@ Lemma AheadEdgeByEdge x : AheadAtEdge (OtherEdge x) = AheadAtCorner x.
 Proof. destruct x as [l [] o s t u]; destruct o; reflexivity. Qed.
 Lemma AheadCornerByEdge x : AheadAtCorner (OtherEdge x) = AheadAtEdge x.
 Proof. destruct x as [l [] o s t u]; destruct o; reflexivity. Qed.
+
+Lemma SeenByCorner x i j k : PointSeen (OtherCorner x) i j k = PointSeen x i j (- k).
+Proof. unfold PointSeen. now rewrite LevelByCorner, PointByCorner. Qed.
+Lemma SeenByEdge x i j k : PointSeen (OtherEdge x) i j k = PointSeen x i k j.
+Proof. unfold PointSeen. now rewrite LevelByEdge, PointByEdge. Qed.
+Lemma SeenByFace x i j k : PointSeen (OtherFace x) i j k = PointSeen x j i k.
+Proof. unfold PointSeen. now rewrite LevelByFace, PointByFace. Qed.
+Lemma SeenByCell x i j k : PointSeen (OtherCell x) i j k = PointSeen x (2 - i) j k.
+Proof. unfold PointSeen. now rewrite LevelByCell, PointByCell. Qed.
+
+(** ** One level down and up *)
+
+Lemma HalfSideUp l : HalfSide (S l) = 2 * HalfSide l.
+Proof. unfold HalfSide. rewrite Nat2Z.inj_succ, Z.pow_succ_r; lia. Qed.
+
+Lemma AheadOfPart s a n : IsAhead s (2 * a + Part s n) = Z.even n.
+Proof.
+  unfold IsAhead. destruct s; cbn [Part]; rewrite Z.even_add, Z.even_mul; cbn [orb];
+    rewrite ?Z.even_sub; now destruct (Z.even n).
+Qed.
+
+Ltac finer x :=
+  destruct x as [[|] v o s t u]; [discriminate|];
+  destruct (Arranged o v) as (a & b & c & ->);
+  cbn [FinerInCell FinerInOther].
+
+Lemma FinerInCellLevel x l : LevelOf x = S l -> LevelOf (FinerInCell x) = l.
+Proof. destruct x as [[|] ? ? ? ? ?]; cbn; congruence. Qed.
+Lemma FinerInOtherLevel x l : LevelOf x = S l -> LevelOf (FinerInOther x) = l.
+Proof. destruct x as [[|] ? ? ? ? ?]; cbn; congruence. Qed.
+
+Lemma CellByFinerInCell x l i j k : LevelOf x = S l ->
+  CellSeen (FinerInCell x) i j k = ChildSeen x (1 + j) (1 - k) i.
+Proof. intros L. finer x. arrange. apply SameArrange; signs. Qed.
+Lemma CellByFinerInOther x l i j k : LevelOf x = S l ->
+  CellSeen (FinerInOther x) i j k = ChildSeen x (2 - i) (1 + j) (1 - k).
+Proof. intros L. finer x. arrange. apply SameArrange; signs. Qed.
+
+Lemma SeenByFinerInCell x l i j k : LevelOf x = S l ->
+  PointSeen (FinerInCell x) (2 * k + 1) (2 * i - 1) (1 - 2 * j) = PointSeen x i j k.
+Proof.
+  intros L. finer x. arrange. rewrite HalfSideUp. apply SameArrange; signs.
+Qed.
+Lemma SeenByFinerInOther x l i j k : LevelOf x = S l ->
+  PointSeen (FinerInOther x) (3 - 2 * i) (2 * j - 1) (1 - 2 * k) = PointSeen x i j k.
+Proof.
+  intros L. finer x. arrange. rewrite HalfSideUp. apply SameArrange; signs.
+Qed.
+
+(** The order's other names. *)
+Lemma AheadTells level o a b c s t u :
+  AheadAtFace (MakeFlag level (Arrange o a b c) o s t u) = IsAhead s a /\
+  AheadAtEdge (MakeFlag level (Arrange o a b c) o s t u) = IsAhead t b /\
+  AheadAtCorner (MakeFlag level (Arrange o a b c) o s t u) = IsAhead u c.
+Proof. destruct o; repeat split; reflexivity. Qed.
+
+Lemma AheadInCell x l : LevelOf x = S l ->
+  AheadAtFace (FinerInCell x) = true /\ AheadAtEdge (FinerInCell x) = false /\
+  AheadAtCorner (FinerInCell x) = true.
+Proof.
+  intros L. finer x. arrange. rewrite <- (ArrangeRotateIn o).
+  match goal with |- context [MakeFlag ?l (Arrange ?o ?a ?b ?c) ?o ?s ?t ?u] =>
+    destruct (AheadTells l o a b c s t u) as (-> & -> & ->)
+  end.
+  rewrite ?AheadNot, !AheadOfPart. auto.
+Qed.
+
+Lemma AheadInOther x l : LevelOf x = S l ->
+  AheadAtFace (FinerInOther x) = false /\ AheadAtEdge (FinerInOther x) = false /\
+  AheadAtCorner (FinerInOther x) = true.
+Proof.
+  intros L. finer x. arrange.
+  match goal with |- context [MakeFlag ?l (Arrange ?o ?a ?b ?c) ?o ?s ?t ?u] =>
+    destruct (AheadTells l o a b c s t u) as (-> & -> & ->)
+  end.
+  rewrite !AheadNot, !AheadOfPart. auto.
+Qed.
+
+Lemma HalfOfPart s a n : 0 <= n <= 1 -> (2 * a + Part s n) / 2 = a.
+Proof. destruct s; cbn [Part]; intros; Z.to_euclidean_division_equations; lia. Qed.
+
+Lemma PartOfHalf s a n : 0 <= n <= 1 -> IsAhead s a = Z.even n ->
+  2 * (a / 2) + Part s n = a.
+Proof.
+  unfold IsAhead. intros B A.
+  assert (n = 0 \/ n = 1) as [-> | ->] by lia; cbn in A;
+    pose proof (Z.div_mod a 2 ltac:(lia)) as D; rewrite Zmod_even in D;
+    destruct s, (Z.even a); try discriminate A; cbn [Part]; lia.
+Qed.
+
+Lemma CoarserOfCell x l : LevelOf x = S l -> Coarser (FinerInCell x) = x.
+Proof.
+  intros L. destruct (AheadInCell x l L) as (A & _). revert A. finer x. cbn [Coarser].
+  intros ->. rewrite RotateOutIn, negb_involutive. f_equal.
+  arrange. rewrite !HalfOfPart by lia. reflexivity.
+Qed.
+
+Lemma CoarserOfOther x l : LevelOf x = S l -> Coarser (FinerInOther x) = x.
+Proof.
+  intros L. destruct (AheadInOther x l L) as (A & _).
+  pose proof (CellByFinerInOther x l 1 0 0 L) as C. revert A C. finer x. cbn [Coarser].
+  intros -> ->. rewrite !negb_involutive. f_equal.
+  arrange. rewrite !HalfOfPart by lia. reflexivity.
+Qed.
+
+Lemma LevelOfCoarser x : LevelOf (Coarser x) = S (LevelOf x).
+Proof. destruct x as [l c o s t u]; cbn [Coarser]. now destruct (AheadAtFace _). Qed.
+
+Lemma CellOfCoarser x : AheadAtEdge x = false -> AheadAtCorner x = true ->
+  AheadAtFace x = true -> FinerInCell (Coarser x) = x.
+Proof.
+  flag x. destruct (AheadTells level o a b c s t u) as (F & -> & ->).
+  intros E C F'. cbn [Coarser]. rewrite F'. rewrite F in F'. cbn [FinerInCell].
+  rewrite RotateInOut, negb_involutive. f_equal.
+  unfold ChildSeen. rewrite ParentArrange, ScaleArrange, ArrangeRotateOut, TranslateArrange.
+  apply SameArrange; apply PartOfHalf; try lia; rewrite ?AheadNot, ?E, ?C, ?F'; reflexivity.
+Qed.
+
+Lemma OtherOfCoarser x : AheadAtEdge x = false -> AheadAtCorner x = true ->
+  AheadAtFace x = false -> FinerInOther (Coarser x) = x.
+Proof.
+  flag x. destruct (AheadTells level o a b c s t u) as (F & -> & ->).
+  intros E C F'. cbn [Coarser]. rewrite F'. rewrite F in F'. cbn [FinerInOther].
+  rewrite !negb_involutive. f_equal. arrange.
+  assert (Z0 : forall r d, Signed r 0 = 0 /\ d + 0 = d) by (intros []; cbn; lia).
+  apply SameArrange.
+  - unfold IsAhead in F'. pose proof (Z.div_mod a 2 ltac:(lia)) as D.
+    rewrite Zmod_even in D.
+    destruct s, (Z.even a); try discriminate F'; cbn [Signed Part negb];
+      Z.to_euclidean_division_equations; lia.
+  - destruct (Z0 t b) as [-> ->]. apply PartOfHalf; [lia|]. now rewrite E.
+  - destruct (Z0 u c) as [-> ->]. apply PartOfHalf; [lia|]. now rewrite AheadNot, C.
+Qed.

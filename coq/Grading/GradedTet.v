@@ -96,19 +96,23 @@ Definition FlagsOf (tid : GradedTetId) : list Flag :=
 
 (** ** Vertices *)
 
+Definition IsUpperEdge (x : Flag) : bool :=
+  match x with MakeFlag _ _ _ _ t _ => t end.
+
 (** As a structured tetrahedron has them, those of the first kind: the even
     ends of the edge first. *)
 Definition GradedVertices (tid : GradedTetId) : Coord3 * Coord3 * Coord3 * Coord3 :=
   match tid with
     GTId kind x =>
       let p := PointSeen x in
-      match kind, x with
-      | BccTet, MakeFlag _ _ _ _ true _ => (p 1 1 (-1), p 1 1 1, p 2 0 0, p 0 0 0)
-      | BccTet, MakeFlag _ _ _ _ false _ => (p 1 1 (-1), p 1 1 1, p 0 0 0, p 2 0 0)
-      | EdgeHalfTet, _ => (p 1 1 1, p 1 1 0, p 2 0 0, p 0 0 0)
-      | FaceHalfTet, _ => (p 1 1 1, p 1 1 (-1), p 1 0 0, p 0 0 0)
-      | QuarterTet, _ => (p 1 1 1, p 1 1 0, p 1 0 0, p 0 0 0)
-      | PyramidTet, _ => (p 1 1 1, p 1 1 (-1), p 1 (-1) 1, p 0 0 0)
+      match kind with
+      | BccTet =>
+          if IsUpperEdge x then (p 1 1 (-1), p 1 1 1, p 2 0 0, p 0 0 0)
+          else (p 1 1 (-1), p 1 1 1, p 0 0 0, p 2 0 0)
+      | EdgeHalfTet => (p 1 1 1, p 1 1 0, p 2 0 0, p 0 0 0)
+      | FaceHalfTet => (p 1 1 1, p 1 1 (-1), p 1 0 0, p 0 0 0)
+      | QuarterTet => (p 1 1 1, p 1 1 0, p 1 0 0, p 0 0 0)
+      | PyramidTet => (p 1 1 1, p 1 1 (-1), p 1 (-1) 1, p 0 0 0)
       end
   end.
 
@@ -150,11 +154,11 @@ Definition GetGradedTet (tid : GradedTetId) : UnstructuredTet Coord3 :=
 Definition FlagAtFace (tid : GradedTetId) (i : Place) : Flag * Place :=
   match tid with
   | GTId BccTet x =>
-      match i, x with
-      | First, _ => (x, Second)
-      | Second, _ => (OtherCorner x, Second)
-      | Third, MakeFlag _ _ _ _ true _ | Fourth, MakeFlag _ _ _ _ false _ => (x, Third)
-      | _, _ => (OtherCell x, Third)
+      match i with
+      | First => (x, Second)
+      | Second => (OtherCorner x, Second)
+      | Third => (if IsUpperEdge x then x else OtherCell x, Third)
+      | Fourth => (if IsUpperEdge x then OtherCell x else x, Third)
       end
   | GTId EdgeHalfTet x =>
       match i with
