@@ -9,7 +9,7 @@ From Certet Require Import Lattice.Tiling Mesh.Method.
 From Certet Require Import Grading.Octree Grading.Flag Grading.GradedTet
   Grading.Surface Grading.GradingSpec.
 From Certet Require Import Grading.FlagProof Grading.BalanceProof
-  Grading.PartitionProof.
+  Grading.PartitionProof Grading.GradedVolumeProof.
 Open Scope Z_scope.
 
 (** ** Faces as flags see them *)
@@ -56,20 +56,88 @@ Ltac shared :=
   cbn [Z.opp Z.sub Z.add Z.pos_sub Pos.pred_double];
   intros v; cbn [In]; tauto.
 
+(** The vertex across from it. *)
+Definition ApexSeen (kind : GradedKind) (x : Flag) (w : Place) : Coord3 :=
+  let p := PointSeen x in
+  match w, kind with
+  | First, _ => p 1 1 1
+  | Second, (EdgeHalfTet | QuarterTet) => p 1 1 0
+  | Second, _ => p 1 1 (-1)
+  | Third, (BccTet | EdgeHalfTet) => p 2 0 0
+  | Third, (FaceHalfTet | QuarterTet) => p 1 0 0
+  | Third, PyramidTet => if IsOffDiagonal x then p 1 (-1) 1 else p 1 (-1) (-1)
+  | Fourth, _ => p 0 0 0
+  end.
+
+Lemma BetweenSwap face a b : LiesBetween face a b -> LiesBetween face b a.
+Proof. intros H p q r I J K D E F. rewrite Z.mul_comm. now apply H. Qed.
+
+Lemma BetweenSame face face' a b : SameVertices face face' ->
+  LiesBetween face a b -> LiesBetween face' a b.
+Proof. intros S H p q r I J K. apply H; now apply S. Qed.
+
+(** In whatever order three points are taken, the volumes have the same signs, or
+    both the other. *)
+Lemma TurnVolume a b c d : SixVolume b c a d = SixVolume a b c d.
+Proof.
+  destruct a, b, c, d. unfold SixVolume, Normal. cbn [Difference Cross Dot]. ring.
+Qed.
+
+Lemma SwapVolume a b c d : SixVolume b a c d = - SixVolume a b c d.
+Proof.
+  destruct a, b, c, d. unfold SixVolume, Normal. cbn [Difference Cross Dot]. ring.
+Qed.
+
+Lemma Between a b c d e : SixVolume a b c d * SixVolume a b c e < 0 ->
+  LiesBetween [a; b; c] d e.
+Proof.
+  intros H.
+  assert (T : forall p q r, SixVolume p q r d * SixVolume p q r e < 0 ->
+    SixVolume q r p d * SixVolume q r p e < 0) by (intros p q r V; now rewrite (TurnVolume p q r d), (TurnVolume p q r e)).
+  assert (S : forall p q r, SixVolume p q r d * SixVolume p q r e < 0 ->
+    SixVolume q p r d * SixVolume q p r e < 0).
+  { intros p q r V. rewrite (SwapVolume p q r d), (SwapVolume p q r e). lia. }
+  intros p q r [<- | [<- | [<- | []]]] [<- | [<- | [<- | []]]] [<- | [<- | [<- | []]]] ? ? ?;
+    try match goal with D : ?v <> ?v |- _ => now destruct D end.
+  - exact H.
+  - exact (T b a c (S a b c H)).
+  - exact (S a b c H).
+  - exact (T a b c H).
+  - exact (T b c a (T a b c H)).
+  - exact (T a c b (T b a c (S a b c H))).
+Qed.
+
+Ltac sides :=
+  repeat (progress rewrite ?SeenByCorner, ?SeenByEdge, ?SeenByFace, ?SeenByCell);
+  cbn [Z.opp Z.sub Z.add Z.pos_sub Pos.pred_double];
+  apply Between, ApartSeen; vm_compute; reflexivity.
+
+Ltac meets :=
+  lazymatch goal with
+  | |- LiesBetween _ _ _ => sides
+  | |- SameVertices _ _ => shared
+  end.
+
+Ltac apex :=
+  repeat (progress rewrite ?SeenByCorner, ?SeenByEdge, ?SeenByFace, ?SeenByCell);
+  reflexivity.
+
 (** Every face is seen by a flag. *)
 Lemma FlagSeesFace cells kind x i : InGradedMesh cells (GTId kind x) ->
   let '(z, w) := FlagAtFace (GTId kind x) i in
   In z (FlagsOf (GTId kind x)) /\ IsOuter kind z w = true /\
-  SameVertices (GradedFace (GTId kind x) i) (FaceSeen kind z w).
+  SameVertices (GradedFace (GTId kind x) i) (FaceSeen kind z w) /\
+  GradedVertexAt (GTId kind x) i = ApexSeen kind z w.
 Proof.
   intros M. destruct (NamedBy _ _ _ M) as (_ & _ & N).
   assert (off : kind = PyramidTet -> IsOffDiagonal x = true).
   { intros ->. exact (NameOffDiagonal x N). }
   unfold GradedFace, GradedVertexAt.
-  destruct kind, i; cbn [FlagAtFace FlagsOf IsOuter FaceSeen Others GradedVertices];
-    rewrite ?OffDiagonalByCorner, ?off by reflexivity; cbn [negb];
+  destruct kind, i; cbn [FlagAtFace FlagsOf IsOuter FaceSeen ApexSeen Others
+    GradedVertices];
+    rewrite ?OffDiagonalByCorner, ?OffDiagonalByEdge, ?off by reflexivity; cbn [negb];
     try (destruct (IsUpperEdge x)); cbn [Pick];
-    (split; [cbn [In]; tauto | split; [reflexivity | shared]]).
+    (split; [cbn [In]; tauto | split; [reflexivity | split; [shared | apex]]]).
 Qed.
 
 (** ** The flag across *)
@@ -86,7 +154,8 @@ Section Across.
   Definition Meet (z y : Flag) (w' : Place) (w : Place) : Prop :=
     present y = true /\ IsOuter (kind y) y w' = true /\
     TetOfFlag cells (across y w') = TetOfFlag cells z /\
-    SameVertices (FaceSeen (kind z) z w) (FaceSeen (kind y) y w').
+    SameVertices (FaceSeen (kind z) z w) (FaceSeen (kind y) y w') /\
+    LiesBetween (FaceSeen (kind z) z w) (ApexSeen (kind z) z w) (ApexSeen (kind y) y w').
 
   Lemma QuarterOf x : AcrossExists cells x = true -> FaceIsUsed cells x = true ->
     EdgeIsUsed cells x = true -> kind x = QuarterTet.
@@ -194,6 +263,32 @@ Section Across.
     intros v; cbn; tauto.
   Qed.
 
+  Lemma FinerInCellSides x l : LevelOf x = S l ->
+    LiesBetween (FaceSeen QuarterTet x First) (ApexSeen QuarterTet x First)
+      (ApexSeen PyramidTet (FinerInCell x) Fourth).
+  Proof.
+    intros L. cbn [FaceSeen ApexSeen].
+    rewrite <- (SeenByFinerInCell x l 1 1 0 L), <- (SeenByFinerInCell x l 1 0 0 L),
+      <- (SeenByFinerInCell x l 0 0 0 L), <- (SeenByFinerInCell x l 1 1 1 L).
+    sides.
+  Qed.
+
+  Lemma FinerInOtherSides x l : LevelOf x = S l ->
+    LiesBetween (FaceSeen QuarterTet x Fourth) (ApexSeen QuarterTet x Fourth)
+      (ApexSeen PyramidTet (FinerInOther x) Fourth).
+  Proof.
+    intros L. cbn [FaceSeen ApexSeen].
+    rewrite <- (SeenByFinerInOther x l 1 1 1 L), <- (SeenByFinerInOther x l 1 1 0 L),
+      <- (SeenByFinerInOther x l 1 0 0 L), <- (SeenByFinerInOther x l 0 0 0 L).
+    sides.
+  Qed.
+
+  Lemma NameApex x : PointSeen (WithCornerOffDiagonal x) 0 0 0 = PointSeen x 0 0 0.
+  Proof.
+    unfold WithCornerOffDiagonal. cbv zeta.
+    destruct (IsOffDiagonal x); destruct (AheadAtEdge _); apex.
+  Qed.
+
   Lemma NameFace x :
     SameVertices (FaceSeen PyramidTet x Fourth)
       (FaceSeen PyramidTet (WithCornerOffDiagonal x) Fourth).
@@ -215,7 +310,8 @@ Section Across.
       rewrite CornerTwice, P. split; [|split].
       + destruct (kind z); exact O || discriminate O.
       + reflexivity.
-      + destruct (kind z); cbn [FaceSeen]; shared.
+      + split; destruct (kind z); try discriminate O; cbn [FaceSeen ApexSeen];
+          [shared | shared | sides | sides].
     - assert (K : kind z = QuarterTet).
       { destruct (kind z) eqn:K; try discriminate O; [|reflexivity].
         rewrite (CornerPresent cells Balance z P) in Q by (rewrite K; discriminate).
@@ -223,7 +319,8 @@ Section Across.
       destruct (QuarterLevel z K) as [l L].
       destruct (proj2 (FinerInCellThere z l L)) as [P' K']; [auto|].
       exists Fourth. split; [exact P'|]. rewrite K, K'. cbn [FlagAcross].
-      split; [reflexivity|]. split; [|now apply (FinerInCellFace z l)].
+      split; [reflexivity|].
+      split; [|split; [now apply (FinerInCellFace z l) | now apply (FinerInCellSides z l)]].
       pose proof (KindTells cells (FinerInCell z)) as T. rewrite K' in T.
       unfold AcrossExists in T. rewrite T.
       destruct (AheadInCell z l L) as (_ & E & C).
@@ -240,8 +337,9 @@ Section Across.
     split; [|split; [reflexivity|]].
     - destruct (kind z); destruct (kind (OtherEdge z)); cbn [IsOuter] in *;
         rewrite ?D; auto; intuition congruence.
-    - destruct (kind z); destruct (kind (OtherEdge z)); cbn [FaceSeen];
-        try (exfalso; intuition congruence); shared.
+    - cbn [IsOuter] in O.
+      split; destruct (kind z); destruct (kind (OtherEdge z));
+        try (exfalso; intuition congruence); cbn [FaceSeen ApexSeen]; meets.
   Qed.
 
   Lemma AcrossFace z : present z = true -> IsOuter (kind z) z Third = true ->
@@ -260,8 +358,10 @@ Section Across.
     - now destruct (kind (OtherFace z)).
     - destruct (EdgeIsUsed cells z);
         [rewrite (A eq_refl) in T; rewrite (A' eq_refl) in T'|];
-        destruct (kind z); destruct (kind (OtherFace z)); cbn [FaceSeen];
-        try (exfalso; intuition congruence); shared.
+        split; destruct (kind z); destruct (kind (OtherFace z));
+        try (exfalso; intuition congruence); cbn [FaceSeen ApexSeen];
+        try (destruct (IsOffDiagonal z)); try (destruct (IsOffDiagonal (OtherFace z)));
+        meets.
   Qed.
 
   Lemma AcrossCell z : present z = true -> IsOuter (kind z) z Fourth = true ->
@@ -277,7 +377,8 @@ Section Across.
         pose proof (KindTells cells z) as T. unfold AcrossExists in T.
         split; [|split; [reflexivity|]].
         * destruct (kind z); exact O.
-        * destruct (kind z); cbn [FaceSeen]; try discriminate O; try shared. congruence.
+        * split; destruct (kind z); try discriminate O; try congruence;
+            cbn [FaceSeen ApexSeen]; meets.
       + assert (K : kind z = QuarterTet).
         { pose proof (KindTells cells z) as T. unfold AcrossExists in T.
           destruct (kind z) eqn:K; try discriminate O; [|reflexivity | congruence].
@@ -285,7 +386,9 @@ Section Across.
         destruct (QuarterLevel z K) as [l L].
         destruct (proj2 (FinerInOtherThere z l L)) as [P' K']; [auto|].
         exists Fourth. split; [exact P'|]. rewrite K, K'. cbn [FlagAcross].
-        split; [reflexivity|]. split; [|now apply (FinerInOtherFace z l)].
+        split; [reflexivity|].
+        split; [|split; [now apply (FinerInOtherFace z l)
+                        | now apply (FinerInOtherSides z l)]].
         pose proof (KindTells cells (FinerInOther z)) as T. rewrite K' in T.
         unfold AcrossExists in T. rewrite T.
         destruct (AheadInOther z l L) as (_ & E & C).
@@ -296,21 +399,34 @@ Section Across.
       set (x0 := WithCornerOffDiagonal z) in *.
       destruct (PyramidNameTells z) as [E C]. fold x0 in E, C.
       pose proof (LevelOfCoarser x0) as L. set (y := Coarser x0) in *.
+      assert (base : forall w',
+        SameVertices (FaceSeen QuarterTet y w') (FaceSeen PyramidTet x0 Fourth) ->
+        LiesBetween (FaceSeen QuarterTet y w') (ApexSeen QuarterTet y w')
+          (ApexSeen PyramidTet x0 Fourth) ->
+        SameVertices (FaceSeen PyramidTet z Fourth) (FaceSeen QuarterTet y w') /\
+        LiesBetween (FaceSeen PyramidTet z Fourth) (ApexSeen PyramidTet z Fourth)
+          (ApexSeen QuarterTet y w')).
+      { intros w' S D.
+        assert (S' : SameVertices (FaceSeen PyramidTet z Fourth) (FaceSeen QuarterTet y w'))
+          by (apply (SameTrans _ (FaceSeen PyramidTet x0 Fourth));
+              [apply NameFace | now apply SameSym]).
+        split; [exact S'|]. apply (BetweenSame _ _ _ _ (SameSym _ _ S')), BetweenSwap.
+        cbn [ApexSeen]. rewrite <- NameApex. exact D. }
       destruct (AheadAtFace x0) eqn:F.
       + pose proof (CellOfCoarser x0 E C F) as B. fold y in B.
         destruct (proj1 (FinerInCellThere y _ L)) as (P' & K' & Q'); [rewrite B; auto|].
         exists First. split; [exact P'|]. rewrite K, K'. cbn [FlagAcross]. rewrite Q', B.
         split; [reflexivity|]. split; [exact T0|].
-        apply (SameTrans _ (FaceSeen PyramidTet x0 Fourth)); [apply NameFace|].
-        apply SameSym. rewrite <- B. now apply (FinerInCellFace y (LevelOf x0)).
+        pose proof (FinerInCellFace y _ L) as S. pose proof (FinerInCellSides y _ L) as D.
+        rewrite B in S, D. apply base; assumption.
       + pose proof (OtherOfCoarser x0 E C F) as B. fold y in B.
         destruct (proj1 (FinerInOtherThere y _ L)) as (P' & K' & Q'); [rewrite B; auto|].
         exists Fourth. split; [exact P'|]. rewrite K, K'. cbn [FlagAcross].
         pose proof (KindTells cells y) as T. rewrite K' in T. destruct T as [T _].
         unfold AcrossExists in T. rewrite T, Q', B.
         split; [reflexivity|]. split; [exact T0|].
-        apply (SameTrans _ (FaceSeen PyramidTet x0 Fourth)); [apply NameFace|].
-        apply SameSym. rewrite <- B. now apply (FinerInOtherFace y (LevelOf x0)).
+        pose proof (FinerInOtherFace y _ L) as S. pose proof (FinerInOtherSides y _ L) as D.
+        rewrite B in S, D. apply base; assumption.
   Qed.
 
   Lemma FlagsMeet z w : present z = true -> IsOuter (kind z) z w = true ->
@@ -409,6 +525,7 @@ Section Across.
   Lemma FaceOfFlag knd x z w : InGradedMesh cells (GTId knd x) ->
     In z (FlagsOf (GTId knd x)) -> IsOuter knd z w = true ->
     exists i, SameVertices (GradedFace (GTId knd x) i) (FaceSeen knd z w) /\
+      GradedVertexAt (GTId knd x) i = ApexSeen knd z w /\
       GradedNeighbor cells (GTId knd x) i = TetOfFlag cells (across z w).
   Proof.
     intros M I O. destruct (NamedBy _ _ _ M) as (P & K & N).
@@ -428,26 +545,26 @@ Section Across.
       destruct w; try discriminate O.
       + destruct I as [<- | [<- | [<- | [<- | []]]]];
           [exists First | exists Second | exists First | exists Second];
-          cbn [FlagAtFace Others GradedVertices FaceSeen]; destruct (IsUpperEdge x);
-          cbn [Pick]; (split; [shared | auto]).
+          cbn [FlagAtFace Others GradedVertices FaceSeen ApexSeen]; destruct (IsUpperEdge x);
+          cbn [Pick]; (split; [shared | split; [apex | auto]]).
       + destruct (IsUpperEdge x) eqn:U;
           destruct I as [<- | [<- | [<- | [<- | []]]]];
           [exists Third | exists Third | exists Fourth | exists Fourth
           |exists Fourth | exists Fourth | exists Third | exists Third];
-          cbn [FlagAtFace Others GradedVertices FaceSeen]; rewrite U;
-          cbn [Pick]; (split; [shared | auto]).
+          cbn [FlagAtFace Others GradedVertices FaceSeen ApexSeen]; rewrite U;
+          cbn [Pick]; (split; [shared | split; [apex | auto]]).
     - pose proof (EdgeMates x P ltac:(auto)). pose proof (CornerMates x P K).
       destruct I as [<- | [<- | []]]; destruct w; try discriminate O;
         [exists First | exists Second | exists Third | exists First | exists Second
         |exists Fourth];
-        cbn [FlagAtFace Others GradedVertices FaceSeen Pick]; (split; [shared | auto]).
+        cbn [FlagAtFace Others GradedVertices FaceSeen ApexSeen Pick]; (split; [shared | split; [apex | auto]]).
     - pose proof (FaceMates x ltac:(auto)). pose proof (CellMates x P K).
       destruct I as [<- | [<- | []]]; destruct w; try discriminate O;
         [exists Second | exists Third | exists Fourth | exists First | exists Third
         |exists Fourth];
-        cbn [FlagAtFace Others GradedVertices FaceSeen Pick]; (split; [shared | auto]).
+        cbn [FlagAtFace Others GradedVertices FaceSeen ApexSeen Pick]; (split; [shared | split; [apex | auto]]).
     - destruct I as [<- | []]. exists w. destruct w;
-        cbn [FlagAtFace Others GradedVertices FaceSeen Pick]; (split; [shared | auto]).
+        cbn [FlagAtFace Others GradedVertices FaceSeen ApexSeen Pick]; (split; [shared | split; [apex | auto]]).
     - cbn [NamingFlag] in N. pose proof (NameOffDiagonal x N) as off.
       pose proof (BesideCorner cells Balance x P ltac:(auto)) as (Pc & Kc & _).
       pose proof (BesideEdge cells x P K off) as (Pe & Ke & _).
@@ -464,41 +581,68 @@ Section Across.
       destruct w; try discriminate O.
       + destruct I as [<- | [<- | [<- | [<- | []]]]]; cbn [IsOuter] in O;
           rewrite ?OffDiagonalByCorner, ?OffDiagonalByEdge, ?off in O; try discriminate O;
-          exists First; cbn [FlagAtFace Others GradedVertices FaceSeen Pick];
-          (split; [shared | auto]).
+          exists First; cbn [FlagAtFace Others GradedVertices FaceSeen ApexSeen Pick];
+          (split; [shared | split; [apex | auto]]).
       + destruct I as [<- | [<- | [<- | [<- | []]]]];
           [exists Third | exists Third | exists Second | exists Second];
-          cbn [FlagAtFace Others GradedVertices FaceSeen Pick]; (split; [shared | auto]).
+          cbn [FlagAtFace Others GradedVertices FaceSeen ApexSeen Pick];
+          rewrite ?OffDiagonalByCorner, ?OffDiagonalByEdge, ?off; cbn [negb]; (split; [shared | split; [apex | auto]]).
       + exists Fourth. cbn [FlagAtFace Others GradedVertices Pick]. split.
         * destruct I as [<- | [<- | [<- | [<- | []]]]]; cbn [FaceSeen];
             rewrite ?OffDiagonalByCorner, ?OffDiagonalByEdge, ?off; cbn [negb]; shared.
-        * now rewrite (B z I).
+        * split; [|now rewrite (B z I)].
+          destruct I as [<- | [<- | [<- | [<- | []]]]]; cbn [ApexSeen]; apex.
   Qed.
 End Across.
 
 (** ** The theorems *)
 
-Theorem GradedNeighborInvolution :
-  forall cells, IsOctree cells ->
-    forall tid i, InGradedMesh cells tid ->
-      InGradedMesh cells (GradedNeighbor cells tid i) /\
-      exists j,
-        SameVertices (GradedFace tid i) (GradedFace (GradedNeighbor cells tid i) j) /\
-        GradedNeighbor cells (GradedNeighbor cells tid i) j = tid.
+Lemma NeighborMeets cells : IsOctree cells ->
+  forall tid i, InGradedMesh cells tid ->
+    InGradedMesh cells (GradedNeighbor cells tid i) /\
+    exists j,
+      SameVertices (GradedFace tid i) (GradedFace (GradedNeighbor cells tid i) j) /\
+      LiesBetween (GradedFace tid i) (GradedVertexAt tid i)
+        (GradedVertexAt (GradedNeighbor cells tid i) j) /\
+      GradedNeighbor cells (GradedNeighbor cells tid i) j = tid.
 Proof.
-  intros cells [Balance _] [knd x] i M.
+  intros [Balance _] [knd x] i M.
   pose proof (FlagSeesFace cells knd x i M) as S.
-  unfold GradedNeighbor at 1 2 4.
-  destruct (FlagAtFace (GTId knd x) i) as [z w]. destruct S as (I & O & F).
+  unfold GradedNeighbor at 1 2 3 5.
+  destruct (FlagAtFace (GTId knd x) i) as [z w]. destruct S as (I & O & F & A).
   pose proof (FlagBeside cells Balance _ _ _ M I) as (P & K & T).
   destruct (NamedBy _ _ _ M) as (_ & Kx & _). rewrite Kx in K. clear Kx. subst knd.
   destruct M as [_ N]. rewrite N in T.
-  destruct (FlagsMeet cells Balance z w P O) as [w' (P' & O' & T' & F')].
+  destruct (FlagsMeet cells Balance z w P O) as [w' (P' & O' & T' & F' & D)].
   pose proof (TetInMesh cells Balance _ P') as M'. split; [exact M'|].
   pose proof (FlagOfItsTet cells (FlagAcross cells z w)) as I'.
   unfold TetOfFlag in M', I' |- *.
-  destruct (FaceOfFlag cells Balance _ _ _ _ M' I' O') as (j & Fj & Nj).
-  exists j. split.
+  destruct (FaceOfFlag cells Balance _ _ _ _ M' I' O') as (j & Fj & Aj & Nj).
+  exists j. split; [|split].
   - apply (SameTrans _ _ _ F), (SameTrans _ _ _ F'), SameSym, Fj.
+  - rewrite A, Aj. exact (BetweenSame _ _ _ _ (SameSym _ _ F) D).
   - now rewrite Nj, T'.
+Qed.
+
+Theorem GradedFacesCorrect :
+  forall cells tid i, IsOctree cells -> InGradedMesh cells tid ->
+    let nei := GradedNeighbor cells tid i in
+    InGradedMesh cells nei /\
+    exists j,
+      SameVertices (GradedFace tid i) (GradedFace nei j) /\
+      LiesBetween (GradedFace tid i) (GradedVertexAt tid i) (GradedVertexAt nei j).
+Proof.
+  intros cells tid i octree M nei.
+  destruct (NeighborMeets cells octree tid i M) as (M' & j & F & D & _). eauto.
+Qed.
+
+Theorem GradedNeighborInvolution :
+  forall cells tid i, IsOctree cells -> InGradedMesh cells tid ->
+    let nei := GradedNeighbor cells tid i in
+    exists j,
+      SameVertices (GradedFace tid i) (GradedFace nei j) /\
+      GradedNeighbor cells nei j = tid.
+Proof.
+  intros cells tid i octree M nei.
+  destruct (NeighborMeets cells octree tid i M) as (_ & j & F & _ & N). eauto.
 Qed.

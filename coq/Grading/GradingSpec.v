@@ -10,6 +10,13 @@ Open Scope Z_scope.
 Definition SameVertices (a b : list Coord3) : Prop :=
   forall v, In v a <-> In v b.
 
+(** A face lies between two points: with its vertices, in whatever order, they make
+    volumes of opposite signs. *)
+Definition LiesBetween (face : list Coord3) (a b : Coord3) : Prop :=
+  forall p q r, In p face -> In q face -> In r face ->
+    p <> q -> q <> r -> p <> r ->
+    SixVolume p q r a * SixVolume p q r b < 0.
+
 Definition FlagOfName (tid : GradedTetId) : Flag :=
   match tid with GTId _ x => x end.
 
