@@ -17,6 +17,9 @@ Definition LiesBetween (face : list Coord3) (a b : Coord3) : Prop :=
     p <> q -> q <> r -> p <> r ->
     SixVolume p q r a * SixVolume p q r b < 0.
 
+Definition KindOfName (tid : GradedTetId) : GradedKind :=
+  match tid with GTId kind _ => kind end.
+
 Definition FlagOfName (tid : GradedTetId) : Flag :=
   match tid with GTId _ x => x end.
 
@@ -49,7 +52,7 @@ Definition FaceBalancedCells : CellSet :=
     | _ => true
     end.
 
-(** The pyramid on a face cut along the other diagonal: its name has a corner on
-    the diagonal. *)
+(** The pyramid on a face that is cut along the other diagonal: the corner of its
+    name is at the diagonal of the other cut. *)
 Definition FlippedPyramid (tid : GradedTetId) : GradedTetId :=
   match tid with GTId kind x => GTId kind (OtherCorner x) end.
