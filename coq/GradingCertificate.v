@@ -13,19 +13,22 @@ From Coq Require Import ZArith Reals List.
 (** What runs, and what is graded. *)
 From Certet Require Export Lattice.Coord3 Lattice.StructuredTet Lattice.Tiling.
 From Certet Require Export Stencil.UnstructuredTet Stencil.StencilSet.
-From Certet Require Export Stuffing.Stuffing Stuffing.Domain Mesh.Method.
+From Certet Require Export Stuffing.Stuffing Stuffing.Domain.
+From Certet Require Export Mesh.Method.
 From Certet Require Export Grading.Octree Grading.Flag Grading.GradedTet.
 From Certet Require Export Grading.Surface.
 
 (** What is meant. *)
-From Certet Require Export Lattice.NeighborSpec Angles.Geometry Angles.AnglesSpec.
-From Certet Require Export Angles.DegreesSpec Grading.GradingSpec.
+From Certet Require Export Lattice.NeighborSpec Stencil.TriangleSpec.
+From Certet Require Export Stuffing.MeshSpec Angles.Geometry Angles.AnglesSpec.
+From Certet Require Export Angles.DegreesSpec.
+From Certet Require Export Grading.GradingSpec.
 
 (** Why it holds. *)
 From Certet Require Grading.PartitionProof Grading.GradedVolumeProof.
 From Certet Require Grading.GradedNeighborProof Grading.ClosureProof.
 From Certet Require Grading.TouchedProof Grading.GradedMeshProof.
-From Certet Require Grading.OtherGradingProof.
+From Certet Require Grading.GradedConformProof Grading.OtherGradingProof.
 
 Open Scope Z_scope.
 
@@ -45,6 +48,38 @@ Theorem CertifiedGradedMesh :
       WithinDegrees (IZR (LeastAngle method) / 100) (IZR (GreatestAngle method) / 100)
         (MapTet (PositionIn mesh) t).
 Proof. exact GradedMeshProof.CertifiedGradedMesh. Qed.
+
+(** Both sides of a face of it with a vertex inside have the same triangles, each
+    of which belongs to one tetrahedron of either side; *)
+Theorem GradedFacesConform :
+  forall (method : Method) (sign : SignField) (domain : PositionSigns) cells,
+    let mesh := MeshOf method sign domain in
+    IsOctree cells -> KeepsSurface (CornerSigns mesh) cells ->
+    forall tid i a b c, InGradedMesh cells tid ->
+      let face := GradedFace tid i in
+      let here := GradedTetsWithin mesh tid in
+      let there := GradedTetsWithin mesh (GradedNeighbor cells tid i) in
+      LiesIn face a -> LiesIn face b -> LiesIn face c ->
+      ((exists f, In f face /\ SignIn mesh (Corner f) = Plus) ->
+       AmongTriangles here a b c <-> AmongTriangles there a b c) /\
+      (forall t u, In t here -> In u here ->
+         HasTriangle t a b c -> HasTriangle u a b c -> t = u).
+Proof. exact GradedConformProof.GradedFacesConform. Qed.
+
+(** and a triangle that no other tetrahedron has, there or across a face, has its
+    three vertices on the surface. *)
+Theorem GradedBoundaryOnSurface :
+  forall (method : Method) (sign : SignField) (domain : PositionSigns) cells,
+    let mesh := MeshOf method sign domain in
+    IsOctree cells -> KeepsSurface (CornerSigns mesh) cells ->
+    forall tid t a b c, InGradedMesh cells tid ->
+      In t (GradedTetsWithin mesh tid) -> HasTriangle t a b c ->
+      (SignIn mesh a = OnSurface /\ SignIn mesh b = OnSurface /\
+       SignIn mesh c = OnSurface) \/
+      (exists u, u <> t /\ HasTriangle u a b c /\
+         (In u (GradedTetsWithin mesh tid) \/
+          exists i, In u (GradedTetsWithin mesh (GradedNeighbor cells tid i)))).
+Proof. exact GradedConformProof.GradedBoundaryOnSurface. Qed.
 
 (** The least octree with the cells near the surface is one, however many levels
     it may have, *)

@@ -258,3 +258,32 @@ Proof.
     with (HalfSide (LevelOf x) ^ 6 * (FlagSign x * FlagSign x) * (V * W)) by ring.
   rewrite FlagSignSquared. nia.
 Qed.
+
+(** ** Different points *)
+
+Lemma ScaleInjective h a b : 0 < h -> Scale h a = Scale h b -> a = b.
+Proof.
+  destruct a, b. cbn [Scale]. intros P [= E F G].
+  apply Z.mul_reg_l in E, F, G; [congruence | lia ..].
+Qed.
+
+Lemma TranslateInjective v a b : Translate v a = Translate v b -> a = b.
+Proof. destruct v, a, b. cbn [Translate]. intros [=]. f_equal; lia. Qed.
+
+Lemma SeenInjective x i j k i' j' k' :
+  PointSeen x i j k = PointSeen x i' j' k' -> i = i' /\ j = j' /\ k = k'.
+Proof.
+  intros E. apply ScaleInjective in E; [|apply HalfSidePositive].
+  apply TranslateInjective in E. destruct x as [level c o s t u]. cbn [StepFrom] in E.
+  apply ArrangeInjective in E. destruct E as (E & F & G).
+  destruct s, t, u; cbn [Signed] in *; lia.
+Qed.
+
+Lemma GradedVerticesApart tid i j :
+  GradedVertexAt tid i = GradedVertexAt tid j -> i = j.
+Proof.
+  destruct tid as [kind x]. unfold GradedVertexAt.
+  destruct kind; cbn [GradedVertices]; try (destruct (IsUpperEdge x));
+    destruct i, j; cbn [Pick]; intros E; try reflexivity;
+    apply SeenInjective in E; lia.
+Qed.

@@ -37,24 +37,6 @@ Qed.
 
 (** ** The other diagonal *)
 
-Lemma ScaleInjective h a b : 0 < h -> Scale h a = Scale h b -> a = b.
-Proof.
-  destruct a, b. cbn [Scale]. intros P [= E F G].
-  apply Z.mul_reg_l in E, F, G; [congruence | lia ..].
-Qed.
-
-Lemma TranslateInjective v a b : Translate v a = Translate v b -> a = b.
-Proof. destruct v, a, b. cbn [Translate]. intros [=]. f_equal; lia. Qed.
-
-Lemma SeenInjective x i j k i' j' k' :
-  PointSeen x i j k = PointSeen x i' j' k' -> i = i' /\ j = j' /\ k = k'.
-Proof.
-  intros E. apply ScaleInjective in E; [|apply HalfSidePositive].
-  apply TranslateInjective in E. destruct x as [level c o s t u]. cbn [StepFrom] in E.
-  apply ArrangeInjective in E. destruct E as (E & F & G).
-  destruct s, t, u; cbn [Signed] in *; lia.
-Qed.
-
 Theorem FlippedPyramidFails :
   forall cells tid j,
     IsOctree cells -> InGradedMesh cells tid -> KindOfName tid = PyramidTet ->
