@@ -14,21 +14,22 @@ From Coq Require Import ZArith Reals List.
 From Certet Require Export Lattice.Coord3 Lattice.StructuredTet Lattice.Tiling.
 From Certet Require Export Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Export Stuffing.Stuffing Stuffing.Domain.
-From Certet Require Export Mesh.Method.
+From Certet Require Export Mesh.Method Mesh.CertifiedSpec.
 From Certet Require Export Grading.Octree Grading.Flag Grading.GradedTet.
 From Certet Require Export Grading.Surface.
 
 (** What is meant. *)
 From Certet Require Export Lattice.NeighborSpec Stencil.TriangleSpec.
 From Certet Require Export Stuffing.MeshSpec Angles.Geometry Angles.AnglesSpec.
-From Certet Require Export Angles.DegreesSpec.
+From Certet Require Export Angles.DegreesSpec Range.RangeSpec.
 From Certet Require Export Grading.GradingSpec.
 
 (** Why it holds. *)
 From Certet Require Grading.PartitionProof Grading.GradedVolumeProof.
 From Certet Require Grading.GradedNeighborProof Grading.ClosureProof.
 From Certet Require Grading.TouchedProof Grading.GradedMeshProof.
-From Certet Require Grading.GradedConformProof Grading.OtherGradingProof.
+From Certet Require Grading.GradedConformProof Grading.GradedRangeProof.
+From Certet Require Grading.OtherGradingProof.
 
 Open Scope Z_scope.
 
@@ -80,6 +81,18 @@ Theorem GradedBoundaryOnSurface :
          (In u (GradedTetsWithin mesh tid) \/
           exists i, In u (GradedTetsWithin mesh (GradedNeighbor cells tid i)))).
 Proof. exact GradedConformProof.GradedBoundaryOnSurface. Qed.
+
+(** Up to level 3 no volume overflows: of what is kept structured [CertifiedMesh]
+    says it, and here it is of what is kept whole. *)
+Theorem GradedVolumesFit :
+  forall (method : Method) (sign : SignField) (domain : PositionSigns) cells,
+    let mesh := MeshOf method sign domain in
+    IsOctree cells -> KeepsSurface (CornerSigns mesh) cells ->
+    forall tid t, InGradedMesh cells tid -> StructuredName tid = None ->
+      (LevelOf (FlagOfName tid) <= 3)%nat ->
+      (forall i, Bounded LatticeLimit (GradedVertexAt tid i)) ->
+      In t (GradedTetsWithin mesh tid) -> VolumeFits (MapTet (PositionIn mesh) t).
+Proof. exact GradedRangeProof.GradedVolumesFit. Qed.
 
 (** The least octree with the cells near the surface is one, however many levels
     it may have, *)
