@@ -50,8 +50,8 @@ Section Balanced.
   Hypothesis Balance : IsBalanced cells.
 
   Lemma HalfSeen s a n d :
-    (2 * a + Part s n + Signed s d) / 2 = a + Signed s ((n + d) / 2).
-  Proof. destruct s; cbn [Part Signed]; Z.to_euclidean_division_equations; lia. Qed.
+    (2 * a + ChildAlong s n + Signed s d) / 2 = a + Signed s ((n + d) / 2).
+  Proof. destruct s; cbn [ChildAlong Signed]; Z.to_euclidean_division_equations; lia. Qed.
 
   Lemma StepArrange o a b c : -1 <= a <= 1 -> -1 <= b <= 1 -> -1 <= c <= 1 ->
     a * b * c = 0 -> WithinFaceOrEdge (Arrange o a b c).

@@ -81,12 +81,12 @@ Definition CellSeen (x : Flag) (i j k : Z) : Coord3 :=
 
 (** A cell one level down: the one in the flag's place is 1 1 1, the others in
     its cell have 0 for 1. *)
-Definition Part (up : bool) (n : Z) : Z := if up then n else 1 - n.
+Definition ChildAlong (up : bool) (n : Z) : Z := if up then n else 1 - n.
 
 Definition ChildSeen (x : Flag) (i j k : Z) : Coord3 :=
   match x with
     MakeFlag _ c o s t u =>
-      Translate (Scale 2 c) (Arrange o (Part s i) (Part t j) (Part u k))
+      Translate (Scale 2 c) (Arrange o (ChildAlong s i) (ChildAlong t j) (ChildAlong u k))
   end.
 
 (** Whether the centre of the parent lies ahead, in the direction of the face, of

@@ -93,7 +93,7 @@ Ltac arrange :=
 
 Ltac signs :=
   repeat match goal with s : bool |- _ => destruct s end;
-  cbn [Signed Part negb]; try ring.
+  cbn [Signed ChildAlong negb]; try ring.
 
 Ltac seen x := flag x; arrange; try (apply SameArrange; signs).
 
@@ -205,9 +205,9 @@ Proof. unfold PointSeen. now rewrite LevelByCell, PointByCell. Qed.
 Lemma HalfSideUp l : HalfSide (S l) = 2 * HalfSide l.
 Proof. unfold HalfSide. rewrite Nat2Z.inj_succ, Z.pow_succ_r; lia. Qed.
 
-Lemma AheadOfPart s a n : IsAhead s (2 * a + Part s n) = Z.even n.
+Lemma AheadOfPart s a n : IsAhead s (2 * a + ChildAlong s n) = Z.even n.
 Proof.
-  unfold IsAhead. destruct s; cbn [Part]; rewrite Z.even_add, Z.even_mul; cbn [orb];
+  unfold IsAhead. destruct s; cbn [ChildAlong]; rewrite Z.even_add, Z.even_mul; cbn [orb];
     rewrite ?Z.even_sub; now destruct (Z.even n).
 Qed.
 
@@ -268,16 +268,16 @@ Proof.
   rewrite !AheadNot, !AheadOfPart. auto.
 Qed.
 
-Lemma HalfOfPart s a n : 0 <= n <= 1 -> (2 * a + Part s n) / 2 = a.
-Proof. destruct s; cbn [Part]; intros; Z.to_euclidean_division_equations; lia. Qed.
+Lemma HalfOfPart s a n : 0 <= n <= 1 -> (2 * a + ChildAlong s n) / 2 = a.
+Proof. destruct s; cbn [ChildAlong]; intros; Z.to_euclidean_division_equations; lia. Qed.
 
 Lemma PartOfHalf s a n : 0 <= n <= 1 -> IsAhead s a = Z.even n ->
-  2 * (a / 2) + Part s n = a.
+  2 * (a / 2) + ChildAlong s n = a.
 Proof.
   unfold IsAhead. intros B A.
   assert (n = 0 \/ n = 1) as [-> | ->] by lia; cbn in A;
     pose proof (Z.div_mod a 2 ltac:(lia)) as D; rewrite Zmod_even in D;
-    destruct s, (Z.even a); try discriminate A; cbn [Part]; lia.
+    destruct s, (Z.even a); try discriminate A; cbn [ChildAlong]; lia.
 Qed.
 
 Lemma CoarserOfCell x l : LevelOf x = S l -> Coarser (FinerInCell x) = x.
@@ -318,7 +318,7 @@ Proof.
   apply SameArrange.
   - unfold IsAhead in F'. pose proof (Z.div_mod a 2 ltac:(lia)) as D.
     rewrite Zmod_even in D.
-    destruct s, (Z.even a); try discriminate F'; cbn [Signed Part negb];
+    destruct s, (Z.even a); try discriminate F'; cbn [Signed ChildAlong negb];
       Z.to_euclidean_division_equations; lia.
   - destruct (Z0 t b) as [-> ->]. apply PartOfHalf; [lia|]. now rewrite E.
   - destruct (Z0 u c) as [-> ->]. apply PartOfHalf; [lia|]. now rewrite AheadNot, C.

@@ -6,7 +6,7 @@
 
 From Certet Require Import Embedding.Definitions.
 From Certet Require Import Lattice.Tiling Lattice.FaceProof Stuffing.VerticesProof
-  Embedding.AroundProof Mesh.Method Mesh.CertifiedSpec Mesh.CertifiedMeshProof.
+  Embedding.AroundProof Mesh.Method Mesh.CertifiedSpec Mesh.PlacedMeshProof.
 From Certet Require Import Grading.Octree Grading.Flag Grading.GradedTet
   Grading.Surface Grading.GradingSpec.
 From Certet Require Import Grading.PartitionProof Grading.GradedVolumeProof
@@ -194,6 +194,18 @@ Lemma MeshIsPlaced method sign domain : exists before warping cut,
   MeshOf method sign domain = PlacedMesh before warping cut.
 Proof. destruct method; do 3 eexists; reflexivity. Qed.
 
+Lemma MeshConforms method sign domain : FacesConform (MeshOf method sign domain).
+Proof.
+  destruct (MeshIsPlaced method sign domain) as (before & warping & cut & ->).
+  apply PlacedFacesConform.
+Qed.
+
+Lemma MeshBoundary method sign domain : BoundaryIsSurface (MeshOf method sign domain).
+Proof.
+  destruct (MeshIsPlaced method sign domain) as (before & warping & cut & ->).
+  apply PlacedBoundary.
+Qed.
+
 (** ** The graded mesh *)
 
 Section Mesh.
@@ -292,7 +304,7 @@ Section Mesh.
       [|now apply inside; right].
     clear inside. unfold GradedTetsWithin. rewrite N, N'.
     rewrite (StructuredNeighbor tid i stid other M N N').
-    destruct (CertifiedMesh method sign domain) as (_ & _ & conform & _).
+    pose proof (MeshConforms method sign domain) as conform.
     subst face. rewrite <- (FaceOfStructured tid stid i M N) in *.
     exact (proj1 (conform stid i a b c La Lb Lc) plus).
   Qed.
@@ -330,7 +342,7 @@ Proof.
   split; [now apply (ConformsAcross method sign domain cells octree kept)|].
   intros t u T U HT HU. subst here. unfold GradedTetsWithin in T, U.
   destruct (StructuredName tid) as [stid|] eqn:N.
-  - destruct (CertifiedMesh method sign domain) as (_ & _ & conform & _).
+  - pose proof (MeshConforms method sign domain) as conform.
     subst face. rewrite <- (FaceOfStructured cells tid stid i M N) in *.
     exact (proj2 (conform stid i a b c La Lb Lc) t u T U HT HU).
   - destruct T as [<- | []], U as [<- | []]. reflexivity.
@@ -449,7 +461,7 @@ Section Boundary.
   Proof.
     intros M T H. destruct (StructuredName tid) as [stid|] eqn:N.
     - pose proof T as T'. unfold GradedTetsWithin in T'. rewrite N in T'.
-      destruct (CertifiedMesh method sign domain) as (_ & _ & _ & boundary & _).
+      pose proof (MeshBoundary method sign domain) as boundary.
       destruct (boundary stid t a b c T' H) as [S | (u & D & HU & [U | (k & U)])];
         [now left | right | right].
       + exists u. unfold GradedTetsWithin. rewrite N. auto.

@@ -105,10 +105,10 @@ Section Surface.
     intros L P Bi Bj Bk. apply PresentTells in P. destruct P as [_ E].
     rewrite L in E. cbn [HasChild] in E.
     destruct x as [level v o s t u]. cbn [LevelOf] in L. subst level.
-    rewrite <- (MissingCorners l _ (Arrange o (Part s i) (Part t j) (Part u k)) E).
+    rewrite <- (MissingCorners l _ (Arrange o (ChildAlong s i) (ChildAlong t j) (ChildAlong u k)) E).
     - f_equal. destruct (Arranged o v) as (a & b & c & ->). arrange. cbn [LevelOf].
       apply SameArrange; signs.
-    - apply InCube. destruct s, t, u; cbn [Part]; lia.
+    - apply InCube. destruct s, t, u; cbn [ChildAlong]; lia.
   Qed.
 
   (** Every vertex is such a point of a flag of its tetrahedron. *)
