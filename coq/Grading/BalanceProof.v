@@ -51,7 +51,7 @@ Section Balanced.
 
   Lemma HalfSeen s a n d :
     (2 * a + ChildAlong s n + Signed s d) / 2 = a + Signed s ((n + d) / 2).
-  Proof. destruct s; cbn [ChildAlong Signed]; Z.to_euclidean_division_equations; lia. Qed.
+  Proof. destruct s; cbn [ChildAlong Signed]; euclid. Qed.
 
   Lemma StepArrange o a b c : -1 <= a <= 1 -> -1 <= b <= 1 -> -1 <= c <= 1 ->
     a * b * c = 0 -> WithinFaceOrEdge (Arrange o a b c).
@@ -120,7 +120,7 @@ Section Balanced.
     assert (A : forall n m, 0 <= n <= 1 -> 0 <= m <= 1 ->
       exists d, -1 <= d <= 1 /\ (1 + n + d) / 2 = m).
     { intros n m Hn Hm. exists (m - n). split; [lia|].
-      Z.to_euclidean_division_equations; lia. }
+      euclid. }
     destruct (A i' i Bi Hi) as (di & Di & <-), (A j' j Bj Hj) as (dj & Dj & <-).
     pose proof (CellsAround x _ _ _ di dj 0 E Di Dj ltac:(lia) ltac:(lia)) as P.
     replace ((0 + k' + 0) / 2) with 0 in P

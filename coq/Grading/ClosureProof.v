@@ -4,6 +4,7 @@ From Certet Require Import Angles.Definitions.
 From Certet Require Import Lattice.Tiling Mesh.Method.
 From Certet Require Import Grading.Octree Grading.Flag Grading.GradedTet
   Grading.Surface Grading.GradingSpec.
+From Certet Require Import Grading.FlagProof.
 Open Scope Z_scope.
 
 Lemma FourOf n : -1 <= n <= 2 -> In n [-1; 0; 1; 2].
@@ -39,7 +40,7 @@ Proof.
       destruct c as [x y z], step as [dx dy dz].
       cbn [Translate ParentCell Scale Difference WithinFaceOrEdge] in *.
       destruct W as (X & Y & Z & D). apply OneOfZero in D. split.
-      * apply InAround; Z.to_euclidean_division_equations; lia.
+      * apply InAround; euclid.
       * rewrite <- E. do 2 f_equal; ring.
   - exists levels. intros c. unfold OctreeAround. now rewrite Nat.leb_refl.
 Qed.

@@ -6,6 +6,9 @@
 From Certet Require Import Lattice.Definitions Grading.Octree Grading.Flag.
 Open Scope Z_scope.
 
+(** Halves and rests, by linear arithmetic. *)
+Ltac euclid := Z.to_euclidean_division_equations; lia.
+
 (** ** Vectors by their coordinates along the axes of an order *)
 
 Lemma Arranged o v : exists a b c, v = Arrange o a b c.
@@ -269,7 +272,7 @@ Proof.
 Qed.
 
 Lemma HalfOfPart s a n : 0 <= n <= 1 -> (2 * a + ChildAlong s n) / 2 = a.
-Proof. destruct s; cbn [ChildAlong]; intros; Z.to_euclidean_division_equations; lia. Qed.
+Proof. destruct s; cbn [ChildAlong]; intros; euclid. Qed.
 
 Lemma PartOfHalf s a n : 0 <= n <= 1 -> IsAhead s a = Z.even n ->
   2 * (a / 2) + ChildAlong s n = a.
@@ -319,7 +322,7 @@ Proof.
   - unfold IsAhead in F'. pose proof (Z.div_mod a 2 ltac:(lia)) as D.
     rewrite Zmod_even in D.
     destruct s, (Z.even a); try discriminate F'; cbn [Signed ChildAlong negb];
-      Z.to_euclidean_division_equations; lia.
+      euclid.
   - destruct (Z0 t b) as [-> ->]. apply PartOfHalf; [lia|]. now rewrite E.
   - destruct (Z0 u c) as [-> ->]. apply PartOfHalf; [lia|]. now rewrite AheadNot, C.
 Qed.

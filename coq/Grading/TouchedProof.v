@@ -92,7 +92,7 @@ Section Surface.
         replace (ParentCell (Translate (Translate (Scale 2 c) d) (C3 0 0 0))) with c in G
           by (destruct c as [x y z], d as [a b e]; apply (InCube XYZ a b e) in I;
               cbn [Translate Scale ParentCell]; f_equal;
-              Z.to_euclidean_division_equations; lia).
+              euclid).
         congruence. }
       pose proof (IH _ _ F I) as P. rewrite <- P. f_equal.
       rewrite (HalfSideUp (S l)). destruct c, d. cbn [Translate Scale]. f_equal; ring.
