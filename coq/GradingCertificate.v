@@ -105,11 +105,25 @@ Theorem GradedOctreeKeepsSurface :
   forall sign levels, KeepsSurface sign (GradedOctree sign levels).
 Proof. exact ClosureProof.GradedOctreeKeepsSurface. Qed.
 
-(** so is that with any other cells of level 0, which a user's sizes may ask
-    for. *)
+(** so is that with any other cells, which a user's sizes may ask for: it has
+    them, *)
 Theorem OctreeAroundIsOctree :
-  forall first levels, IsOctree (OctreeAround first levels).
+  forall asked levels, IsOctree (OctreeAround asked levels).
 Proof. exact ClosureProof.OctreeAroundIsOctree. Qed.
+
+Theorem OctreeAroundHasAsked :
+  forall asked levels level c,
+    asked level c = true -> OctreeAround asked levels level c = true.
+Proof. exact ClosureProof.OctreeAroundHasAsked. Qed.
+
+(** and no cell that others could do without. *)
+Theorem OctreeAroundIsLeast :
+  forall asked levels cells,
+    IsBalanced cells ->
+    (forall level c, (levels <= level)%nat -> cells level c = true) ->
+    (forall level c, asked level c = true -> cells level c = true) ->
+    forall level c, OctreeAround asked levels level c = true -> cells level c = true.
+Proof. exact ClosureProof.OctreeAroundIsLeast. Qed.
 
 (** ** At the surface nothing changes *)
 

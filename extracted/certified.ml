@@ -2584,25 +2584,29 @@ let aroundChildren =
         XH) :: ((Zpos (XO XH)) :: []))))) ((Zneg XH) :: (Z0 :: ((Zpos
       XH) :: ((Zpos (XO XH)) :: [])))))
 
-(** val closedCells : (coord3 -> bool) -> nat -> coord3 -> bool **)
+(** val closedCells : cellSet -> nat -> coord3 -> bool **)
 
-let rec closedCells first level c =
+let rec closedCells asked level c =
   match level with
-  | O -> first c
+  | O -> asked O c
   | S l ->
-    existsb (fun d ->
-      closedCells first l (translate (scale (Zpos (XO XH)) c) d))
-      aroundChildren
+    (||) (asked level c)
+      (existsb (fun d ->
+        closedCells asked l (translate (scale (Zpos (XO XH)) c) d))
+        aroundChildren)
 
-(** val octreeAround : (coord3 -> bool) -> nat -> cellSet **)
+(** val octreeAround : cellSet -> nat -> cellSet **)
 
-let octreeAround first levels level c =
-  (||) (Nat.leb levels level) (closedCells first level c)
+let octreeAround asked levels level c =
+  (||) (Nat.leb levels level) (closedCells asked level c)
 
 (** val gradedOctree : signField -> nat -> cellSet **)
 
 let gradedOctree sign0 levels =
-  octreeAround (isNearSurface sign0) levels
+  octreeAround (fun level c ->
+    match level with
+    | O -> isNearSurface sign0 c
+    | S _ -> false) levels
 
 (** val structuredOf : flag -> structuredTetId **)
 

@@ -685,9 +685,9 @@ val isNearSurface : signField -> coord3 -> bool
 
 val aroundChildren : coord3 list
 
-val closedCells : (coord3 -> bool) -> nat -> coord3 -> bool
+val closedCells : cellSet -> nat -> coord3 -> bool
 
-val octreeAround : (coord3 -> bool) -> nat -> cellSet
+val octreeAround : cellSet -> nat -> cellSet
 
 val gradedOctree : signField -> nat -> cellSet
 

@@ -38,20 +38,24 @@ Definition AroundChildren : list Coord3 :=
     (flat_map (fun x => flat_map (fun y => map (fun z => C3 x y z)
        [-1; 0; 1; 2]) [-1; 0; 1; 2]) [-1; 0; 1; 2]).
 
-Fixpoint ClosedCells (first : Coord3 -> bool) (level : nat) (c : Coord3) : bool :=
+Fixpoint ClosedCells (asked : CellSet) (level : nat) (c : Coord3) : bool :=
   match level with
-  | O => first c
-  | S l => existsb (fun d => ClosedCells first l (Translate (Scale 2 c) d))
-             AroundChildren
+  | O => asked O c
+  | S l =>
+      asked level c ||
+      existsb (fun d => ClosedCells asked l (Translate (Scale 2 c) d)) AroundChildren
   end.
 
-(** It ends at a level where all cells exist. *)
-Definition OctreeAround (first : Coord3 -> bool) (levels : nat) : CellSet :=
-  fun level c => (levels <=? level)%nat || ClosedCells first level c.
+(** The cells asked for, what balance asks for with them, and all cells from some
+    level on. *)
+Definition OctreeAround (asked : CellSet) (levels : nat) : CellSet :=
+  fun level c => (levels <=? level)%nat || ClosedCells asked level c.
 
 (** That of a mesh with these signs. *)
 Definition GradedOctree (sign : SignField) (levels : nat) : CellSet :=
-  OctreeAround (IsNearSurface sign) levels.
+  OctreeAround
+    (fun level c => match level with O => IsNearSurface sign c | S _ => false end)
+    levels.
 
 (** ** The mesh *)
 
