@@ -1,6 +1,6 @@
 (** * The certificate
 
-    Everything that is proved about the mesher, here or on three pages that this
+    Everything that is proved about the mesher, here or on four pages that this
     one exports.  The first theorem is the one to read: what is certified of every
     mesh that the product makes.  What follows it is the rest, each theorem
     spelled out in full over the functions that are extracted and run; the
@@ -16,7 +16,8 @@
     mesh embeds, is a manifold and keeps the pieces is in [WholeMeshCertificate.v]:
     no two tetrahedra of it share a point but in the hull of the vertices that they
     share.  What is proved of meshes of several materials is in
-    [MaterialCertificate.v]. *)
+    [MaterialCertificate.v], and of meshes whose interior is graded in
+    [GradingCertificate.v]. *)
 
 (** Read [Mesh/Method.v], the product's methods and the mesh that each makes of a
     domain, and [Mesh/CertifiedSpec.v], a definition for each line below. *)
@@ -43,9 +44,10 @@ Proof. exact CertifiedMeshProof.CertifiedMesh. Qed.
 
 From Coq Require Import ZArith Reals List Permutation.
 
-(** The paper's own statements, those on whole meshes, and on several materials. *)
+(** The paper's own statements, those on whole meshes, on several materials, and
+    on graded interiors. *)
 From Certet Require Export PaperCertificate WholeMeshCertificate.
-From Certet Require Export MaterialCertificate.
+From Certet Require Export MaterialCertificate GradingCertificate.
 
 (** What runs, besides [Stuffing]. *)
 From Certet Require Export Lattice.Direction.

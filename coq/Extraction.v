@@ -8,6 +8,8 @@
 
 From Coq Require Import Extraction ExtrOcamlBasic.
 From Certet Require Import Topology.Definitions Material.Definitions.
+From Certet Require Import Grading.Octree Grading.Flag Grading.GradedTet
+  Grading.Surface.
 From Certet Require Import Embedding.DiskTables Material.MaterialShape
   Material.SettleMaterials.
 
@@ -39,4 +41,10 @@ Extraction "certified.ml"
   (* several materials *)
   Outside GetMaterialTets WarpMaterialVertex PlacedMaterial PlacedMaterialTets
   WidestAngles IsWellShaped AreDisks FillsWouldTouch MaterialsInTurn
-  Material.SettleMaterials.SettleMaterials SettledMaterialTets.
+  Material.SettleMaterials.SettleMaterials SettledMaterialTets
+  (* graded interiors *)
+  IsNearSurface OctreeAround GradedOctree HalfSide CentreInHalfSides
+  PointSeen CellSeen ChildSeen OtherCorner OtherEdge OtherFace OtherCell
+  IsPresent KindAt NamingFlag TetOfFlag FlagsOf
+  GradedVertices GradedHandedness GetGradedTet GradedNeighbor
+  StructuredName GradedTetsWithin.

@@ -1,5 +1,10 @@
 (* Generated from coq/Extraction.v by "make -C coq extract": do not edit. *)
 
+(** val xorb : bool -> bool -> bool **)
+
+let xorb b1 b2 =
+  if b1 then if b2 then false else true else b2
+
 (** val negb : bool -> bool **)
 
 let negb = function
@@ -70,6 +75,11 @@ type z =
 | Z0
 | Zpos of positive
 | Zneg of positive
+
+(** val eqb : bool -> bool -> bool **)
+
+let eqb b1 b2 =
+  if b1 then b2 else if b2 then false else true
 
 module Nat =
  struct
@@ -746,6 +756,12 @@ let getStructuredTet = function
 
 let allCases =
   Tet_I1 :: (Tet_I2 :: (Tet_I3 :: (Tet_I4 :: (Tet_J1 :: (Tet_J2 :: (Tet_J3 :: (Tet_J4 :: (Tet_K1 :: (Tet_K2 :: (Tet_K3 :: (Tet_K4 :: [])))))))))))
+
+type place =
+| First
+| Second
+| Third
+| Fourth
 
 type sign =
 | Plus
@@ -2121,6 +2137,511 @@ let placedWhole warping0 cut = function
   mapTet (placedPosition warping0 cut)
     (orient (caseHandedness case) (UT ((Corner v1), (Corner v2), (Corner v3),
       (Corner v4))))
+
+type cellSet = nat -> coord3 -> bool
+
+(** val halfSide : nat -> z **)
+
+let halfSide level =
+  Z.pow (Zpos (XO XH)) (Z.of_nat level)
+
+(** val centreInHalfSides : coord3 -> coord3 **)
+
+let centreInHalfSides c =
+  translate (scale (Zpos (XO XH)) c) (C3 ((Zpos XH), (Zpos XH), (Zpos XH)))
+
+(** val parentCell : coord3 -> coord3 **)
+
+let parentCell = function
+| C3 (x, y, z0) ->
+  C3 ((Z.div x (Zpos (XO XH))), (Z.div y (Zpos (XO XH))),
+    (Z.div z0 (Zpos (XO XH))))
+
+(** val hasChild : cellSet -> nat -> coord3 -> bool **)
+
+let hasChild cells level child =
+  match level with
+  | O -> false
+  | S l -> cells l child
+
+(** val unitCube : coord3 list **)
+
+let unitCube =
+  (C3 (Z0, Z0, Z0)) :: ((C3 ((Zpos XH), Z0, Z0)) :: ((C3 (Z0, (Zpos XH),
+    Z0)) :: ((C3 ((Zpos XH), (Zpos XH), Z0)) :: ((C3 (Z0, Z0, (Zpos
+    XH))) :: ((C3 ((Zpos XH), Z0, (Zpos XH))) :: ((C3 (Z0, (Zpos XH), (Zpos
+    XH))) :: ((C3 ((Zpos XH), (Zpos XH), (Zpos XH))) :: [])))))))
+
+(** val isUsed : cellSet -> nat -> coord3 -> bool **)
+
+let isUsed cells level point =
+  match level with
+  | O -> false
+  | S l -> existsb (fun corner -> cells l (difference corner point)) unitCube
+
+type axisOrder =
+| XYZ
+| XZY
+| YXZ
+| YZX
+| ZXY
+| ZYX
+
+(** val arrange : axisOrder -> z -> z -> z -> coord3 **)
+
+let arrange o a b c =
+  match o with
+  | XYZ -> C3 (a, b, c)
+  | XZY -> C3 (a, c, b)
+  | YXZ -> C3 (b, a, c)
+  | YZX -> C3 (c, a, b)
+  | ZXY -> C3 (b, c, a)
+  | ZYX -> C3 (c, b, a)
+
+(** val alongFirst : axisOrder -> coord3 -> z **)
+
+let alongFirst o v =
+  match o with
+  | XYZ -> let C3 (x, _, _) = v in x
+  | XZY -> let C3 (x, _, _) = v in x
+  | YXZ -> let C3 (_, y, _) = v in y
+  | YZX -> let C3 (_, y, _) = v in y
+  | _ -> let C3 (_, _, z0) = v in z0
+
+(** val swapLast : axisOrder -> axisOrder **)
+
+let swapLast = function
+| XYZ -> XZY
+| XZY -> XYZ
+| YXZ -> YZX
+| YZX -> YXZ
+| ZXY -> ZYX
+| ZYX -> ZXY
+
+(** val swapFirst : axisOrder -> axisOrder **)
+
+let swapFirst = function
+| XYZ -> YXZ
+| XZY -> ZXY
+| YXZ -> XYZ
+| YZX -> ZYX
+| ZXY -> XZY
+| ZYX -> YZX
+
+(** val rotateIn : axisOrder -> axisOrder **)
+
+let rotateIn o =
+  swapFirst (swapLast o)
+
+(** val rotateOut : axisOrder -> axisOrder **)
+
+let rotateOut o =
+  swapLast (swapFirst o)
+
+type flag =
+| MakeFlag of nat * coord3 * axisOrder * bool * bool * bool
+
+(** val levelOf : flag -> nat **)
+
+let levelOf = function
+| MakeFlag (level, _, _, _, _, _) -> level
+
+(** val cellOf : flag -> coord3 **)
+
+let cellOf = function
+| MakeFlag (_, c, _, _, _, _) -> c
+
+(** val signed : bool -> z -> z **)
+
+let signed up n =
+  if up then n else Z.opp n
+
+(** val stepFrom : flag -> z -> z -> z -> coord3 **)
+
+let stepFrom x i j k =
+  let MakeFlag (_, _, o, s, t0, u) = x in
+  arrange o (signed s i) (signed t0 j) (signed u k)
+
+(** val pointInHalfSides : flag -> z -> z -> z -> coord3 **)
+
+let pointInHalfSides x i j k =
+  translate (centreInHalfSides (cellOf x)) (stepFrom x i j k)
+
+(** val pointSeen : flag -> z -> z -> z -> coord3 **)
+
+let pointSeen x i j k =
+  scale (halfSide (levelOf x)) (pointInHalfSides x i j k)
+
+(** val cellSeen : flag -> z -> z -> z -> coord3 **)
+
+let cellSeen x i j k =
+  translate (cellOf x) (stepFrom x i j k)
+
+(** val childAlong : bool -> z -> z **)
+
+let childAlong up n =
+  if up then n else Z.sub (Zpos XH) n
+
+(** val childSeen : flag -> z -> z -> z -> coord3 **)
+
+let childSeen x i j k =
+  let MakeFlag (_, c, o, s, t0, u) = x in
+  translate (scale (Zpos (XO XH)) c)
+    (arrange o (childAlong s i) (childAlong t0 j) (childAlong u k))
+
+(** val isAhead : bool -> z -> bool **)
+
+let isAhead up n =
+  eqb up (Z.even n)
+
+(** val aheadAtFace : flag -> bool **)
+
+let aheadAtFace = function
+| MakeFlag (_, c, o, s, _, _) -> isAhead s (alongFirst o c)
+
+(** val aheadAtEdge : flag -> bool **)
+
+let aheadAtEdge = function
+| MakeFlag (_, c, o, _, t0, _) -> isAhead t0 (alongFirst (swapFirst o) c)
+
+(** val aheadAtCorner : flag -> bool **)
+
+let aheadAtCorner = function
+| MakeFlag (_, c, o, _, _, u) -> isAhead u (alongFirst (rotateIn o) c)
+
+(** val otherCorner : flag -> flag **)
+
+let otherCorner = function
+| MakeFlag (level, c, o, s, t0, u) -> MakeFlag (level, c, o, s, t0, (negb u))
+
+(** val otherEdge : flag -> flag **)
+
+let otherEdge = function
+| MakeFlag (level, c, o, s, t0, u) ->
+  MakeFlag (level, c, (swapLast o), s, u, t0)
+
+(** val otherFace : flag -> flag **)
+
+let otherFace = function
+| MakeFlag (level, c, o, s, t0, u) ->
+  MakeFlag (level, c, (swapFirst o), t0, s, u)
+
+(** val otherCell : flag -> flag **)
+
+let otherCell x = match x with
+| MakeFlag (level, _, o, s, t0, u) ->
+  MakeFlag (level, (cellSeen x (Zpos XH) Z0 Z0), o, (negb s), t0, u)
+
+(** val finerInCell : flag -> flag **)
+
+let finerInCell x = match x with
+| MakeFlag (n, _, o, s, t0, u) ->
+  (match n with
+   | O -> x
+   | S level ->
+     MakeFlag (level, (childSeen x (Zpos XH) (Zpos XH) Z0), (rotateIn o), u,
+       s, (negb t0)))
+
+(** val finerInOther : flag -> flag **)
+
+let finerInOther x = match x with
+| MakeFlag (n, _, o, s, t0, u) ->
+  (match n with
+   | O -> x
+   | S level ->
+     MakeFlag (level, (childSeen x (Zpos (XO XH)) (Zpos XH) (Zpos XH)), o,
+       (negb s), t0, (negb u)))
+
+(** val coarser : flag -> flag **)
+
+let coarser x = match x with
+| MakeFlag (level, c, o, s, t0, u) ->
+  if aheadAtFace x
+  then MakeFlag ((S level), (parentCell c), (rotateOut o), t0, (negb u), s)
+  else MakeFlag ((S level), (parentCell (cellSeen x (Zpos XH) Z0 Z0)), o,
+         (negb s), t0, (negb u))
+
+type gradedKind =
+| BccTet
+| EdgeHalfTet
+| FaceHalfTet
+| QuarterTet
+| PyramidTet
+
+type gradedTetId =
+| GTId of gradedKind * flag
+
+(** val isPresent : cellSet -> flag -> bool **)
+
+let isPresent cells x =
+  (&&) (cells (levelOf x) (cellOf x))
+    (negb
+      (hasChild cells (levelOf x) (childSeen x (Zpos XH) (Zpos XH) (Zpos XH))))
+
+(** val kindAt : cellSet -> flag -> gradedKind **)
+
+let kindAt cells x =
+  if cells (levelOf x) (cellSeen x (Zpos XH) Z0 Z0)
+  then if isUsed cells (levelOf x) (pointInHalfSides x (Zpos XH) Z0 Z0)
+       then if isUsed cells (levelOf x)
+                 (pointInHalfSides x (Zpos XH) (Zpos XH) Z0)
+            then QuarterTet
+            else FaceHalfTet
+       else if isUsed cells (levelOf x)
+                 (pointInHalfSides x (Zpos XH) (Zpos XH) Z0)
+            then EdgeHalfTet
+            else BccTet
+  else PyramidTet
+
+(** val withLowerCell : flag -> flag **)
+
+let withLowerCell x = match x with
+| MakeFlag (_, _, _, s, _, _) -> if s then x else otherCell x
+
+(** val withUpperCorner : flag -> flag **)
+
+let withUpperCorner x = match x with
+| MakeFlag (_, _, _, _, _, u) -> if u then x else otherCorner x
+
+(** val isOffDiagonal : flag -> bool **)
+
+let isOffDiagonal x =
+  xorb (aheadAtEdge x) (aheadAtCorner x)
+
+(** val withCornerOffDiagonal : flag -> flag **)
+
+let withCornerOffDiagonal x =
+  let y = if isOffDiagonal x then x else otherCorner x in
+  if aheadAtEdge y then otherEdge y else y
+
+(** val namingFlag : gradedKind -> flag -> flag **)
+
+let namingFlag kind x =
+  match kind with
+  | BccTet -> withUpperCorner (withLowerCell x)
+  | EdgeHalfTet -> withLowerCell x
+  | FaceHalfTet -> withUpperCorner x
+  | QuarterTet -> x
+  | PyramidTet -> withCornerOffDiagonal x
+
+(** val tetOfFlag : cellSet -> flag -> gradedTetId **)
+
+let tetOfFlag cells x =
+  GTId ((kindAt cells x), (namingFlag (kindAt cells x) x))
+
+(** val flagsOf : gradedTetId -> flag list **)
+
+let flagsOf = function
+| GTId (g, x) ->
+  (match g with
+   | BccTet ->
+     x :: ((otherCorner x) :: ((otherCell x) :: ((otherCorner (otherCell x)) :: [])))
+   | EdgeHalfTet -> x :: ((otherCell x) :: [])
+   | FaceHalfTet -> x :: ((otherCorner x) :: [])
+   | QuarterTet -> x :: []
+   | PyramidTet ->
+     x :: ((otherCorner x) :: ((otherEdge x) :: ((otherCorner (otherEdge x)) :: []))))
+
+(** val isUpperEdge : flag -> bool **)
+
+let isUpperEdge = function
+| MakeFlag (_, _, _, _, t0, _) -> t0
+
+(** val gradedVertices :
+    gradedTetId -> ((coord3 * coord3) * coord3) * coord3 **)
+
+let gradedVertices = function
+| GTId (kind, x) ->
+  let p = pointSeen x in
+  (match kind with
+   | BccTet ->
+     if isUpperEdge x
+     then ((((p (Zpos XH) (Zpos XH) (Zneg XH)),
+            (p (Zpos XH) (Zpos XH) (Zpos XH))), (p (Zpos (XO XH)) Z0 Z0)),
+            (p Z0 Z0 Z0))
+     else ((((p (Zpos XH) (Zpos XH) (Zneg XH)),
+            (p (Zpos XH) (Zpos XH) (Zpos XH))), (p Z0 Z0 Z0)),
+            (p (Zpos (XO XH)) Z0 Z0))
+   | EdgeHalfTet ->
+     ((((p (Zpos XH) (Zpos XH) (Zpos XH)), (p (Zpos XH) (Zpos XH) Z0)),
+       (p (Zpos (XO XH)) Z0 Z0)), (p Z0 Z0 Z0))
+   | FaceHalfTet ->
+     ((((p (Zpos XH) (Zpos XH) (Zpos XH)),
+       (p (Zpos XH) (Zpos XH) (Zneg XH))), (p (Zpos XH) Z0 Z0)), (p Z0 Z0 Z0))
+   | QuarterTet ->
+     ((((p (Zpos XH) (Zpos XH) (Zpos XH)), (p (Zpos XH) (Zpos XH) Z0)),
+       (p (Zpos XH) Z0 Z0)), (p Z0 Z0 Z0))
+   | PyramidTet ->
+     ((((p (Zpos XH) (Zpos XH) (Zpos XH)),
+       (p (Zpos XH) (Zpos XH) (Zneg XH))),
+       (p (Zpos XH) (Zneg XH) (Zpos XH))), (p Z0 Z0 Z0)))
+
+(** val isEvenOrder : axisOrder -> bool **)
+
+let isEvenOrder = function
+| XYZ -> true
+| YZX -> true
+| ZXY -> true
+| _ -> false
+
+(** val gradedHandedness : gradedTetId -> handedness **)
+
+let gradedHandedness = function
+| GTId (kind, f) ->
+  let MakeFlag (_, _, o, s, t0, u) = f in
+  let right =
+    match kind with
+    | BccTet -> negb (eqb (isEvenOrder o) (eqb s u))
+    | _ -> eqb (isEvenOrder o) (eqb s (eqb t0 u))
+  in
+  if right then RightHanded else LeftHanded
+
+(** val getGradedTet : gradedTetId -> coord3 unstructuredTet **)
+
+let getGradedTet tid =
+  let (p, v4) = gradedVertices tid in
+  let (p0, v3) = p in
+  let (v1, v2) = p0 in
+  (match gradedHandedness tid with
+   | RightHanded -> UT (v1, v2, v3, v4)
+   | LeftHanded -> UT (v1, v2, v4, v3))
+
+(** val flagAtFace : gradedTetId -> place -> flag * place **)
+
+let flagAtFace tid i =
+  let GTId (g, x) = tid in
+  (match g with
+   | BccTet ->
+     (match i with
+      | First -> (x, Second)
+      | Second -> ((otherCorner x), Second)
+      | Third -> ((if isUpperEdge x then x else otherCell x), Third)
+      | Fourth -> ((if isUpperEdge x then otherCell x else x), Third))
+   | EdgeHalfTet ->
+     (match i with
+      | Fourth -> ((otherCell x), Third)
+      | x0 -> (x, x0))
+   | FaceHalfTet ->
+     (match i with
+      | First -> ((otherCorner x), Second)
+      | x0 -> (x, x0))
+   | QuarterTet -> (x, i)
+   | PyramidTet ->
+     (match i with
+      | First -> ((otherCorner x), Second)
+      | Second -> ((otherEdge x), Third)
+      | x0 -> (x, x0)))
+
+(** val flagAcross : cellSet -> flag -> place -> flag **)
+
+let flagAcross cells x = function
+| First ->
+  if isPresent cells (otherCorner x) then otherCorner x else finerInCell x
+| Second -> otherEdge x
+| Third -> otherFace x
+| Fourth ->
+  if cells (levelOf x) (cellSeen x (Zpos XH) Z0 Z0)
+  then if isPresent cells (otherCell x) then otherCell x else finerInOther x
+  else coarser (withCornerOffDiagonal x)
+
+(** val gradedNeighbor : cellSet -> gradedTetId -> place -> gradedTetId **)
+
+let gradedNeighbor cells tid i =
+  let (x, j) = flagAtFace tid i in tetOfFlag cells (flagAcross cells x j)
+
+type mesh = { tetsWithin : (structuredTetId -> meshVertex unstructuredTet
+                           list); signIn : (meshVertex -> sign);
+              positionIn : (meshVertex -> coord3) }
+
+(** val pointsOfCell : coord3 -> coord3 list **)
+
+let pointsOfCell c =
+  let centre = centreInHalfSides c in
+  centre :: (map (fun d -> translate centre (offset d)) allDirections)
+
+(** val isPlus : sign -> bool **)
+
+let isPlus = function
+| Plus -> true
+| _ -> false
+
+(** val isNearSurface : signField -> coord3 -> bool **)
+
+let isNearSurface sign0 c =
+  negb (forallb (fun v -> isPlus (sign0 v)) (pointsOfCell c))
+
+(** val aroundChildren : coord3 list **)
+
+let aroundChildren =
+  filter (fun d ->
+    let C3 (x, y, z0) = d in
+    let within = fun n -> (&&) (Z.leb Z0 n) (Z.leb n (Zpos XH)) in
+    (||) ((||) (within x) (within y)) (within z0))
+    (flat_map (fun x ->
+      flat_map (fun y ->
+        map (fun z0 -> C3 (x, y, z0)) ((Zneg XH) :: (Z0 :: ((Zpos
+          XH) :: ((Zpos (XO XH)) :: []))))) ((Zneg XH) :: (Z0 :: ((Zpos
+        XH) :: ((Zpos (XO XH)) :: []))))) ((Zneg XH) :: (Z0 :: ((Zpos
+      XH) :: ((Zpos (XO XH)) :: [])))))
+
+(** val closedCells : cellSet -> nat -> coord3 -> bool **)
+
+let rec closedCells asked level c =
+  match level with
+  | O -> asked O c
+  | S l ->
+    (||) (asked level c)
+      (existsb (fun d ->
+        closedCells asked l (translate (scale (Zpos (XO XH)) c) d))
+        aroundChildren)
+
+(** val octreeAround : cellSet -> nat -> cellSet **)
+
+let octreeAround asked levels level c =
+  (||) (Nat.leb levels level) (closedCells asked level c)
+
+(** val gradedOctree : signField -> nat -> cellSet **)
+
+let gradedOctree sign0 levels =
+  octreeAround (fun level c ->
+    match level with
+    | O -> isNearSurface sign0 c
+    | S _ -> false) levels
+
+(** val structuredOf : flag -> structuredTetId **)
+
+let structuredOf = function
+| MakeFlag (_, c, o, _, t0, _) ->
+  STId
+    ((translate (scale (Zpos (XO XH)) c)
+       (arrange o Z0 (if t0 then Z0 else Zneg (XO XH)) Z0)),
+    (match o with
+     | XYZ -> if t0 then Tet_K2 else Tet_K3
+     | XZY -> if t0 then Tet_J2 else Tet_J3
+     | YXZ -> if t0 then Tet_K4 else Tet_K1
+     | YZX -> if t0 then Tet_I2 else Tet_I3
+     | ZXY -> if t0 then Tet_J4 else Tet_J1
+     | ZYX -> if t0 then Tet_I4 else Tet_I1))
+
+(** val structuredName : gradedTetId -> structuredTetId option **)
+
+let structuredName = function
+| GTId (g, x) ->
+  (match g with
+   | BccTet ->
+     let MakeFlag (n, _, _, _, _, _) = x in
+     (match n with
+      | O -> Some (structuredOf x)
+      | S _ -> None)
+   | _ -> None)
+
+(** val gradedTetsWithin :
+    mesh -> gradedTetId -> meshVertex unstructuredTet list **)
+
+let gradedTetsWithin mesh0 tid =
+  match structuredName tid with
+  | Some stid -> mesh0.tetsWithin stid
+  | None -> (mapTet (fun x -> Corner x) (getGradedTet tid)) :: []
 
 (** val isAngleWithin :
     angleBounds -> coord3 -> coord3 -> coord3 -> coord3 -> bool **)

@@ -1,5 +1,7 @@
 (* Generated from coq/Extraction.v by "make -C coq extract": do not edit. *)
 
+val xorb : bool -> bool -> bool
+
 val negb : bool -> bool
 
 type nat =
@@ -34,6 +36,8 @@ type z =
 | Z0
 | Zpos of positive
 | Zneg of positive
+
+val eqb : bool -> bool -> bool
 
 module Nat :
  sig
@@ -212,6 +216,12 @@ val caseHandedness : structuredTetCase -> handedness
 val getStructuredTet : structuredTetId -> structuredTet
 
 val allCases : structuredTetCase list
+
+type place =
+| First
+| Second
+| Third
+| Fourth
 
 type sign =
 | Plus
@@ -541,6 +551,151 @@ val placedMaterialTets :
 
 val placedWhole :
   (coord3 -> warping) -> cutField -> structuredTetId -> coord3 unstructuredTet
+
+type cellSet = nat -> coord3 -> bool
+
+val halfSide : nat -> z
+
+val centreInHalfSides : coord3 -> coord3
+
+val parentCell : coord3 -> coord3
+
+val hasChild : cellSet -> nat -> coord3 -> bool
+
+val unitCube : coord3 list
+
+val isUsed : cellSet -> nat -> coord3 -> bool
+
+type axisOrder =
+| XYZ
+| XZY
+| YXZ
+| YZX
+| ZXY
+| ZYX
+
+val arrange : axisOrder -> z -> z -> z -> coord3
+
+val alongFirst : axisOrder -> coord3 -> z
+
+val swapLast : axisOrder -> axisOrder
+
+val swapFirst : axisOrder -> axisOrder
+
+val rotateIn : axisOrder -> axisOrder
+
+val rotateOut : axisOrder -> axisOrder
+
+type flag =
+| MakeFlag of nat * coord3 * axisOrder * bool * bool * bool
+
+val levelOf : flag -> nat
+
+val cellOf : flag -> coord3
+
+val signed : bool -> z -> z
+
+val stepFrom : flag -> z -> z -> z -> coord3
+
+val pointInHalfSides : flag -> z -> z -> z -> coord3
+
+val pointSeen : flag -> z -> z -> z -> coord3
+
+val cellSeen : flag -> z -> z -> z -> coord3
+
+val childAlong : bool -> z -> z
+
+val childSeen : flag -> z -> z -> z -> coord3
+
+val isAhead : bool -> z -> bool
+
+val aheadAtFace : flag -> bool
+
+val aheadAtEdge : flag -> bool
+
+val aheadAtCorner : flag -> bool
+
+val otherCorner : flag -> flag
+
+val otherEdge : flag -> flag
+
+val otherFace : flag -> flag
+
+val otherCell : flag -> flag
+
+val finerInCell : flag -> flag
+
+val finerInOther : flag -> flag
+
+val coarser : flag -> flag
+
+type gradedKind =
+| BccTet
+| EdgeHalfTet
+| FaceHalfTet
+| QuarterTet
+| PyramidTet
+
+type gradedTetId =
+| GTId of gradedKind * flag
+
+val isPresent : cellSet -> flag -> bool
+
+val kindAt : cellSet -> flag -> gradedKind
+
+val withLowerCell : flag -> flag
+
+val withUpperCorner : flag -> flag
+
+val isOffDiagonal : flag -> bool
+
+val withCornerOffDiagonal : flag -> flag
+
+val namingFlag : gradedKind -> flag -> flag
+
+val tetOfFlag : cellSet -> flag -> gradedTetId
+
+val flagsOf : gradedTetId -> flag list
+
+val isUpperEdge : flag -> bool
+
+val gradedVertices : gradedTetId -> ((coord3 * coord3) * coord3) * coord3
+
+val isEvenOrder : axisOrder -> bool
+
+val gradedHandedness : gradedTetId -> handedness
+
+val getGradedTet : gradedTetId -> coord3 unstructuredTet
+
+val flagAtFace : gradedTetId -> place -> flag * place
+
+val flagAcross : cellSet -> flag -> place -> flag
+
+val gradedNeighbor : cellSet -> gradedTetId -> place -> gradedTetId
+
+type mesh = { tetsWithin : (structuredTetId -> meshVertex unstructuredTet
+                           list); signIn : (meshVertex -> sign);
+              positionIn : (meshVertex -> coord3) }
+
+val pointsOfCell : coord3 -> coord3 list
+
+val isPlus : sign -> bool
+
+val isNearSurface : signField -> coord3 -> bool
+
+val aroundChildren : coord3 list
+
+val closedCells : cellSet -> nat -> coord3 -> bool
+
+val octreeAround : cellSet -> nat -> cellSet
+
+val gradedOctree : signField -> nat -> cellSet
+
+val structuredOf : flag -> structuredTetId
+
+val structuredName : gradedTetId -> structuredTetId option
+
+val gradedTetsWithin : mesh -> gradedTetId -> meshVertex unstructuredTet list
 
 val isAngleWithin :
   angleBounds -> coord3 -> coord3 -> coord3 -> coord3 -> bool

@@ -112,26 +112,26 @@ Qed.
 (** ** Volumes *)
 
 Lemma ThirdOrderFits e1 e2 e3 e4 e5 :
-  - WidthLimit <= e1 <= WidthLimit -> - WidthLimit <= e2 <= WidthLimit ->
-  - WidthLimit <= e3 <= WidthLimit -> - WidthLimit <= e4 <= WidthLimit ->
-  - WidthLimit <= e5 <= WidthLimit ->
-  - 2 ^ 38 <= e2 * e3 <= 2 ^ 38 /\ - 2 ^ 38 <= e4 * e5 <= 2 ^ 38 /\
-  - 2 ^ 58 <= e1 * (e2 * e3 - e4 * e5) <= 2 ^ 58.
+  - 2 ^ 20 <= e1 <= 2 ^ 20 -> - 2 ^ 20 <= e2 <= 2 ^ 20 -> - 2 ^ 20 <= e3 <= 2 ^ 20 ->
+  - 2 ^ 20 <= e4 <= 2 ^ 20 -> - 2 ^ 20 <= e5 <= 2 ^ 20 ->
+  - 2 ^ 40 <= e2 * e3 <= 2 ^ 40 /\ - 2 ^ 40 <= e4 * e5 <= 2 ^ 40 /\
+  - 2 ^ 61 <= e1 * (e2 * e3 - e4 * e5) <= 2 ^ 61.
 Proof.
-  unfold WidthLimit. intros F1 F2 F3 F4 F5.
+  intros F1 F2 F3 F4 F5.
   pose proof (ProductBound e2 e3 _ _ F2 F3) as P.
   pose proof (ProductBound e4 e5 _ _ F4 F5) as Q.
-  replace (2 ^ 19 * 2 ^ 19) with (2 ^ 38) in * by reflexivity.
+  replace (2 ^ 20 * 2 ^ 20) with (2 ^ 40) in * by reflexivity.
   split; [exact P|]. split; [exact Q|].
-  replace (2 ^ 58) with (2 ^ 19 * 2 ^ 39) by reflexivity.
+  replace (2 ^ 61) with (2 ^ 20 * 2 ^ 41) by reflexivity.
   apply ProductBound; [exact F1|].
-  replace (2 ^ 39) with (2 ^ 38 + 2 ^ 38) by reflexivity. lia.
+  replace (2 ^ 41) with (2 ^ 40 + 2 ^ 40) by reflexivity. lia.
 Qed.
 
-Theorem VolumesFit a b c d :
+(** Edges twice as long as [WidthLimit]; graded meshes have them. *)
+Lemma WideVolumesFit a b c d :
   (forall p, In p [a; b; c; d] -> forall k, InType 32 (Along k p)) ->
-  Bounded WidthLimit (Difference a b) -> Bounded WidthLimit (Difference a c) ->
-  Bounded WidthLimit (Difference a d) ->
+  Bounded (2 ^ 20) (Difference a b) -> Bounded (2 ^ 20) (Difference a c) ->
+  Bounded (2 ^ 20) (Difference a d) ->
   Computes 64 (SixVolumeFormula a b c d) (SixVolume a b c d) /\
   Computes 64 (DeterminantFormula a b c d) (SixVolume a b c d).
 Proof.
@@ -155,13 +155,27 @@ Proof.
   destruct (ThirdOrderFits _ _ _ _ _ Bz Cx Dy Cy Dx) as (? & ? & ?).
   unfold SixVolumeFormula, DeterminantFormula, SixVolume, Normal.
   cbn [Along]. reckon. cbn [Dot Cross Difference].
-  change (2 ^ 38) with 274877906944 in *. change (2 ^ 58) with 288230376151711744 in *.
+  change (2 ^ 20) with 1048576 in *.
+  change (2 ^ 40) with 1099511627776 in *. change (2 ^ 61) with 2305843009213693952 in *.
   generalize dependent (bx - ax); generalize dependent (by_ - ay);
     generalize dependent (bz - az); generalize dependent (cx - ax);
     generalize dependent (cy - ay); generalize dependent (cz - az);
     generalize dependent (dx - ax); generalize dependent (dy - ay);
     generalize dependent (dz - az).
   intros. split; (split; [repeat split; lia | ring]).
+Qed.
+
+Theorem VolumesFit a b c d :
+  (forall p, In p [a; b; c; d] -> forall k, InType 32 (Along k p)) ->
+  Bounded WidthLimit (Difference a b) -> Bounded WidthLimit (Difference a c) ->
+  Bounded WidthLimit (Difference a d) ->
+  Computes 64 (SixVolumeFormula a b c d) (SixVolume a b c d) /\
+  Computes 64 (DeterminantFormula a b c d) (SixVolume a b c d).
+Proof.
+  assert (wider : forall v, Bounded WidthLimit v -> Bounded (2 ^ 20) v).
+  { intros v B k. specialize (B k). unfold WidthLimit in B.
+    change (2 ^ 19) with 524288 in B. change (2 ^ 20) with 1048576. lia. }
+  intros I B C D. apply WideVolumesFit; auto.
 Qed.
 
 (** ** The tetrahedra of a mesh are narrow *)
