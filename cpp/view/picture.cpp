@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -49,6 +50,9 @@ struct Shown {
 /// Lines of a mesh seen from outside, and where it is cut open; and those between colours.
 constexpr float border_edges = 0.4F, cut_edges = 0.8F, section_edges = 0.3F;
 constexpr DrawnEdge color_line{0.9F, 1.1F};
+
+/// Of the angle between faces that look like one, some 40 degrees.
+constexpr float smooth_cosine = 0.766F;
 
 class Drawing {
  public:
@@ -116,13 +120,22 @@ class Drawing {
     return cross(place(points[1]) - a, place(points[2]) - a);
   }
 
-  /// Means over the faces at the border, by their areas.
+  /// Of the faces at the border, as long as twice their areas, and at each point one after the
+  /// other.
   void find_normals() {
-    normals_.resize(places_.size());
-    for (const SeparatingFace& face : faces_)
-      if (face.other == no_tet)
-        for (const std::uint64_t point : face.points)
-          normals_[subset_[point]] = normals_[subset_[point]] + normal(face.points);
+    const auto for_each_corner = [&](const auto& visit) {
+      for (const SeparatingFace& face : faces_)
+        if (face.other == no_tet)
+          for (const std::uint64_t point : face.points) visit(subset_[point], face);
+    };
+    first_normal_.assign(places_.size() + 1, 0);
+    for_each_corner([&](std::size_t point, const SeparatingFace&) { ++first_normal_[point + 1]; });
+    std::partial_sum(first_normal_.begin(), first_normal_.end(), first_normal_.begin());
+    normals_.resize(first_normal_.back());
+    std::vector<std::size_t> next(first_normal_);
+    for_each_corner([&](std::size_t point, const SeparatingFace& face) {
+      normals_[next[point]++] = normal(face.points);
+    });
   }
 
   /// The edges of the border between faces of two regions.
@@ -230,9 +243,15 @@ class Drawing {
     }
   }
 
-  /// A little of the face's own normal shows what the surface is made of.
+  /// The mean of the faces around a point, by their areas, but of those alone with which a face is
+  /// smooth, so that sharp edges look sharp.  A little of the face's own normal shows what the
+  /// surface is made of.
   [[nodiscard]] Vec smooth_normal(std::uint64_t point, Vec flat) const {
-    return unit(unit(normals_[subset_[point]]) + 0.35F * flat);
+    Vec sum{0, 0, 0};
+    const std::size_t at = subset_[point];
+    for (std::size_t n = first_normal_[at]; n < first_normal_[at + 1]; ++n)
+      if (dot(unit(normals_[n]), flat) > smooth_cosine) sum = sum + normals_[n];
+    return unit(unit(sum) + 0.35F * flat);
   }
 
   [[nodiscard]] Shown border_face(std::size_t n) const {
@@ -343,7 +362,9 @@ class Drawing {
   std::vector<double> distances_;  ///< of each at the border, where colours tell them
   double greatest_ = 0;            ///< of these
   PointSubset subset_{mesh_.points.size()};
-  std::vector<Vec> places_, normals_;  ///< of the subset
+  std::vector<Vec> places_;  ///< of the subset
+  std::vector<Vec> normals_;
+  std::vector<std::size_t> first_normal_;  ///< of each point of the subset
 };
 
 void validate(const PictureOptions& options) {

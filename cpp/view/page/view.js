@@ -114,18 +114,35 @@ function decode(text) {
 const scene = decode($("scene").textContent);
 $("scene").remove();
 
-// Smooth, of triangles of the surface: means by area at each point.
+// Smooth, of triangles of the surface: a function of a point and of the unit normal of a triangle
+// there that gives the mean, by area, of those with which that one is smooth (some 40 degrees), so
+// that sharp edges look sharp.
 function smoothNormals(chosen) {
-  const p = scene.points, n = new Float32Array(p.length), corners = scene.surface.corners;
-  for (const {triangle, turned} of chosen) {
+  const p = scene.points, corners = scene.surface.corners;
+  const normals = new Float32Array(3 * chosen.length), first = new Uint32Array(p.length / 3 + 1);
+  for (const {triangle} of chosen)
+    for (let k = 0; k < 3; ++k) ++first[corners[3 * triangle + k] + 1];
+  for (let i = 1; i < first.length; ++i) first[i] += first[i - 1];
+  const next = first.slice(), triangles = new Uint32Array(3 * chosen.length);
+  chosen.forEach(({triangle, turned}, t) => {
     const i = 3 * triangle, flip = turned ? -1 : 1;
     const a = 3 * corners[i], b = 3 * corners[i + 1], c = 3 * corners[i + 2];
     const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
     const vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
     const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
-    for (const at of [a, b, c]) n[at] += flip * x, n[at + 1] += flip * y, n[at + 2] += flip * z;
-  }
-  return n;
+    normals.set([flip * x, flip * y, flip * z], 3 * t);
+    for (let k = 0; k < 3; ++k) triangles[next[corners[i + k]]++] = t;
+  });
+  return (point, flat) => {
+    const sum = [0, 0, 0];
+    for (let at = first[point]; at < first[point + 1]; ++at) {
+      const n = normals.subarray(3 * triangles[at], 3 * triangles[at] + 3);
+      const along = n[0] * flat[0] + n[1] * flat[1] + n[2] * flat[2];
+      if (along > 0.766 * Math.hypot(...n)) sum[0] += n[0], sum[1] += n[1], sum[2] += n[2];
+    }
+    const length = Math.hypot(...sum) || 1;
+    return sum.map((c) => c / length);
+  };
 }
 
 const rgb = (list) => list.map((color) => [1, 3, 5].map((i) => parseInt(color.substr(i, 2), 16)));
@@ -154,14 +171,12 @@ function put(a, b, c, color, normals) {
   const ux = to[at + 3] - to[at], uy = to[at + 4] - to[at + 1], uz = to[at + 5] - to[at + 2];
   const vx = to[at + 6] - to[at], vy = to[at + 7] - to[at + 1], vz = to[at + 8] - to[at + 2];
   const flat = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-  const area = Math.hypot(...flat) || 1;
+  const area = Math.hypot(...flat) || 1, own = flat.map((c) => c / area);
   [a, b, c].forEach((corner, k) => {
-    const m = 3 * corner;
+    const smooth = normals ? normals(corner, own) : own;
     // A little of the face's own normal shows what the surface is made of.
-    const length = normals ? Math.hypot(normals[m], normals[m + 1], normals[m + 2]) || 1 : 1;
     for (let axis = 0; axis < 3; ++axis)
-      n[at + 3 * k + axis] =
-        normals ? normals[m + axis] / length + 0.35 * flat[axis] / area : flat[axis] / area;
+      n[at + 3 * k + axis] = normals ? smooth[axis] + 0.35 * own[axis] : own[axis];
     drawn.corner[3 * drawn.size + k] = normals && about.coarse ? noEdge : k;
   });
   ++drawn.size;
