@@ -1,6 +1,8 @@
 """Every way to fail: one sentence, the documented status, nothing left behind."""
 
 import os
+import pathlib
+import re
 import signal
 import subprocess
 import time
@@ -280,6 +282,15 @@ class Outputs(ProgramTest):
         self.assert_fails(BAD_INPUT, [], "mesh", "none.nrrd", "-o", "a.vtu")
         self.assertEqual((self.folder / "a.vtu").read_text(), "older")
 
+    def wait_until_caught(self, pid, sent):
+        """A program that is still being loaded would be ended by the signal itself."""
+        for _ in range(3000):
+            status = pathlib.Path(f"/proc/{pid}/status").read_text()
+            if int(re.search(r"^SigCgt:\s*(\w+)", status, re.MULTILINE)[1], 16) >> (sent - 1) & 1:
+                return
+            time.sleep(0.02)
+        self.fail("the program catches no signal")
+
     def test_interrupted(self):
         for sent in (signal.SIGINT, signal.SIGTERM):
             with self.subTest(sent):
@@ -287,7 +298,7 @@ class Outputs(ProgramTest):
                     [CERTET, "mesh", *TORUS, "--size", "0.004", "-o", "a.vtu"],
                     cwd=self.folder, text=True, stdout=subprocess.PIPE,
                     stderr=subprocess.PIPE)
-                time.sleep(0.5)
+                self.wait_until_caught(run.pid, sent)
                 run.send_signal(sent)
                 out, err = run.communicate(timeout=100)
                 self.assertEqual(run.returncode, INTERRUPTED, err)
