@@ -48,6 +48,21 @@ class Patches(ProgramTest):
         self.assertNotIn("patches", told)
         self.assertEqual(named((self.folder / "a.msh").read_text()), {1: "surface"})
 
+    def test_a_full_image_has_all_sides(self):
+        """Points of the lattice lie in the faces of the voxels."""
+        shape, faces = (10, 5, 4), (20, 20, 40, 40, 50, 50)
+        for axes in ({}, {"directions": ((1, 0, 0), (0, 1, 0), (0, 0, -1))}):
+            write_nrrd(self.folder / "a.nrrd", shape, voxels(shape, lambda i, j, k: 1 + int(i > 4)),
+                       kind="B", **axes)
+            for method in ("embedded", "midpoint", "paper"):
+                for smooth in ((), ("--smooth", 0)):
+                    with self.subTest(axes=axes, method=method, smooth=smooth):
+                        areas = self.areas("a.nrrd", "-o", "a.inp", "--method", method, *smooth)
+                        self.assertEqual(set(areas) - {"surface"}, set(SIDES))
+                        for side, area in zip(SIDES, faces):
+                            self.assertGreater(areas[side], 0.75 * area, side)
+                            self.assertLess(areas[side], 1.25 * area, side)
+
     def test_scale_and_frame_are_those_of_the_output(self):
         write_nrrd(self.folder / "a.nrrd", (8, 9, 10),
                    voxels((8, 9, 10), lambda i, j, k: int(i < 5)), kind="B")

@@ -56,12 +56,18 @@ Point3 voxel_position(const Image& image, const Point3& voxel) {
   return world;
 }
 
-/// From one of the outermost corners of an image's voxels to the other.
-BorderBox border_of(const Image& image, const Frame& frame) {
-  Point3 last;
-  for (std::size_t a = 0; a < 3; ++a) last[a] = static_cast<double>(image.size[a]) - 0.5;
-  return BorderBox::along_frame(frame, voxel_position(image, {-0.5, -0.5, -0.5}),
-                                voxel_position(image, last));
+/// From one of the outermost corners of an image's voxels to the other.  A point of the lattice that
+/// lies in the upper face is beyond the image (`VoxelAxis::covers`), and so it is beyond the box: that
+/// ends earlier there, by more than rounding moves a point and by less than a step.
+BorderBox border_of(const Image& image, const std::array<VoxelAxis, 3>& axes, const Frame& frame) {
+  constexpr double shorter = 1e-8;  // lattice units
+  Point3 first, last;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double by = shorter * (frame.size / 2) / image.spacing[a];
+    first[a] = -0.5 + (axes[a].reversed ? by : 0);
+    last[a] = static_cast<double>(image.size[a]) - 0.5 - (axes[a].reversed ? 0 : by);
+  }
+  return BorderBox::along_frame(frame, voxel_position(image, first), voxel_position(image, last));
 }
 
 }  // namespace
@@ -93,7 +99,7 @@ Placement place(const Image& image, const VoxelBox& box, const ImageLattice& cho
       if (axis.reversed) result.frame.axes[r][a] = -image.axes[r][a];
     }
   }
-  result.border.push_back(border_of(image, result.frame));
+  result.border.push_back(border_of(image, result.axis, result.frame));
   return result;
 }
 
