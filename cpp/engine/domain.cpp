@@ -10,14 +10,14 @@ namespace {
 static_assert(step_bits == 16, "cuts are kept in 16 bits: 0 <= cut < steps, as BisectOnEdge says");
 
 /// Edges that are bisected in lockstep, so that loops vectorise.
-constexpr std::size_t lanes = 256;
+constexpr std::size_t edges_at_once = 256;
 
 Material material_of_sign(Sign sign) { return sign == Sign::minus ? 0 : 1; }
 
 /// Up to so many edges.
 class Bisection {
  public:
-  [[nodiscard]] bool is_full() const { return size_ == lanes; }
+  [[nodiscard]] bool is_full() const { return size_ == edges_at_once; }
   [[nodiscard]] bool is_empty() const { return size_ == 0; }
 
   /// `cut` is written at the end.
@@ -60,10 +60,10 @@ class Bisection {
 
  private:
   std::size_t size_ = 0;
-  std::array<Coord3, lanes> start_, towards_, middle_;
-  std::array<Material, lanes> of_last_;
-  std::array<std::uint16_t*, lanes> cut_;
-  std::array<std::int32_t, lanes> low_, open_;
+  std::array<Coord3, edges_at_once> start_, towards_, middle_;
+  std::array<Material, edges_at_once> of_last_;
+  std::array<std::uint16_t*, edges_at_once> cut_;
+  std::array<std::int32_t, edges_at_once> low_, open_;
 };
 
 /// Calls round(half) for what becomes of the cuts bit by bit.
@@ -75,7 +75,7 @@ void for_each_round(const Round& round) {
 /// Some edges.  `ask(positions, answers)` asks for signs or for materials.
 template <class Answer, class Ask>
 void bisect(Bisection& edges, const Ask& ask) {
-  std::array<Answer, lanes> answers;
+  std::array<Answer, edges_at_once> answers;
   for_each_round([&](std::int32_t half) {
     const std::span<const Coord3> middles = edges.middles(half);
     const std::span<Answer> own = std::span(answers).first(middles.size());
@@ -112,9 +112,9 @@ void bisect(std::span<Bisection> edges, const Ask& ask) {
 template <class Answer, class IsWanted, class Ask>
 void part_some(std::span<const PartedEdge> edges, std::span<std::uint16_t> out, std::size_t batch,
                const IsWanted& is_wanted, const Ask& ask) {
-  if (batch > lanes) {
+  if (batch > edges_at_once) {
     std::vector<Bisection> all;
-    all.reserve(edges.size() / lanes + 1);
+    all.reserve(edges.size() / edges_at_once + 1);
     for (std::size_t e = 0; e < edges.size(); ++e) {
       if (!is_wanted(edges[e])) continue;
       if (all.empty() || all.back().is_full()) all.emplace_back();
@@ -168,10 +168,10 @@ Material of_nearest_corner(const TetCorners& corners, std::span<const Material, 
   return nearest;
 }
 
-/// Of up to `lanes` tetrahedra of a domain of several materials.
+/// Of up to `edges_at_once` tetrahedra of a domain of several materials.
 void find_materials(const Domain& domain, std::span<const TetCorners> tets,
                     std::span<Material> out) {
-  std::array<Coord3, lanes> centroids;
+  std::array<Coord3, edges_at_once> centroids;
   for (std::size_t i = 0; i < tets.size(); ++i) {
     const Sum sum = sum_of(tets[i]);
     centroids[i] = {static_cast<std::int32_t>(sum[0] >> 2), static_cast<std::int32_t>(sum[1] >> 2),
@@ -225,8 +225,8 @@ void Domain::materials_of(std::span<const TetCorners> tets, std::span<Material> 
     std::ranges::fill(out, 1);
     return;
   }
-  for (std::size_t begin = 0; begin < tets.size(); begin += lanes) {
-    const std::size_t count = std::min(lanes, tets.size() - begin);
+  for (std::size_t begin = 0; begin < tets.size(); begin += edges_at_once) {
+    const std::size_t count = std::min(edges_at_once, tets.size() - begin);
     find_materials(*this, tets.subspan(begin, count), out.subspan(begin, count));
   }
 }
