@@ -10,7 +10,8 @@ From Certet Require Import Lattice.Tiling Lattice.FaceProof Stuffing.VerticesPro
 From Certet Require Import Grading.Octree Grading.Flag Grading.GradedTet
   Grading.Surface Grading.GradingSpec.
 From Certet Require Import Grading.PartitionProof Grading.GradedVolumeProof
-  Grading.GradedNeighborProof Grading.TouchedProof Grading.GradedMeshProof.
+  Grading.FaceSeenProof Grading.GradedNeighborProof Grading.TouchedProof
+  Grading.GradedMeshProof.
 Open Scope Z_scope.
 
 Local Strategy 1000 [WarpVertex Bisect Settle].
