@@ -27,16 +27,20 @@ Section Beside.
     destruct (LevelOf x) as [|l]; [discriminate T | now exists l].
   Qed.
 
-  (** A quarter, and the pyramid of a child that is in the way of the flag beside. *)
+  (** A quarter at [x], and the pyramid of a child at [y] that is in the place of the
+      flag beside. *)
+  Definition IsTaken (x y beside : Flag) : Prop :=
+    (IsPresent cells y = true /\ KindAt cells y = PyramidTet) <->
+    (IsPresent cells x = true /\ KindAt cells x = QuarterTet /\
+     IsPresent cells beside = false).
+
   Lemma FinerThere x y beside i k :
     LevelOf x = S (LevelOf y) -> 1 <= i <= 2 -> 0 <= k <= 1 ->
     CellSeen y 0 0 0 = ChildSeen x i 1 k -> CellSeen y 1 0 0 = ChildSeen x 1 1 1 ->
     (cells (LevelOf x) (CellSeen x 0 0 0) = true -> AcrossExists cells x = true ->
      IsPresent cells beside = true <->
      HasChild cells (LevelOf x) (ChildSeen x i 1 k) = false) ->
-    (IsPresent cells y = true /\ KindAt cells y = PyramidTet) <->
-    (IsPresent cells x = true /\ KindAt cells x = QuarterTet /\
-     IsPresent cells beside = false).
+    IsTaken x y beside.
   Proof.
     intros L Bi Bk C C' B.
     assert (H : forall c, HasChild cells (LevelOf x) c = cells (LevelOf y) c)
@@ -62,70 +66,55 @@ Section Beside.
       destruct G. congruence.
   Qed.
 
-  Lemma FinerInCellThere x l : LevelOf x = S l ->
-    (IsPresent cells (FinerInCell x) = true /\ KindAt cells (FinerInCell x) = PyramidTet) <->
-    (IsPresent cells x = true /\ KindAt cells x = QuarterTet /\
-     IsPresent cells (OtherCorner x) = false).
+  Ltac taken i k level cell x l :=
+    intros L; apply (FinerThere _ _ _ i k); try lia;
+    [now rewrite (level x l) | apply (cell x l 0 0 0 L) | apply (cell x l 1 0 0 L) |].
+
+  Lemma FinerInCellThere x l : LevelOf x = S l -> IsTaken x (FinerInCell x) (OtherCorner x).
   Proof.
-    intros L. apply (FinerThere _ _ _ 1 0); try lia.
-    - now rewrite (FinerInCellLevel x l).
-    - apply (CellByFinerInCell x l 0 0 0 L).
-    - apply (CellByFinerInCell x l 1 0 0 L).
-    - intros E0 _. rewrite PresentCorner. tauto.
+    taken 1 0 FinerInCellLevel CellByFinerInCell x l. intros E0 _. rewrite PresentCorner. tauto.
   Qed.
 
-  Lemma FinerInOtherThere x l : LevelOf x = S l ->
-    (IsPresent cells (FinerInOther x) = true /\ KindAt cells (FinerInOther x) = PyramidTet) <->
-    (IsPresent cells x = true /\ KindAt cells x = QuarterTet /\
-     IsPresent cells (OtherCell x) = false).
+  Lemma FinerInOtherThere x l : LevelOf x = S l -> IsTaken x (FinerInOther x) (OtherCell x).
   Proof.
-    intros L. apply (FinerThere _ _ _ 2 1); try lia.
-    - now rewrite (FinerInOtherLevel x l).
-    - apply (CellByFinerInOther x l 0 0 0 L).
-    - apply (CellByFinerInOther x l 1 0 0 L).
-    - intros _ E1. rewrite PresentCell. unfold AcrossExists in E1. tauto.
+    taken 2 1 FinerInOtherLevel CellByFinerInOther x l. intros _ E1. rewrite PresentCell. unfold AcrossExists in E1. tauto.
   Qed.
 
-  (** The faces of the two. *)
+  (** The faces of the two, all as the child sees them. *)
+  Lemma OffDiagonalInCell x l : LevelOf x = S l -> IsOffDiagonal (FinerInCell x) = true.
+  Proof.
+    intros L. unfold IsOffDiagonal. now destruct (AheadInCell x l L) as (_ & -> & ->).
+  Qed.
+
+  Lemma OffDiagonalInOther x l : LevelOf x = S l -> IsOffDiagonal (FinerInOther x) = true.
+  Proof.
+    intros L. unfold IsOffDiagonal. now destruct (AheadInOther x l L) as (_ & -> & ->).
+  Qed.
+
+  Ltac same off seen x l :=
+    intros L; cbn [FaceSeen]; rewrite (off x l L), <- !(fun i j k => seen x l i j k L);
+    intros v; cbn; tauto.
+  Ltac between seen x l :=
+    intros L; cbn [FaceSeen ApexSeen];
+    rewrite <- !(fun i j k => seen x l i j k L); sides.
+
   Lemma FinerInCellFace x l : LevelOf x = S l ->
     SameVertices (FaceSeen QuarterTet x First) (FaceSeen PyramidTet (FinerInCell x) Fourth).
-  Proof.
-    intros L. destruct (AheadInCell x l L) as (_ & E & C).
-    cbn [FaceSeen]. unfold IsOffDiagonal. rewrite E, C. cbn [xorb].
-    rewrite <- (SeenByFinerInCell x l 1 1 0 L), <- (SeenByFinerInCell x l 1 0 0 L),
-      <- (SeenByFinerInCell x l 0 0 0 L).
-    intros v; cbn; tauto.
-  Qed.
+  Proof. same OffDiagonalInCell SeenByFinerInCell x l. Qed.
 
   Lemma FinerInOtherFace x l : LevelOf x = S l ->
     SameVertices (FaceSeen QuarterTet x Fourth) (FaceSeen PyramidTet (FinerInOther x) Fourth).
-  Proof.
-    intros L. destruct (AheadInOther x l L) as (_ & E & C).
-    cbn [FaceSeen]. unfold IsOffDiagonal. rewrite E, C. cbn [xorb].
-    rewrite <- (SeenByFinerInOther x l 1 1 1 L), <- (SeenByFinerInOther x l 1 1 0 L),
-      <- (SeenByFinerInOther x l 1 0 0 L).
-    intros v; cbn; tauto.
-  Qed.
+  Proof. same OffDiagonalInOther SeenByFinerInOther x l. Qed.
 
   Lemma FinerInCellSides x l : LevelOf x = S l ->
     LiesBetween (FaceSeen QuarterTet x First) (ApexSeen QuarterTet x First)
       (ApexSeen PyramidTet (FinerInCell x) Fourth).
-  Proof.
-    intros L. cbn [FaceSeen ApexSeen].
-    rewrite <- (SeenByFinerInCell x l 1 1 0 L), <- (SeenByFinerInCell x l 1 0 0 L),
-      <- (SeenByFinerInCell x l 0 0 0 L), <- (SeenByFinerInCell x l 1 1 1 L).
-    sides.
-  Qed.
+  Proof. between SeenByFinerInCell x l. Qed.
 
   Lemma FinerInOtherSides x l : LevelOf x = S l ->
     LiesBetween (FaceSeen QuarterTet x Fourth) (ApexSeen QuarterTet x Fourth)
       (ApexSeen PyramidTet (FinerInOther x) Fourth).
-  Proof.
-    intros L. cbn [FaceSeen ApexSeen].
-    rewrite <- (SeenByFinerInOther x l 1 1 1 L), <- (SeenByFinerInOther x l 1 1 0 L),
-      <- (SeenByFinerInOther x l 1 0 0 L), <- (SeenByFinerInOther x l 0 0 0 L).
-    sides.
-  Qed.
+  Proof. between SeenByFinerInOther x l. Qed.
 
   Lemma NameApex x : PointSeen (WithCornerOffDiagonal x) 0 0 0 = PointSeen x 0 0 0.
   Proof.

@@ -18,23 +18,16 @@ Proof.
            (MaterialDihedralBounds before warping cut shared tid A W m t I)).
 Qed.
 
-Theorem SettledMaterialBoundsInDegrees : forall material cut turns tid m t,
-  MaterialCutsOnEdges (fun v => Some (material v)) cut -> InLattice tid ->
-  m <> Outside ->
-  In (m, t)
-    (SettledMaterialTets AngleThresholds material cut
-       (SettleMaterials WidestAngles AngleThresholds material cut turns) tid) ->
-  WithinDegrees (1077 / 100) (16476 / 100) t.
+Theorem SettledMaterialBoundsInDegrees :
+  EachSettledTet (WithinDegrees (1077 / 100) (16476 / 100)).
 Proof.
   intros material cut turns tid m t C E N I.
   exact (WidestInDegrees t
            (SettledMaterialBounds material cut turns tid m t C E N I)).
 Qed.
 
-Theorem DemotedBoundsInDegrees : forall material cut shared tid m t,
-  MaterialCutsOnEdges material cut -> InLattice tid -> m <> Outside ->
-  In (m, t) (DemotedTets WidestAngles AngleThresholds material cut shared tid) ->
-  WithinDegrees (1077 / 100) (16476 / 100) t.
+Theorem DemotedBoundsInDegrees :
+  EachDemotedTet (WithinDegrees (1077 / 100) (16476 / 100)).
 Proof.
   intros material cut shared tid m t C E N I.
   exact (WidestInDegrees t

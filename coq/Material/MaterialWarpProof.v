@@ -267,10 +267,14 @@ Section Demotion.
   Qed.
 End Demotion.
 
-Theorem DemotedBounds : forall material cut shared tid m t,
-  MaterialCutsOnEdges material cut -> InLattice tid -> m <> Outside ->
-  In (m, t) (DemotedTets WidestAngles AngleThresholds material cut shared tid) ->
-  WellShaped WidestAngles t.
+(** Every tetrahedron of every material is such. *)
+Definition EachDemotedTet (holds : UnstructuredTet Coord3 -> Prop) : Prop :=
+  forall material cut shared tid m t,
+    MaterialCutsOnEdges material cut -> InLattice tid -> m <> Outside ->
+    In (m, t) (DemotedTets WidestAngles AngleThresholds material cut shared tid) ->
+    holds t.
+
+Theorem DemotedBounds : EachDemotedTet (WellShaped WidestAngles).
 Proof. intros material cut shared tid m t C. apply DemotedWithin, C. Qed.
 
 (** ** One material and the outside *)

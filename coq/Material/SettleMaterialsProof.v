@@ -153,13 +153,17 @@ Proof.
     exact (C v d m n I J P Q).
 Qed.
 
-Theorem SettledMaterialBounds : forall material cut turns tid m t,
-  MaterialCutsOnEdges (fun v => Some (material v)) cut -> InLattice tid ->
-  m <> Outside ->
-  In (m, t)
-    (SettledMaterialTets AngleThresholds material cut
-       (SettleMaterials WidestAngles AngleThresholds material cut turns) tid) ->
-  WellShaped WidestAngles t.
+(** Every tetrahedron of every material is such. *)
+Definition EachSettledTet (holds : UnstructuredTet Coord3 -> Prop) : Prop :=
+  forall material cut turns tid m t,
+    MaterialCutsOnEdges (fun v => Some (material v)) cut -> InLattice tid ->
+    m <> Outside ->
+    In (m, t)
+      (SettledMaterialTets AngleThresholds material cut
+         (SettleMaterials WidestAngles AngleThresholds material cut turns) tid) ->
+    holds t.
+
+Theorem SettledMaterialBounds : EachSettledTet (WellShaped WidestAngles).
 Proof.
   intros material cut turns tid m t C Even Inner I.
   set (zeros := SettleMaterials WidestAngles AngleThresholds material cut turns) in *.

@@ -111,10 +111,12 @@ Section Sound.
     - now apply IsAsideInFaceSound.
   Qed.
 
+  Local Notation compatible p1 p2 q1 q2 :=
+    (TwoEdgesCompatible Vertex GetIntersection f1 f2 f3 p q
+      (interpret p1) (interpret p2) (interpret q1) (interpret q2)).
+
   Lemma AreApartInFaceSound p1 p2 q1 q2 :
-    AreApartInFace p1 p2 q1 q2 = true ->
-    TwoEdgesCompatible Vertex GetIntersection f1 f2 f3 p q
-      (interpret p1) (interpret p2) (interpret q1) (interpret q2).
+    AreApartInFace p1 p2 q1 q2 = true -> compatible p1 p2 q1 q2.
   Proof.
     unfold AreApartInFace.
     destruct (FaceCoordinates p1) as [[[a1 a2] a3] |] eqn:at_p1; [| easy].
@@ -129,9 +131,7 @@ Section Sound.
   Qed.
 
   Lemma CheckTwoEdgesSound p1 p2 q1 q2 :
-    CheckTwoEdges p1 p2 q1 q2 = true ->
-    TwoEdgesCompatible Vertex GetIntersection f1 f2 f3 p q
-      (interpret p1) (interpret p2) (interpret q1) (interpret q2).
+    CheckTwoEdges p1 p2 q1 q2 = true -> compatible p1 p2 q1 q2.
   Proof.
     unfold CheckTwoEdges; intros H; take_apart.
     - apply EC_1; [apply (IsSpecialSound _ _ _ P) | apply (IsNotInSound _ _ _ P Q)];

@@ -47,26 +47,8 @@ Ltac by_patterns :=
   intros A B f SignA SignB IntersectionA IntersectionB v1 v2 v3 v4 corners
     SameSign SameIntersection;
   unfold corners in *; cbn [In] in *;
-  pose proof (SameSign v1 ltac:(tauto)) as S1;
-  pose proof (SameSign v2 ltac:(tauto)) as S2;
-  pose proof (SameSign v3 ltac:(tauto)) as S3;
-  pose proof (SameSign v4 ltac:(tauto)) as S4;
-  pose proof (SameIntersection v1 v2 ltac:(tauto) ltac:(tauto)) as I12;
-  pose proof (SameIntersection v1 v3 ltac:(tauto) ltac:(tauto)) as I13;
-  pose proof (SameIntersection v1 v4 ltac:(tauto) ltac:(tauto)) as I14;
-  pose proof (SameIntersection v2 v1 ltac:(tauto) ltac:(tauto)) as I21;
-  pose proof (SameIntersection v2 v3 ltac:(tauto) ltac:(tauto)) as I23;
-  pose proof (SameIntersection v2 v4 ltac:(tauto) ltac:(tauto)) as I24;
-  pose proof (SameIntersection v3 v1 ltac:(tauto) ltac:(tauto)) as I31;
-  pose proof (SameIntersection v3 v2 ltac:(tauto) ltac:(tauto)) as I32;
-  pose proof (SameIntersection v3 v4 ltac:(tauto) ltac:(tauto)) as I34;
-  pose proof (SameIntersection v4 v1 ltac:(tauto) ltac:(tauto)) as I41;
-  pose proof (SameIntersection v4 v2 ltac:(tauto) ltac:(tauto)) as I42;
-  pose proof (SameIntersection v4 v3 ltac:(tauto) ltac:(tauto)) as I43;
-  clear SameSign SameIntersection;
   lazymatch goal with |- ?T B _ _ _ _ _ _ = _ => unfold T end;
-  rewrite S1, S2, S3, S4, ?I12, ?I13, ?I14, ?I21, ?I23, ?I24,
-    ?I31, ?I32, ?I34, ?I41, ?I42, ?I43;
+  rewrite ?SameSign, ?SameIntersection by tauto;
   destruct (SignA v1), (SignA v2), (SignA v3), (SignA v4); reflexivity.
 
 Lemma GetUnstructuredTetsNatural : Natural GetUnstructuredTets.

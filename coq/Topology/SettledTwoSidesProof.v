@@ -29,12 +29,7 @@ Section Strict.
   Qed.
 
   Theorem SettledTwoSidesFill n x : 0 < n ->
-    exists tid t w, InLattice tid /\
-      (In t (PlacedNames sign warping tid) \/
-       In t (OtherNames sign warping tid) \/
-       t = MapTet Corner (LatticeTet tid) /\
-         forall c, In c (Corners tid) -> SignAfter sign warping c = OnSurface) /\
-      NonNegative w /\ 0 < Total w /\
+    exists tid t w, InLattice tid /\ OneOf sign warping tid t /\ NonNegative w /\ 0 < Total w /\
       Scale n (PointOf w (MapTet place t)) = Scale (Total w) x.
   Proof.
     exact (TwoSidesFill sign warping (ClampedCut AngleThresholds cut)

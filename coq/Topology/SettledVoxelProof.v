@@ -32,11 +32,7 @@ Proof. intros (tid & E & C & _). exact (CornerOfLattice tid p E C). Qed.
 Theorem SettledVoxelPieces grid image th cut gap vs p q t u :
   let sign := OpenSigns (VoxelSigns grid image) in
   let warping := PlaceIn (Settle th sign cut gap vs) in
-  FineEnough grid ->
-  PlusAfter sign warping p -> PlusAfter sign warping q ->
-  MadeAt sign warping p t -> MadeAt sign warping q u ->
-  Joined (InMesh sign warping) ShareFace t u <->
-  Joined (fun x => image x = true) Beside (Owner grid p) (Owner grid q).
+  FineEnough grid -> SameAsImage grid image sign warping p q t u.
 Proof.
   intros sign warping F P Q T U.
   etransitivity;
@@ -50,9 +46,7 @@ Qed.
 Theorem SettledVoxelNoPieceLost grid image th cut gap vs x :
   let sign := OpenSigns (VoxelSigns grid image) in
   let warping := PlaceIn (Settle th sign cut gap vs) in
-  FineEnough grid -> image x = true ->
-  exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
-    Joined (fun y => image y = true) Beside x (Owner grid q).
+  FineEnough grid -> image x = true -> HasPieceOf grid image sign warping x.
 Proof.
   intros sign warping F X.
   destruct grid as [half [sx sy sz] [ox oy oz]]. pose proof F as (H & Fx & Fy & Fz).

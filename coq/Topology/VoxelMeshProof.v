@@ -83,14 +83,24 @@ Qed.
 
 (** ** The mesh *)
 
-Theorem VoxelMeshPieces grid image voxels th cut limit p q t u :
-  let sign := VoxelSigns grid image in
-  let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
-  FineEnough grid -> (forall x, image x = true -> In x voxels) ->
+(** The pieces of a mesh by faces are those of the image by faces, of the pieces at
+    two points; *)
+Definition SameAsImage grid image sign warping p q t u : Prop :=
   PlusAfter sign warping p -> PlusAfter sign warping q ->
   MadeAt sign warping p t -> MadeAt sign warping q u ->
   Joined (InMesh sign warping) ShareFace t u <->
   Joined (fun x => image x = true) Beside (Owner grid p) (Owner grid q).
+
+(** and the mesh has the piece of a voxel. *)
+Definition HasPieceOf grid image sign warping x : Prop :=
+  exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
+    Joined (fun y => image y = true) Beside x (Owner grid q).
+
+Theorem VoxelMeshPieces grid image voxels th cut limit p q t u :
+  let sign := VoxelSigns grid image in
+  let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
+  FineEnough grid -> (forall x, image x = true -> In x voxels) ->
+  SameAsImage grid image sign warping p q t u.
 Proof.
   intros sign warping F I P Q T U.
   destruct (FiniteSamples grid image voxels F I) as [all A].
@@ -109,8 +119,7 @@ Theorem VoxelNoPieceLost grid image voxels th cut limit x :
   let sign := VoxelSigns grid image in
   let warping := RuledWarping th sign cut (DiskRule th sign cut) limit in
   FineEnough grid -> (forall y, image y = true -> In y voxels) -> image x = true ->
-  exists q t, PlusAfter sign warping q /\ MadeAt sign warping q t /\
-    Joined (fun y => image y = true) Beside x (Owner grid q).
+  HasPieceOf grid image sign warping x.
 Proof.
   intros sign warping F I X.
   destruct (FiniteSamples grid image voxels F I) as [all A].

@@ -312,15 +312,21 @@ Proof.
   split; [apply Coord3EqualTrue, E | apply SameKindEqual, K].
 Qed.
 
+(** Of each isometry and direction, if a look at all of them finds it. *)
+Lemma OfEachIsometry (found : Linear -> Direction -> bool) :
+  forallb (fun m => forallb (found m) AllDirections) AllIsometries = true ->
+  forall m d, In m AllIsometries -> found m d = true.
+Proof.
+  intros T m d I. rewrite forallb_forall in T. specialize (T m I).
+  rewrite forallb_forall in T. exact (T d (InAllDirections d)).
+Qed.
+
 Lemma ImageOfDirection m d : In m AllIsometries ->
   exists e, Apply m (Offset d) = Offset e /\ DirectionKind d = DirectionKind e.
 Proof.
   intros I.
-  assert (T : forallb (fun m => forallb (fun d =>
-    existsb (Carries m d) AllDirections) AllDirections) AllIsometries = true)
-    by (vm_compute; reflexivity).
-  rewrite forallb_forall in T. specialize (T m I).
-  rewrite forallb_forall in T. specialize (T d (InAllDirections d)).
+  pose proof (OfEachIsometry (fun m d => existsb (Carries m d) AllDirections)
+    ltac:(vm_compute; reflexivity) m d I) as T.
   apply existsb_exists in T. destruct T as (e & _ & T).
   exists e. apply CarriesMeans, T.
 Qed.
@@ -329,11 +335,8 @@ Lemma OriginOfDirection m e : In m AllIsometries ->
   exists d, Apply m (Offset d) = Offset e /\ DirectionKind d = DirectionKind e.
 Proof.
   intros I.
-  assert (T : forallb (fun m => forallb (fun e =>
-    existsb (fun d => Carries m d e) AllDirections) AllDirections) AllIsometries
-    = true) by (vm_compute; reflexivity).
-  rewrite forallb_forall in T. specialize (T m I).
-  rewrite forallb_forall in T. specialize (T e (InAllDirections e)).
+  pose proof (OfEachIsometry (fun m e => existsb (fun d => Carries m d e) AllDirections)
+    ltac:(vm_compute; reflexivity) m e I) as T.
   apply existsb_exists in T. destruct T as (d & _ & T).
   exists d. apply CarriesMeans, T.
 Qed.

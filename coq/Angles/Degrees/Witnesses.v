@@ -36,24 +36,24 @@ Definition SmallAngleCuts (warped long short : Z) : CutField :=
 Definition SmallAngleCuts_73_102 := SmallAngleCuts 26111 46848 26112.
 Definition SmallAngleCuts_64_105 := SmallAngleCuts 26879 49152 26880.
 
-(** Large angles: three corners are warped. *)
-Definition LargeAngleSigns_73_102 : SignField :=
-  SignTable [(C3 0 2 2, Plus); (C3 2 2 2, Plus); (C3 1 3 1, Plus);
-             (C3 1 3 3, Plus); (C3 2 4 2, Minus); (C3 1 1 1, Minus);
-             (C3 1 1 3, Minus)].
+(** Large angles: three corners are warped, two of them to cuts of edges to [low]
+    and [high]. *)
+Definition LargeAngleSigns (low high : Coord3) : SignField :=
+  SignTable [(C3 0 2 2, Plus); (C3 2 2 2, Plus); (C3 1 3 1, Plus); (C3 1 3 3, Plus);
+             (C3 2 4 2, Minus); (low, Minus); (high, Minus)].
 
-Definition LargeAngleCuts_73_102 : CutField :=
-  CutTable [(C3 2 2 2, C3 2 4 2, 18687); (C3 1 3 1, C3 1 1 1, 18687);
-            (C3 1 3 3, C3 1 1 3, 18687)].
+Definition LargeAngleTable (low high : Coord3) (middle aside : Z)
+  : list (Coord3 * Coord3 * Z) :=
+  [(C3 2 2 2, C3 2 4 2, middle); (C3 1 3 1, low, aside); (C3 1 3 3, high, aside)].
 
-Definition LargeAngleSigns_64_105 : SignField :=
-  SignTable [(C3 0 2 2, Plus); (C3 2 2 2, Plus); (C3 1 3 1, Plus);
-             (C3 1 3 3, Plus); (C3 2 4 2, Minus); (C3 2 2 0, Minus);
-             (C3 2 2 4, Minus)].
+Definition LargeAngleTable_73_102 := LargeAngleTable (C3 1 1 1) (C3 1 1 3) 18687 18687.
+Definition LargeAngleTable_64_105 := LargeAngleTable (C3 2 2 0) (C3 2 2 4) 16383 26879.
 
-Definition LargeAngleCuts_64_105 : CutField :=
-  CutTable [(C3 2 2 2, C3 2 4 2, 16383); (C3 1 3 1, C3 2 2 0, 26879);
-            (C3 1 3 3, C3 2 2 4, 26879)].
+Definition LargeAngleSigns_73_102 := LargeAngleSigns (C3 1 1 1) (C3 1 1 3).
+Definition LargeAngleSigns_64_105 := LargeAngleSigns (C3 2 2 0) (C3 2 2 4).
+
+Definition LargeAngleCuts_73_102 : CutField := CutTable LargeAngleTable_73_102.
+Definition LargeAngleCuts_64_105 : CutField := CutTable LargeAngleTable_64_105.
 
 (** ** The same, known by the sign at every position *)
 
@@ -83,14 +83,9 @@ Definition SmallAngleDomain (warped long short : Z) : PositionSigns :=
                   (C3 1 3 1, C3 1 3 3, long); (C3 0 2 2, C3 1 3 3, short)].
 
 Definition LargeAngleDomain_73_102 : PositionSigns :=
-  DomainTable [(C3 0 2 2, Plus)]
-    [(C3 2 2 2, C3 2 4 2, 18687); (C3 1 3 1, C3 1 1 1, 18687);
-     (C3 1 3 3, C3 1 1 3, 18687)].
-
+  DomainTable [(C3 0 2 2, Plus)] LargeAngleTable_73_102.
 Definition LargeAngleDomain_64_105 : PositionSigns :=
-  DomainTable [(C3 0 2 2, Plus)]
-    [(C3 2 2 2, C3 2 4 2, 16383); (C3 1 3 1, C3 2 2 0, 26879);
-     (C3 1 3 3, C3 2 2 4, 26879)].
+  DomainTable [(C3 0 2 2, Plus)] LargeAngleTable_64_105.
 
 (** Both angles that cuts in the middle can make: an even edge inside, an odd
     edge outside. *)

@@ -79,24 +79,27 @@ Section Tetrahedron.
   Variable scale : Z.
   Hypothesis Hscale : 0 < scale.
 
-  Lemma FullWithin num den a b c d xa xb xc xd :
-    OnSegment scale a xa -> OnSegment scale b xb ->
-    OnSegment scale c xc -> OnSegment scale d xd ->
-    CheckFull (CotSq num den) a b c d = true ->
-    WithinCotangent num den xa xb xc xd.
+  (** What passes a check has its angles within the bound. *)
+  Definition Suffices check : Prop :=
+    forall num den a b c d xa xb xc xd,
+      OnSegment scale a xa -> OnSegment scale b xb ->
+      OnSegment scale c xc -> OnSegment scale d xd ->
+      check (CotSq num den) a b c d = true ->
+      WithinCotangent num den xa xb xc xd.
+
+  Lemma FullWithin : Suffices CheckFull.
   Proof.
-    intros [[? ?] Ha] [[? ?] Hb] [[? ?] Hc] [[? ?] Hd].
+    intros num den a b c d xa xb xc xd [[? ?] Ha] [[? ?] Hb] [[? ?] Hc] [[? ?] Hd].
     exact (FullSound scale a b c d xa xb xc xd _ _ _ _ _ _ _ _
              Ha Hb Hc Hd Hscale num den).
   Qed.
 
-  Lemma HalvesWithin num den a b c d xa xb xc xd :
-    OnSegment scale a xa -> OnSegment scale b xb ->
-    OnSegment scale c xc -> OnSegment scale d xd ->
-    CheckHalves (CotSq num den) a b c d = true ->
-    WithinCotangent num den xa xb xc xd.
+  (** Of a segment in halves: the one that the vertex is on passes the check. *)
+  Ltac half on := destruct (OnHalf _ _ _ on); eapply FullWithin; eassumption.
+
+  Lemma HalvesWithin : Suffices CheckHalves.
   Proof.
-    intros Ha Hb Hc Hd K. apply (Unscaled 2); [lia|].
+    intros num den a b c d xa xb xc xd Ha Hb Hc Hd K. apply (Unscaled 2); [lia|].
     pose proof (OnDoubled _ _ _ Ha) as Da. pose proof (OnDoubled _ _ _ Hb) as Db.
     pose proof (OnDoubled _ _ _ Hc) as Dc. pose proof (OnDoubled _ _ _ Hd) as Dd.
     unfold CheckHalves in K.
@@ -104,18 +107,10 @@ Section Tetrahedron.
       [|apply IfEither in K; destruct K as [K|K];
         [|apply IfEither in K; destruct K as [K|K]]];
       apply IfBoth in K; destruct K as [K K'].
-    - destruct (OnHalf _ _ _ Ha) as [H|H];
-        [apply (FullWithin _ _ _ _ _ _ _ _ _ _ H Db Dc Dd K)
-        |apply (FullWithin _ _ _ _ _ _ _ _ _ _ H Db Dc Dd K')].
-    - destruct (OnHalf _ _ _ Hb) as [H|H];
-        [apply (FullWithin _ _ _ _ _ _ _ _ _ _ Da H Dc Dd K)
-        |apply (FullWithin _ _ _ _ _ _ _ _ _ _ Da H Dc Dd K')].
-    - destruct (OnHalf _ _ _ Hc) as [H|H];
-        [apply (FullWithin _ _ _ _ _ _ _ _ _ _ Da Db H Dd K)
-        |apply (FullWithin _ _ _ _ _ _ _ _ _ _ Da Db H Dd K')].
-    - destruct (OnHalf _ _ _ Hd) as [H|H];
-        [apply (FullWithin _ _ _ _ _ _ _ _ _ _ Da Db Dc H K)
-        |apply (FullWithin _ _ _ _ _ _ _ _ _ _ Da Db Dc H K')].
+    - half Ha.
+    - half Hb.
+    - half Hc.
+    - half Hd.
   Qed.
 
   Lemma BoundWithin num den volume extreme a b c d xa xb xc xd :
