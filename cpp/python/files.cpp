@@ -20,6 +20,7 @@ namespace certet::python {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace py::literals;
 
 Format chosen_format(const fs::path& file, const std::optional<std::string>& name) {
   const std::optional<Format> format = name ? format_named(*name) : format_of(file);
@@ -47,12 +48,8 @@ std::shared_ptr<FileMesh> read_file(const fs::path& file) {
 }
 
 py::dict told(const CheckReport& report) {
-  py::dict result;
-  result["failures"] = report.failures;
-  result["points"] = report.points;
-  result["tets"] = report.quality.tets;
-  result["boundary_faces"] = report.boundary_faces;
-  return result;
+  return py::dict("failures"_a = report.failures, "points"_a = report.points,
+                  "tets"_a = report.quality.tets, "boundary_faces"_a = report.boundary_faces);
 }
 
 template <class AnyMesh>
@@ -67,13 +64,9 @@ py::dict quality_of_file(const FileMesh& mesh) {
   Quality found;
   Context context;
   run(context, [&] { found = quality(mesh); });
-  py::dict result;
-  result["tets"] = found.tets;
-  result["volume"] = found.volume;
-  result["min_dihedral"] = found.min_dihedral;
-  result["max_dihedral"] = found.max_dihedral;
-  result["histogram"] = found.histogram;
-  return result;
+  return py::dict("tets"_a = found.tets, "volume"_a = found.volume,
+                  "min_dihedral"_a = found.min_dihedral, "max_dihedral"_a = found.max_dihedral,
+                  "histogram"_a = found.histogram);
 }
 
 template <class T, std::size_t N>

@@ -34,6 +34,8 @@
 namespace certet::python {
 namespace {
 
+using namespace py::literals;
+
 /// The voxels of an image as a shape; by default surfaces of labels are smooth where the
 /// method cuts labels apart.
 std::unique_ptr<PlacedDomain> image_domain(const std::shared_ptr<const Image>& image,
@@ -129,35 +131,22 @@ py::dict quality_of(const PythonMesh& mesh) {
     placed = measure_placed(mesh.mesh, mesh.world);
   }
   const auto& [lattice, world, rounding, coincident_points] = placed;
-  py::dict result;
-  result["tets"] = lattice.tets;
-  result["volume"] = world.volume;
-  result["min_dihedral"] = world.min_dihedral;
-  result["max_dihedral"] = world.max_dihedral;
-  result["histogram"] = lattice.histogram;
-  result["theorem"] = std::string(bounds.theorem);
-  result["proven_min"] = bounds.min_dihedral;
-  result["proven_max"] = bounds.max_dihedral;
-  result["holds"] = standing_of(placed, bounds) == Standing::within;
-  return result;
+  return py::dict("tets"_a = lattice.tets, "volume"_a = world.volume,
+                  "min_dihedral"_a = world.min_dihedral, "max_dihedral"_a = world.max_dihedral,
+                  "histogram"_a = lattice.histogram, "theorem"_a = std::string(bounds.theorem),
+                  "proven_min"_a = bounds.min_dihedral, "proven_max"_a = bounds.max_dihedral,
+                  "holds"_a = standing_of(placed, bounds) == Standing::within);
 }
 
 py::dict warp_of(const PythonMesh& mesh) {
   const ShiftLengths edges = shift_in_edges(mesh.warp);
   const ShiftLengths world = shift_in_world(mesh.warp, mesh.mesh.frame.size);
-  py::dict result;
-  result["violated"] = mesh.warp.violated;
-  result["stayed"] = mesh.warp.stayed;
-  result["shortened"] = mesh.warp.shortened;
-  result["clamped_cuts"] = world.cuts;
-  result["greatest"] = world.greatest;
-  result["rms"] = world.rms;
-  result["greatest_edges"] = edges.greatest;
-  result["rms_edges"] = edges.rms;
   const ShiftLengths missed = missed_by(mesh.warp, 1);
-  result["missed_edges"] = missed.greatest;
-  result["missed_rms_edges"] = missed.rms;
-  return result;
+  return py::dict("violated"_a = mesh.warp.violated, "stayed"_a = mesh.warp.stayed,
+                  "shortened"_a = mesh.warp.shortened, "clamped_cuts"_a = world.cuts,
+                  "greatest"_a = world.greatest, "rms"_a = world.rms,
+                  "greatest_edges"_a = edges.greatest, "rms_edges"_a = edges.rms,
+                  "missed_edges"_a = missed.greatest, "missed_rms_edges"_a = missed.rms);
 }
 
 std::uint64_t checksum_of(const PythonMesh& mesh) {
@@ -199,52 +188,37 @@ py::object middles_of(const py::object& self) {
 py::object curve_of(const PythonMesh& mesh) {
   if (!mesh.middles || !mesh.middles->curved) return py::none();
   const CurveFigures& figures = *mesh.middles->curved;
-  py::dict result;
-  result["edges"] = figures.edges;
-  result["moved"] = figures.moved;
-  result["on_surface"] = figures.on_surface;
-  result["guarded"] = figures.guarded;
-  result["far"] = figures.far;
-  result["seams"] = figures.seams;
-  result["greatest_edges"] = figures.greatest_move;
-  result["least_jacobian"] = figures.least_jacobian;
-  return result;
+  return py::dict("edges"_a = figures.edges, "moved"_a = figures.moved,
+                  "on_surface"_a = figures.on_surface, "guarded"_a = figures.guarded,
+                  "far"_a = figures.far, "seams"_a = figures.seams,
+                  "greatest_edges"_a = figures.greatest_move,
+                  "least_jacobian"_a = figures.least_jacobian);
 }
 
 /// None where vertices stayed where they were.
 py::object optimised_of(const PythonMesh& mesh) {
   if (!mesh.optimised) return py::none();
   const OptimiseFigures& figures = *mesh.optimised;
-  py::dict result;
-  result["goal"] = figures.goal;
-  result["rounds"] = figures.rounds;
-  result["moved"] = figures.moved;
-  result["moved_on_surface"] = figures.moved_on_surface;
-  result["moved_on_seams"] = figures.moved_on_seams;
-  result["left_surface"] = figures.left_surface;
-  result["greatest_edges"] = figures.greatest_move;
-  result["greatest_on_surface_edges"] = figures.greatest_move_on_surface;
-  result["short_before"] = figures.short_before;
-  result["short_after"] = figures.short_after;
-  return result;
+  return py::dict("goal"_a = figures.goal, "rounds"_a = figures.rounds, "moved"_a = figures.moved,
+                  "moved_on_surface"_a = figures.moved_on_surface,
+                  "moved_on_seams"_a = figures.moved_on_seams,
+                  "left_surface"_a = figures.left_surface,
+                  "greatest_edges"_a = figures.greatest_move,
+                  "greatest_on_surface_edges"_a = figures.greatest_move_on_surface,
+                  "short_before"_a = figures.short_before, "short_after"_a = figures.short_after);
 }
 
 /// Whether vertices moved onto sharp edges, why, and what became of it.
 py::dict features_told(const PythonMesh& mesh) {
   const auto& [angle, creases, why] = mesh.features;
-  py::dict result;
-  result["angle"] = angle;
-  result["why"] = why;
   const FeatureFigures figures = mesh.kept.value_or(FeatureFigures{});
-  result["length"] = figures.length * mesh.mesh.frame.size;
-  result["followed_percent"] = figures.followed_percent();
-  result["kept_percent"] = figures.kept_percent();
-  result["corners"] = figures.corners;
-  result["kept_corners"] = figures.kept_corners;
-  result["greatest_distance_edges"] = figures.greatest_distance;
-  result["moved"] = figures.moved;
-  result["greatest_move_edges"] = figures.greatest_move;
-  return result;
+  return py::dict("angle"_a = angle, "why"_a = why,
+                  "length"_a = figures.length * mesh.mesh.frame.size,
+                  "followed_percent"_a = figures.followed_percent(),
+                  "kept_percent"_a = figures.kept_percent(), "corners"_a = figures.corners,
+                  "kept_corners"_a = figures.kept_corners,
+                  "greatest_distance_edges"_a = figures.greatest_distance,
+                  "moved"_a = figures.moved, "greatest_move_edges"_a = figures.greatest_move);
 }
 
 py::array positions_of(const py::object& self) {
