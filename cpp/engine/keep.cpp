@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "displaced_left.hpp"
 #include "layer_loop.hpp"
 #include "joined_parts.hpp"
 #include "piece_tets.hpp"
@@ -108,24 +109,6 @@ CutLayer cuts_left(const WarpedLattice& old, const SignPlanes& after, int k) {
   return left;
 }
 
-/// The displacements of the zero vertices of a layer that are left.
-DisplacedLayer zeros_left(const WarpedLattice& old, const SignPlanes& after, int k) {
-  DisplacedLayer left;
-  std::size_t next = 0;
-  for (int j = 0; j < after.cells()[1]; ++j) {
-    left.row_begin.push_back(static_cast<std::uint32_t>(left.displacements.size()));
-    for (const Grid grid : grids)
-      for (int w = 0; w < after.words(); ++w) {
-        const std::uint64_t zero = after.zero(grid, j, k)[w];
-        for_each_bit(old.planes.zero(grid, j, k)[w], [&](int b) {
-          const Displacement& own = old.zeros[k].displacements[next++];
-          if ((zero >> b & 1) != 0) left.displacements.push_back(own);
-        });
-      }
-  }
-  return left;
-}
-
 /// Once vertices are taken out: the points that are left.
 WarpedLattice what_is_left(const WarpedLattice& warped, SignPlanes after, const Lattice& lattice,
                            Context& context) {
@@ -135,7 +118,8 @@ WarpedLattice what_is_left(const WarpedLattice& warped, SignPlanes after, const 
   Layers<DisplacedLayer> zeros(all);
   for_each_layer(context, Stage::warp, all, [&](std::int32_t k) {
     cuts[k] = cuts_left(warped, after, k);
-    zeros[k] = zeros_left(warped, after, k);
+    zeros[k] = displaced_left(
+        warped.zeros[k], [&](Grid grid, int j) { return warped.planes.zero(grid, j, k); }, after, k);
   });
   return {std::move(after), std::move(cuts), std::move(zeros), warped.figures};
 }

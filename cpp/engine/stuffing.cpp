@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <new>
 #include <string>
 #include <utility>
 
@@ -11,6 +10,7 @@
 #include "cuts.hpp"
 #include "emit.hpp"
 #include "keep.hpp"
+#include "memory.hpp"
 #include "piece_count.hpp"
 #include "sample.hpp"
 #include "shared_faces.hpp"
@@ -46,14 +46,9 @@ void check_range(const Lattice& lattice) {
   }
 }
 
-/// Runs `work`; running out of memory becomes an error of the library.
 template <class Work>
 auto within_memory(const Work& work) {
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    throw Error(ErrorCode::too_large, "the mesh does not fit in memory");
-  }
+  return core::within_memory("the mesh does not fit in memory", work);
 }
 
 }  // namespace

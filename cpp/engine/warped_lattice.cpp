@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "displaced_left.hpp"
 #include "layer_loop.hpp"
 #include "material_links.hpp"
 #include "row_ranks.hpp"
@@ -116,25 +117,6 @@ class RemainingCuts {
   RowRanks old_row_, new_row_;
 };
 
-/// The displacements of the zero vertices of layer k that are left.
-DisplacedLayer remaining_zeros(const Violations& violations, const SignPlanes& after, int k) {
-  DisplacedLayer left;
-  std::size_t next_target = 0;
-  for (int j = 0; j < after.cells()[1]; ++j) {
-    left.row_begin.push_back(static_cast<std::uint32_t>(left.displacements.size()));
-    for (const Grid grid : grids)
-      for (int w = 0; w < after.words(); ++w) {
-        const std::uint64_t violated = violations.violated.plus(grid, j, k)[w];
-        const std::uint64_t zero = after.zero(grid, j, k)[w];
-        for_each_bit(violated, [&](int b) {
-          const Displacement& target = violations.targets[k].displacements[next_target++];
-          if (zero >> b & 1) left.displacements.push_back(target);
-        });
-      }
-  }
-  return left;
-}
-
 }  // namespace
 
 SignPlanes move_all(const SignPlanes& planes, const Violations& violations, Context& context) {
@@ -174,7 +156,9 @@ WarpedLattice warp_lattice(MovedSigns moved, const Violations& violations,
   Layers<WarpFigures> layers(window);
   for_each_layer(context, Stage::warp, window, [&](std::int32_t k) {
     left[k] = RemainingCuts(moved, cuts[k], least).take(k, layers[k]);
-    zeros[k] = remaining_zeros(violations, moved.after, k);
+    zeros[k] = displaced_left(
+        violations.targets[k],
+        [&](Grid grid, int j) { return violations.violated.plus(grid, j, k); }, moved.after, k);
   });
   WarpFigures figures;
   for (const WarpFigures& layer : layers) figures.add(layer);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <vector>
 
 #include "histogram.hpp"
@@ -76,6 +77,13 @@ std::string bounds_sentence(const PageFacts& facts, const CheckReport& report) {
 }
 
 std::string cell(const std::string& text) { return "<td>" + text + "</td>"; }
+
+/// The beginning of a wide table, with what its columns are.
+std::string table_of(std::initializer_list<const char*> columns) {
+  std::string text = "<div class=\"scroll\"><table class=\"regions\"><thead><tr>";
+  for (const char* const column : columns) text += "<th>" + std::string(column) + "</th>";
+  return text + "</tr></thead><tbody>";
+}
 
 /// Those between which the dihedral angles of a region are.
 std::string angles(const Quality& quality) {
@@ -264,9 +272,7 @@ std::string histograms_text(const CheckReport& report, const ShapeSurvey& shapes
 std::string regions_text(const Regions& regions, std::span<const RegionReport> reports,
                          const LabelNames& names) {
   if (reports.empty()) return "<p>The mesh has no labels: it is one region.</p>";
-  std::string text = "<div class=\"scroll\"><table class=\"regions\"><thead><tr><th>region</th>"
-                     "<th>tetrahedra</th><th>volume</th><th>area</th><th>angles</th>"
-                     "<th>pieces</th></tr></thead><tbody>";
+  std::string text = table_of({"region", "tetrahedra", "volume", "area", "angles", "pieces"});
   for (const RegionReport& region : reports)
     text += "<tr><th>" + swatch(regions.color(regions.place(region.label))) + called(region.label, names) +
             "</th>" + cell(grouped_digits(region.quality.tets)) +
@@ -279,9 +285,8 @@ std::string regions_text(const Regions& regions, std::span<const RegionReport> r
 std::string interfaces_text(const Regions& regions, std::span<const InterfaceReport> interfaces,
                             const LabelNames& names) {
   if (interfaces.empty()) return "";
-  std::string text = "<section id=\"interfaces\"><h2>Interfaces</h2><div class=\"scroll\">"
-                     "<table class=\"regions\"><thead><tr><th>between</th><th>triangles</th>"
-                     "<th>area</th><th>not manifold at</th></tr></thead><tbody>";
+  std::string text = "<section id=\"interfaces\"><h2>Interfaces</h2>" +
+                     table_of({"between", "triangles", "area", "not manifold at"});
   for (const InterfaceReport& interface : interfaces) {
     text += "<tr><th>";
     for (const std::int32_t label : interface.labels)

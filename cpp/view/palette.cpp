@@ -6,32 +6,26 @@
 namespace certet::view {
 namespace {
 
+/// As web pages write it, 0xRRGGBB.
+constexpr Rgb rgb(std::uint32_t number) {
+  return {static_cast<std::uint8_t>(number >> 16), static_cast<std::uint8_t>(number >> 8),
+          static_cast<std::uint8_t>(number)};
+}
+
 // Chosen to differ in lightness as well as in hue.
-constexpr std::array<Rgb, hues> regions_apart{{{0x6f, 0xa8, 0xdc},
-                                            {0xf0, 0x90, 0x6a},
-                                            {0xf1, 0xdd, 0x85},
-                                            {0x4f, 0xb9, 0x9b},
-                                            {0xf4, 0xa9, 0xbd},
-                                            {0xb5, 0xc4, 0x4a},
-                                            {0xa5, 0x8f, 0xd0},
-                                            {0x9f, 0xda, 0xf2}}};
+constexpr std::array<Rgb, hues> regions_apart{
+    rgb(0x6fa8dc), rgb(0xf0906a), rgb(0xf1dd85), rgb(0x4fb99b),
+    rgb(0xf4a9bd), rgb(0xb5c44a), rgb(0xa58fd0), rgb(0x9fdaf2)};
 
 // Diverging, without a pair of red and green.
-constexpr std::array<Rgb, 7> from_bad_to_good{{{0xa5, 0x00, 0x26},
-                                               {0xdd, 0x3d, 0x2d},
-                                               {0xf6, 0x7e, 0x4b},
-                                               {0xfe, 0xda, 0x8b},
-                                               {0xea, 0xec, 0xcc},
-                                               {0x98, 0xca, 0xe1},
-                                               {0x4a, 0x7b, 0xb7}}};
+constexpr std::array<Rgb, 7> from_bad_to_good{
+    rgb(0xa50026), rgb(0xdd3d2d), rgb(0xf67e4b), rgb(0xfeda8b),
+    rgb(0xeaeccc), rgb(0x98cae1), rgb(0x4a7bb7)};
 
 // Darker and darker.
-constexpr std::array<Rgb, 6> from_near_to_far{{{0xf7, 0xf4, 0xd0},
-                                               {0xfa, 0xc8, 0x6e},
-                                               {0xf0, 0x86, 0x4a},
-                                               {0xc8, 0x3f, 0x5a},
-                                               {0x80, 0x20, 0x70},
-                                               {0x2c, 0x12, 0x50}}};
+constexpr std::array<Rgb, 6> from_near_to_far{
+    rgb(0xf7f4d0), rgb(0xfac86e), rgb(0xf0864a), rgb(0xc83f5a),
+    rgb(0x802070), rgb(0x2c1250)};
 
 std::uint8_t blend(std::uint8_t a, std::uint8_t b, double share) {
   return static_cast<std::uint8_t>(std::lround(a + (b - a) * share));

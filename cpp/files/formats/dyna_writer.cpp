@@ -35,12 +35,8 @@ class DynaWriter final : public StreamedWriter {
   }
 
  private:
-  void append(const Line& line) { text_.append_all(line.text()); }
-
   void put_fields(std::size_t width, std::initializer_list<std::uint64_t> numbers) {
-    Line line;
-    for (const std::uint64_t number : numbers) line << Padded{number, width};
-    append(line << '\n');
+    text_.append(Line() << PaddedAll{numbers, width} << '\n');
   }
 
   void put_points(std::uint64_t first, std::span<const Point3> points) override {
@@ -50,7 +46,7 @@ class DynaWriter final : public StreamedWriter {
       line << Padded{++first, dyna_field};
       for (const std::string& number : text)
         line << std::string(dyna_real - number.size(), ' ') << number;
-      append(line << '\n');
+      text_.append(line << '\n');
     }
   }
 
@@ -98,7 +94,7 @@ class DynaWriter final : public StreamedWriter {
       Line line;
       for (std::size_t j = i; j < std::min(i + in_line, points.size()); ++j)
         line << Padded{points[j] + 1, dyna_card};
-      append(line << '\n');
+      text_.append(line << '\n');
     }
   }
 

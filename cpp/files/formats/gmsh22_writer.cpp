@@ -19,19 +19,17 @@ class Gmsh22Writer final : public StreamedWriter {
         text_(file_, 0) {
     text_.append_text("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
     text_.append_text(groups_.naming_sections());
-    append(Line() << "$Nodes\n" << size.points << '\n');
+    text_.append(Line() << "$Nodes\n" << size.points << '\n');
   }
 
  private:
-  void append(const Line& line) { text_.append_all(line.text()); }
-
   void put_points(std::uint64_t first, std::span<const Point3> points) override {
     for (const Point3& p : points)
-      append(Line() << ++first << ' ' << p[0] << ' ' << p[1] << ' ' << p[2] << '\n');
+      text_.append(Line() << ++first << ' ' << p[0] << ' ' << p[1] << ' ' << p[2] << '\n');
   }
 
   void open_tets() override {
-    append(Line() << "$EndNodes\n$Elements\n" << size_.tets + face_count(survey()) << '\n');
+    text_.append(Line() << "$EndNodes\n$Elements\n" << size_.tets + face_count(survey()) << '\n');
   }
 
   void put_tets(std::uint64_t first, std::span<const Tet<std::uint64_t>> tets,
@@ -48,7 +46,7 @@ class Gmsh22Writer final : public StreamedWriter {
     Line line;
     line << number + 1 << ' ' << type << " 2 " << tag << ' ' << tag;
     for (const std::uint64_t point : points) line << ' ' << point + 1;
-    append(line << '\n');
+    text_.append(line << '\n');
   }
 
   void close() override {

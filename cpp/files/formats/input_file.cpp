@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "certet/error.hpp"
+#include "uninterrupted.hpp"
 
 namespace certet::formats {
 
@@ -32,12 +33,11 @@ void InputFile::read_at(std::uint64_t offset, std::span<std::byte> bytes) const 
   constexpr std::size_t at_once = std::size_t{1} << 26;
   while (!bytes.empty()) {
     if (context_ != nullptr) stop_if_cancelled(*context_);
-    const ssize_t got = ::pread(descriptor_, bytes.data(), std::min(bytes.size(), at_once),
-                                static_cast<off_t>(offset));
-    if (got < 0) {
-      if (errno == EINTR) continue;
-      fail_with(errno);
-    }
+    const ssize_t got = uninterrupted([&] {
+      return ::pread(descriptor_, bytes.data(), std::min(bytes.size(), at_once),
+                     static_cast<off_t>(offset));
+    });
+    if (got < 0) fail_with(errno);
     if (got == 0) fail("it ends too early");
     offset += static_cast<std::uint64_t>(got);
     bytes = bytes.subspan(static_cast<std::size_t>(got));

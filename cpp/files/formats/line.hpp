@@ -19,6 +19,12 @@ struct Padded {
   std::size_t width;
 };
 
+/// Several of them, one after the other.
+struct PaddedAll {
+  std::span<const std::uint64_t> numbers;
+  std::size_t width;
+};
+
 /// A number in a field that programs read no more of than so many characters: where its shortest
 /// form is longer, it has as many digits as fit.  At least 8.
 struct Field {
@@ -48,6 +54,10 @@ class Line {
     const auto count = static_cast<std::size_t>(stop - digits.data());
     for (std::size_t i = count; i < padded.width; ++i) *end_++ = ' ';
     end_ = std::copy_n(digits.data(), count, end_);
+    return *this;
+  }
+  Line& operator<<(PaddedAll fields) {
+    for (const std::uint64_t number : fields.numbers) *this << Padded{number, fields.width};
     return *this;
   }
   Line& operator<<(Field field) {

@@ -25,13 +25,11 @@ class MeditWriter final : public StreamedWriter {
 
  private:
   void open(std::string_view section, std::uint64_t lines) {
-    append(Line() << section << '\n' << lines << '\n');
+    text_.append(Line() << section << '\n' << lines << '\n');
   }
-  void append(const Line& line) { text_.append_all(line.text()); }
-
   void put_points(std::uint64_t, std::span<const Point3> points) override {
     for (const Point3& p : points)
-      append(Line() << p[0] << ' ' << p[1] << ' ' << p[2] << " 0\n");
+      text_.append(Line() << p[0] << ' ' << p[1] << ' ' << p[2] << " 0\n");
   }
 
   void open_tets() override {
@@ -41,7 +39,7 @@ class MeditWriter final : public StreamedWriter {
   void put_element(std::span<const std::uint64_t> points, std::int32_t reference) {
     Line line;
     for (const std::uint64_t point : points) line << point + 1 << ' ';
-    append(line << reference << '\n');
+    text_.append(line << reference << '\n');
   }
 
   void put_tets(std::uint64_t, std::span<const Tet<std::uint64_t>> tets,

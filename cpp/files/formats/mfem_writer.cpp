@@ -45,23 +45,21 @@ class MfemWriter final : public StreamedWriter {
     tets_.append_text(heading_of(groups_, size.tets));
     text_ = {file_, tets_.end() + size.tets * element_.bytes()};
     put_boundary();
-    append(Line() << "\nvertices\n" << size.points << "\n3\n");
+    text_.append(Line() << "\nvertices\n" << size.points << "\n3\n");
   }
 
  private:
-  void append(const Line& line) { text_.append_all(line.text()); }
-
   void put_boundary() {
-    append(Line() << "\nboundary\n" << face_count(survey()) << '\n');
+    text_.append(Line() << "\nboundary\n" << face_count(survey()) << '\n');
     Sheets::for_each_face(survey(), [&](const BoundaryFace& face, std::int32_t sheet) {
       const auto& [a, b, c] = face.points;
-      append(Line() << sheet << ' ' << mfem_triangle << ' ' << a << ' ' << b << ' ' << c << '\n');
+      text_.append(Line() << sheet << ' ' << mfem_triangle << ' ' << a << ' ' << b << ' ' << c << '\n');
     });
   }
 
   void put_points(std::uint64_t, std::span<const Point3> points) override {
     for (const Point3& p : points)
-      append(Line() << p[0] << ' ' << p[1] << ' ' << p[2] << '\n');
+      text_.append(Line() << p[0] << ' ' << p[1] << ' ' << p[2] << '\n');
   }
 
   void put_tets(std::uint64_t, std::span<const Tet<std::uint64_t>> tets,

@@ -40,14 +40,11 @@ class NastranWriter final : public StreamedWriter {
   }
 
  private:
-  void append(const Line& line) { text_.append_all(line.text()); }
-
   void put_card(std::string_view name, std::initializer_list<std::uint64_t> numbers) {
     Line line;
     line << name;
     for (std::size_t i = name.size(); i < nastran_field; ++i) line << ' ';
-    for (const std::uint64_t number : numbers) line << Padded{number, nastran_field};
-    append(line << '\n');
+    text_.append(line << PaddedAll{numbers, nastran_field} << '\n');
   }
 
   void put_points(std::uint64_t first, std::span<const Point3> points) override {
@@ -59,7 +56,7 @@ class NastranWriter final : public StreamedWriter {
       put_field(line, text[1]);
       line << "\n*       ";
       put_field(line, text[2]);
-      append(line << '\n');
+      text_.append(line << '\n');
     }
   }
   static void put_field(Line& line, const std::string& text) {
@@ -92,9 +89,8 @@ class NastranWriter final : public StreamedWriter {
     for (std::size_t i = 0; i < numbers.size(); i += fields) {
       Line line;
       line << (i == 0 ? "SET1    " : "+       ");
-      for (std::size_t j = i; j < std::min(i + fields, numbers.size()); ++j)
-        line << Padded{numbers[j], nastran_field};
-      append(line << '\n');
+      const auto few = std::span(numbers).subspan(i, std::min(fields, numbers.size() - i));
+      text_.append(line << PaddedAll{few, nastran_field} << '\n');
     }
   }
 

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "certet/error.hpp"
+#include "uninterrupted.hpp"
 
 namespace certet::formats {
 namespace {
@@ -20,11 +21,8 @@ namespace fs = std::filesystem;
 
 /// Opens a file that was not there; -1 and errno if that fails.
 int create_new(const fs::path& file) {
-  int descriptor;
-  do {
-    descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  } while (descriptor < 0 && errno == EINTR);
-  return descriptor;
+  return uninterrupted(
+      [&] { return ::open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666); });
 }
 
 }  // namespace
@@ -92,12 +90,11 @@ void OutputFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes
   // Linux writes at most 2 GiB at once.
   constexpr std::size_t at_once = std::size_t{1} << 30;
   while (!bytes.empty()) {
-    const ssize_t written = ::pwrite(descriptor_, bytes.data(), std::min(bytes.size(), at_once),
-                                     static_cast<off_t>(offset));
-    if (written < 0) {
-      if (errno == EINTR) continue;
-      fail_with(errno);
-    }
+    const ssize_t written = uninterrupted([&] {
+      return ::pwrite(descriptor_, bytes.data(), std::min(bytes.size(), at_once),
+                      static_cast<off_t>(offset));
+    });
+    if (written < 0) fail_with(errno);
     if (written == 0) fail("the disk takes no more");
     start_write_back(offset, static_cast<std::size_t>(written));
     offset += static_cast<std::uint64_t>(written);
@@ -107,9 +104,9 @@ void OutputFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes
 
 void OutputFile::read_at(std::uint64_t offset, std::span<std::byte> bytes) const {
   while (!bytes.empty()) {
-    const ssize_t got =
-        ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-    if (got < 0 && errno == EINTR) continue;
+    const ssize_t got = uninterrupted([&] {
+      return ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    });
     if (got < 0) fail_with(errno);
     if (got == 0) fail("what was written is gone");
     offset += static_cast<std::uint64_t>(got);

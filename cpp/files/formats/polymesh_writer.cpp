@@ -39,7 +39,7 @@ class PolyMeshFile {
     return *this;
   }
   PolyMeshFile& operator<<(const Line& line) {
-    text_.append_all(line.text());
+    text_.append(line);
     return *this;
   }
   void commit() {

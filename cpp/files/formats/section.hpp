@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "line.hpp"
 #include "output_file.hpp"
 
 namespace certet::formats {
@@ -26,6 +27,7 @@ class Section {
     append(std::as_bytes(values));
   }
 
+  void append(const Line& line) { append_all(line.text()); }
   void append_text(std::string_view text) { append_all(std::span<const char>(text)); }
 
   /// Where the next byte comes in the file.

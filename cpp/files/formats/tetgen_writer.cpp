@@ -23,17 +23,15 @@ class TetgenWriter final : public StreamedWriter {
         face_file_(sibling(file, ".face")), nodes_(size, tetgen_order), node_(file_, 0), ele_(ele_file_, 0),
         face_(face_file_, 0) {
     // How many there are, the dimension or the corners, attributes, markers.
-    put(node_, Line() << size.points << " 3 0 0\n");
-    put(ele_, Line() << size.tets << ' ' << nodes_.per_tet() << " 1\n");
-    put(face_, Line() << face_count(survey()) << " 1\n");
+    node_.append(Line() << size.points << " 3 0 0\n");
+    ele_.append(Line() << size.tets << ' ' << nodes_.per_tet() << " 1\n");
+    face_.append(Line() << face_count(survey()) << " 1\n");
   }
 
  private:
-  static void put(Section& section, const Line& line) { section.append_all(line.text()); }
-
   void put_points(std::uint64_t first, std::span<const Point3> points) override {
     for (const Point3& p : points)
-      put(node_, Line() << ++first << ' ' << p[0] << ' ' << p[1] << ' ' << p[2] << '\n');
+      node_.append(Line() << ++first << ' ' << p[0] << ' ' << p[1] << ' ' << p[2] << '\n');
   }
   void put_tets(std::uint64_t first, std::span<const Tet<std::uint64_t>> tets,
                 std::span<const std::int32_t> labels) override {
@@ -41,14 +39,14 @@ class TetgenWriter final : public StreamedWriter {
       Line line;
       line << first + i + 1;
       for (const std::uint64_t point : nodes_.tet(tets[i])) line << ' ' << point + 1;
-      put(ele_, line << ' ' << labels[i] << '\n');
+      ele_.append(line << ' ' << labels[i] << '\n');
     }
   }
   void close() override {
     std::uint64_t number = 0;
     Sheets::for_each_face(survey(), [&](const BoundaryFace& face, std::int32_t sheet) {
       const auto& [a, b, c] = face.points;
-      put(face_, Line() << ++number << ' ' << a + 1 << ' ' << b + 1 << ' ' << c + 1 << ' ' << sheet
+      face_.append(Line() << ++number << ' ' << a + 1 << ' ' << b + 1 << ' ' << c + 1 << ' ' << sheet
                         << '\n');
     });
     for (Section* section : {&node_, &ele_, &face_}) section->flush();

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <new>
 
-#include "certet/error.hpp"
+#include "engine/memory.hpp"
 #include "engine/parallel.hpp"
 
 namespace certet::distance {
@@ -27,14 +26,9 @@ void in_runs(std::size_t things, Context& context, const Work& work) {
   });
 }
 
-/// What work() gives.  \throws Error `too_large` where memory does not hold it.
 template <class Work>
 auto in_memory(const Work& work) {
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    throw Error(ErrorCode::too_large, "out of memory while measuring distances");
-  }
+  return core::within_memory("out of memory while measuring distances", work);
 }
 
 }  // namespace certet::distance
