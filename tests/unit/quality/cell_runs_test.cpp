@@ -9,6 +9,7 @@
 
 #include "certet/certet.hpp"
 #include "certet/quality.hpp"
+#include "same_quality.hpp"
 
 namespace certet {
 namespace {
@@ -65,15 +66,6 @@ Quality one_by_one(const Mesh& mesh, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::ranges::shuffle(tets, random);
   return measure_lattice(mesh.points, 0, std::span<const Tet32>(tets));
-}
-
-void expect_same(const Quality& one, const Quality& other) {
-  EXPECT_EQ(one.tets, other.tets);
-  EXPECT_EQ(one.nonpositive, other.nonpositive);
-  EXPECT_EQ(one.steps_volume, other.steps_volume);
-  EXPECT_EQ(one.histogram, other.histogram);
-  EXPECT_EQ(one.min_dihedral, other.min_dihedral);
-  EXPECT_EQ(one.max_dihedral, other.max_dihedral);
 }
 
 TEST(CellRuns, AreTranslatesAndMostOfABall) {

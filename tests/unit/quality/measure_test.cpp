@@ -13,6 +13,7 @@
 #include "certet/error.hpp"
 #include "certet/quality.hpp"
 #include "certet/lattice/structured_tet.hpp"
+#include "same_quality.hpp"
 
 namespace certet {
 namespace {
@@ -288,15 +289,6 @@ TEST(MeasureLattice, RefusesWhatItCannotMeasureExactly) {
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::bad_input);
     }
-}
-
-void expect_same(const Quality& a, const Quality& b) {
-  EXPECT_EQ(a.tets, b.tets);
-  EXPECT_EQ(a.nonpositive, b.nonpositive);
-  EXPECT_EQ(a.min_dihedral, b.min_dihedral);
-  EXPECT_EQ(a.max_dihedral, b.max_dihedral);
-  EXPECT_EQ(a.histogram, b.histogram);
-  EXPECT_EQ(a.steps_volume, b.steps_volume);
 }
 
 /// Measures a soup in parts of random sizes, and adds them in random order.
