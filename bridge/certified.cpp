@@ -1,5 +1,7 @@
 #include "certified.hpp"
 
+#include <type_traits>
+
 #include "closures.hpp"
 #include "narrow.hpp"
 #include "runtime.hpp"
@@ -35,6 +37,16 @@ class Reader {
 
 std::int64_t number(certet::StructuredTetCase orientation) {
   return static_cast<std::int64_t>(orientation);
+}
+
+/// What a certified function places, called with a frame for the domain and these numbers.
+template <class Closures>
+auto placed_by(const char* name, const auto& domain, const auto&... numbers) {
+  std::remove_reference_t<decltype(Closures::out)> placed;
+  const Closures closures{domain, placed};
+  Frame frame(&closures);
+  runtime::call(name, {frame.handle(), static_cast<std::int64_t>(numbers)...}, &frame);
+  return placed;
 }
 
 }  // namespace
@@ -169,27 +181,16 @@ Coord3 point_on_edge(Coord3 a, Coord3 b, std::int64_t t) {
 
 std::vector<PlacedTet> stuff_tet(Thresholds t, const Domain& domain,
                                  const certet::StructuredTetId& id) {
-  std::vector<PlacedTet> tets;
-  const closures::Stuffing closures{domain, tets};
-  Frame frame(&closures);
-  runtime::call("certified.stuff_tet",
-                {frame.handle(), t.long_edge, t.short_edge, id.anchor.x, id.anchor.y,
-                 id.anchor.z, number(id.orientation)},
-                &frame);
-  return tets;
+  return placed_by<closures::Stuffing>("certified.stuff_tet", domain, t.long_edge, t.short_edge,
+                                       id.anchor.x, id.anchor.y, id.anchor.z,
+                                       number(id.orientation));
 }
 
 std::vector<PlacedTet> stuff(Thresholds t, const certet::Lattice& lattice,
                              const Domain& domain) {
-  std::vector<PlacedTet> tets;
-  const closures::Stuffing closures{domain, tets};
-  Frame frame(&closures);
-  const auto& [origin, cells] = lattice;
-  runtime::call("certified.stuff",
-                {frame.handle(), t.long_edge, t.short_edge, origin.x, origin.y, origin.z,
-                 cells[0], cells[1], cells[2]},
-                &frame);
-  return tets;
+  const auto& [o, cells] = lattice;
+  return placed_by<closures::Stuffing>("certified.stuff", domain, t.long_edge, t.short_edge, o.x,
+                                       o.y, o.z, cells[0], cells[1], cells[2]);
 }
 
 bool is_well_shaped(const PlacedTet& tet) {
@@ -209,41 +210,26 @@ Sign voxel_sign(const VoxelGrid& grid, const std::function<bool(Coord3)>& holds,
 
 std::vector<PlacedTet> settle(Thresholds t, Gap gap, const certet::Lattice& lattice,
                               const Domain& domain) {
-  std::vector<PlacedTet> tets;
-  const closures::Stuffing closures{domain, tets};
-  Frame frame(&closures);
-  const auto& [origin, cells] = lattice;
-  runtime::call("certified.settle",
-                {frame.handle(), t.long_edge, t.short_edge, gap == Gap::strict ? 1 : 0, origin.x,
-                 origin.y, origin.z, cells[0], cells[1], cells[2]},
-                &frame);
-  return tets;
+  const auto& [o, cells] = lattice;
+  return placed_by<closures::Stuffing>("certified.settle", domain, t.long_edge, t.short_edge,
+                                       gap == Gap::strict, o.x, o.y, o.z, cells[0], cells[1],
+                                       cells[2]);
 }
 
 std::vector<PlacedMaterialTet> settle_materials(Thresholds t, const certet::Lattice& lattice,
                                                 const MaterialDomain& domain) {
-  std::vector<PlacedMaterialTet> tets;
-  const closures::MaterialMesh closures{domain, tets};
-  Frame frame(&closures);
-  const auto& [origin, cells] = lattice;
-  runtime::call("certified.settle_materials",
-                {frame.handle(), t.long_edge, t.short_edge, origin.x, origin.y, origin.z, cells[0],
-                 cells[1], cells[2]},
-                &frame);
-  return tets;
+  const auto& [o, cells] = lattice;
+  return placed_by<closures::MaterialMesh>("certified.settle_materials", domain, t.long_edge,
+                                           t.short_edge, o.x, o.y, o.z, cells[0], cells[1],
+                                           cells[2]);
 }
 
 std::vector<PlacedMaterialTet> halve_materials(
     const certet::Lattice& lattice, const std::function<Material(Coord3)>& material) {
-  std::vector<PlacedMaterialTet> tets;
-  const MaterialDomain domain{material, {}};
-  const closures::MaterialMesh closures{domain, tets};
-  Frame frame(&closures);
-  const auto& [origin, cells] = lattice;
-  runtime::call("certified.halve_materials",
-                {frame.handle(), origin.x, origin.y, origin.z, cells[0], cells[1], cells[2]},
-                &frame);
-  return tets;
+  const auto& [o, cells] = lattice;
+  return placed_by<closures::MaterialMesh>("certified.halve_materials",
+                                           MaterialDomain{material, {}}, o.x, o.y, o.z, cells[0],
+                                           cells[1], cells[2]);
 }
 
 }  // namespace certified

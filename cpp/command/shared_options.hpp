@@ -12,8 +12,17 @@ namespace certet::command {
 void declare_mesh_file(CLI::App& app, const std::string& name, const std::string& shown,
                        std::filesystem::path& file);
 
+/// The option or positional `name`: the mesh to write.
+CLI::Option* declare_output(CLI::App& app, const std::string& name, std::filesystem::path& file);
+
+/// --origin, of a mesh that is written; `zero` says in the help what 0 means.
+void declare_origin(CLI::App& app, std::string& origin, const std::string& zero);
+
 /// --format and --compress, of a mesh that is written.
 void declare_format(CLI::App& app, std::string& format, bool& compress);
+
+/// --label-names, a file that has the names of labels.
+void declare_label_names(CLI::App& app, std::filesystem::path& file);
 
 /// How a run goes, and where it is told of.
 struct RunOptions {

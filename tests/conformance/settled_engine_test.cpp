@@ -13,6 +13,7 @@
 #include "engine/link.hpp"
 #include "kit_cases.hpp"
 #include "materials.hpp"
+#include "whole_mesh.hpp"
 
 namespace {
 
@@ -124,10 +125,7 @@ struct NumberedMesh {
 using Engine = std::function<NumberedMesh(const certet::Domain&, const Lattice&, Method)>;
 
 NumberedMesh engine(const certet::Domain& domain, const Lattice& lattice, Method method) {
-  certet::Context context;
-  context.threads = 2;
-  const certet::Mesh mesh =
-      certet::emit(certet::Stuffing(domain, lattice, method, context), {}, context);
+  const certet::Mesh mesh = whole_mesh(domain, lattice, method, 2);
   NumberedMesh numbered{{mesh.points.begin(), mesh.points.end()}, {}};
   std::ranges::sort(numbered.points);
   std::visit(

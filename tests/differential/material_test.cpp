@@ -18,6 +18,7 @@
 #include "domains.hpp"
 #include "materials.hpp"
 #include "seed.hpp"
+#include "whole_mesh.hpp"
 
 namespace {
 
@@ -232,10 +233,7 @@ using MaterialMesh = std::vector<PlacedMaterialTet>;
 using Engine = std::function<MaterialMesh(const materials::Positional&, const Lattice&, Method)>;
 
 MaterialMesh engine(const materials::Positional& domain, const Lattice& lattice, Method method) {
-  certet::Context context;
-  context.threads = 1;
-  const certet::Mesh mesh =
-      certet::emit(certet::Stuffing(domain, lattice, method, context), {}, context);
+  const certet::Mesh mesh = whole_mesh(domain, lattice, method);
   MaterialMesh placed;
   std::visit(
       [&](const auto& tets) {

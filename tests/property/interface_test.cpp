@@ -21,17 +21,12 @@
 #include "domains.hpp"
 #include "exact.hpp"
 #include "materials.hpp"
+#include "whole_mesh.hpp"
 
 namespace {
 
 using namespace certet;
 using Triangle = std::array<std::uint32_t, 3>;
-
-Mesh mesh_of(const Domain& domain, const Lattice& lattice, Method method, int threads = 1) {
-  Context context;
-  context.threads = threads;
-  return emit(Stuffing(domain, lattice, method, context), {}, context);
-}
 
 std::span<const Tet<std::uint32_t>> tets_of(const Mesh& mesh) {
   return std::get<Buffer<Tet<std::uint32_t>>>(mesh.tets);
@@ -144,8 +139,8 @@ template <class MakeDomain>
 void expect_good_meshes(const MakeDomain& domain_of, std::uint64_t seeds) {
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     const auto domain = domain_of(seed);
-    const Mesh middle = mesh_of(domain, small_lattice(), Method::midpoint);
-    const Mesh mesh = mesh_of(domain, small_lattice(), Method::embedded);
+    const Mesh middle = whole_mesh(domain, small_lattice(), Method::midpoint);
+    const Mesh mesh = whole_mesh(domain, small_lattice(), Method::embedded);
     ASSERT_EQ(shape_fault(middle), "") << seed;
     ASSERT_EQ(shape_fault(mesh), "") << seed;
     ASSERT_EQ(surface_fault(middle, true), "") << seed;
@@ -175,8 +170,8 @@ TEST(Interfaces, OneMaterialIsTheSolid) {
                                       return solid.sign_at(p) == Sign::plus ? only : 0;
                                     }};
     for (const Method method : {Method::embedded, Method::midpoint}) {
-      const Mesh expected = mesh_of(solid, small_lattice(), method);
-      const Mesh mesh = mesh_of(one, small_lattice(), method);
+      const Mesh expected = whole_mesh(solid, small_lattice(), method);
+      const Mesh mesh = whole_mesh(one, small_lattice(), method);
       ASSERT_TRUE(std::ranges::equal(mesh.points, expected.points)) << seed;
       ASSERT_TRUE(std::ranges::equal(tets_of(mesh), tets_of(expected))) << seed;
       ASSERT_TRUE(std::ranges::all_of(mesh.labels, [&](int label) { return label == 3 + only; }));
@@ -205,16 +200,16 @@ TEST(Interfaces, NoFourCornersComeLevelBetweenTwoMaterials) {
   EXPECT_EQ(stayed(wall(0, 25)), 0U);
   EXPECT_GT(stayed(wall(1, 25)), stayed(wall(1, 26)) + half_the_odd);
   const auto halves = wall(1, 25);
-  const Mesh mesh = mesh_of(halves, lattice, Method::embedded);
+  const Mesh mesh = whole_mesh(halves, lattice, Method::embedded);
   EXPECT_EQ(shape_fault(mesh), "");
   EXPECT_EQ(surface_fault(mesh, true), "");
 }
 
 TEST(Interfaces, AreTheSameForEveryThreadCount) {
   const auto domain = random_cells(5, 9);
-  const Mesh expected = mesh_of(domain, small_lattice(), Method::embedded, 1);
+  const Mesh expected = whole_mesh(domain, small_lattice(), Method::embedded, 1);
   for (const int threads : {2, 3, 8}) {
-    const Mesh mesh = mesh_of(domain, small_lattice(), Method::embedded, threads);
+    const Mesh mesh = whole_mesh(domain, small_lattice(), Method::embedded, threads);
     EXPECT_TRUE(std::ranges::equal(mesh.points, expected.points));
     EXPECT_TRUE(std::ranges::equal(tets_of(mesh), tets_of(expected)));
     EXPECT_TRUE(std::ranges::equal(mesh.labels, expected.labels));
@@ -229,7 +224,7 @@ TEST(Interfaces, TheVolumesAreThoseOfTheCells) {
     if (!inside(p.x) || !inside(p.y) || !inside(p.z)) return 0;
     return p.x + p.y / 2 + p.z / 4 < 56 * steps ? 1 : 2;
   }};
-  const Mesh mesh = mesh_of(halves, lattice, Method::embedded);
+  const Mesh mesh = whole_mesh(halves, lattice, Method::embedded);
   std::array<double, 3> volume{};
   const auto tets = tets_of(mesh);
   for (std::size_t t = 0; t < tets.size(); ++t)

@@ -131,13 +131,20 @@ std::vector<int> random_bounds(int layers) {
   return bounds;
 }
 
+/// What make(domain, lattice, bounds, method) makes of windows is what it makes of one, which
+/// is given back.
+template <class Make>
+auto windows_make_the_whole(const MethodFacts& method, const Domain& domain, const Make& make) {
+  const Lattice lattice = random_lattice(method);
+  const auto layers = lattice.cells[2];
+  auto whole = make(domain, lattice, std::vector<int>{0, layers}, method);
+  RC_ASSERT(make(domain, lattice, random_bounds(layers), method) == whole);
+  return whole;
+}
+
 RC_GTEST_PROP(Window, WindowsMakeTheWhole, ()) {
   const MethodFacts& method = random_method();
-  const Lattice lattice = random_lattice(method);
-  const auto domain = random_domain();
-  const auto layers = lattice.cells[2];
-  const Made whole = in_windows(domain, lattice, {0, layers}, method);
-  RC_ASSERT(in_windows(domain, lattice, random_bounds(layers), method) == whole);
+  windows_make_the_whole(method, random_domain(), in_windows);
 }
 
 constexpr Lattice twelve_layers{{0, 0, 0}, {9, 9, 12}};
@@ -197,12 +204,8 @@ materials::Positional random_materials() {
 /// Where materials are cut apart, each window has its part of every interface.
 RC_GTEST_PROP(Window, WindowsOfMaterialsMakeTheWhole, ()) {
   const MethodFacts& method = facts(*rc::gen::element(Method::embedded, Method::midpoint));
-  const Lattice lattice = random_lattice(method);
-  const auto domain = random_materials();
-  const auto layers = lattice.cells[2];
-  const Made whole = in_windows(domain, lattice, {0, layers}, method);
+  const Made whole = windows_make_the_whole(method, random_materials(), in_windows);
   RC_ASSERT(whole.materials.size() == whole.tets.size());
-  RC_ASSERT(in_windows(domain, lattice, random_bounds(layers), method) == whole);
 }
 
 /// A method by which the domain is asked for the materials.
@@ -245,11 +248,9 @@ std::vector<Material> materials_in_windows(const Domain& domain, const Lattice& 
 /// With the layer of points behind each, windows have the materials of the whole.
 RC_GTEST_PROP(Window, MaterialsOfWindowsAreThoseOfTheWhole, ()) {
   const MethodFacts& method = random_uncut_method();
-  const Lattice lattice = random_lattice(method);
-  const auto domain = random_materials();
-  const auto layers = lattice.cells[2];
-  const auto whole = materials_in_windows(domain, lattice, {0, layers}, method, 1);
-  RC_ASSERT(materials_in_windows(domain, lattice, random_bounds(layers), method, 1) == whole);
+  windows_make_the_whole(method, random_materials(), [](const auto&... those) {
+    return materials_in_windows(those..., 1);
+  });
 }
 
 /// They are the whole mesh's, tetrahedron by tetrahedron, and do depend on where the

@@ -1,6 +1,7 @@
 #include "report.hpp"
 
 #include <algorithm>
+#include <iomanip>
 #include <sstream>
 
 namespace soak {
@@ -34,16 +35,6 @@ void write_row(std::ostream& out, std::string_view name, const Row& row) {
   out << "| " << name << " | " << row.domains << " | " << row.empty << " | " << row.tets << " | "
       << row.fell_back << " | " << row.volumes << " | " << row.thin << " | "
       << row.min_dihedral << " | " << row.max_dihedral << " | " << row.faulty << " |\n";
-}
-
-/// A sentence as a JSON string; sentences have no control characters.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + '"';
 }
 
 void json_row(std::ostream& out, std::string_view name, const Row& row) {
@@ -89,7 +80,7 @@ std::string as_json(const Summary& summary) {
   for (std::size_t i = 0; i < summary.verdicts.size(); ++i)
     for (const std::string& fault : summary.verdicts[i].faults) {
       out << (first ? "\n" : ",\n") << "  {\"domain\": " << summary.first + i
-          << ", \"fault\": " << quoted(fault) << "}";
+          << ", \"fault\": " << std::quoted(fault) << "}";
       first = false;
     }
   out << "]}\n";

@@ -181,22 +181,15 @@ ConvertReport run(const ConvertOptions& options, Context& context) {
 
 void declare(CLI::App& app, ConvertOptions& options) {
   declare_mesh_file(app, "input", "IN", options.input);
-  app.add_option("output", options.output,
-                 "Mesh: " + mesh_extensions() + "; its surfaces: " + surface_extensions())
-      ->required()
-      ->option_text("OUT");
+  declare_output(app, "output", options.output)->required();
   declare_format(app, options.format, options.compress);
-  app.add_option("--origin", options.origin,
-                 "world: coordinates are the input's (default); 0: a mesh that is farther from 0 "
-                 "than it is long is moved there, exactly, which table and JSON tell")
-      ->check(CLI::IsMember({"world", "0"}))
-      ->option_text("world|0");
+  declare_origin(app, options.origin,
+                 "a mesh that is farther from 0 than it is long is moved there, exactly, which "
+                 "table and JSON tell");
   app.add_option("--scale", options.scale,
                  "Factor of all coordinates, like 0.001 from mm to m (after --origin)")
       ->option_text("S");
-  app.add_option("--label-names", options.label_names,
-                 "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
-      ->option_text("FILE");
+  declare_label_names(app, options.label_names);
   declare_surface_choice(app, options.surface);
   declare_json(app, options.run);
 }

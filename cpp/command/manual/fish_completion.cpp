@@ -1,17 +1,15 @@
 #include <fmt/format.h>
 
+#include <iomanip>
+#include <sstream>
+
 #include "pages.hpp"
 
 namespace certet::command {
 namespace {
 
 std::string fish_literal(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) {
-    if (c == '\'' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + "'";
+  return (std::ostringstream() << std::quoted(text, '\'')).str();
 }
 
 std::string line(const std::string& condition, const OptionText& option) {

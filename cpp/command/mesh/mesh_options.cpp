@@ -125,22 +125,16 @@ void declare_placing(CLI::App& mesh, std::string& frame, std::string& scale) {
 }
 
 void declare_run(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
-  mesh.add_option("-o,--output", options.output,
-                  "Mesh: " + mesh_extensions() + "; its surfaces: " + surface_extensions())
-      ->option_text("OUT");
+  declare_output(mesh, "-o,--output", options.output);
   declare_format(mesh, raw.format, raw.compress);
-  mesh.add_option("--origin", raw.origin,
-                  "world: coordinates are the input's (default); 0: they are relative to the "
-                  "lattice's origin, which lies at the solid and is told in table and JSON")
-      ->check(CLI::IsMember({"world", "0"}))
-      ->option_text("world|0");
+  declare_origin(mesh, raw.origin,
+                 "they are relative to the lattice's origin, which lies at the solid and is told in "
+                 "table and JSON");
   declare_order(mesh, options.order);
   declare_optimise(mesh, options.optimise, raw.optimise_to);
   declare_features(mesh, raw.features);
   declare_placing(mesh, raw.frame, raw.scale);
-  mesh.add_option("--label-names", options.label_names,
-                  "Names of labels, as ITK-SNAP, 3D Slicer (.ctbl), MRIcron or FSL have them")
-      ->option_text("FILE");
+  declare_label_names(mesh, options.label_names);
   declare_surface_choice(mesh, options.surface);
   mesh.add_option("--patch", raw.patches,
                   "Names a patch of the boundary, like inlet=xmin (a side where bounds or the "

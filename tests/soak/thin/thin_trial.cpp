@@ -12,6 +12,7 @@
 #include "overlap.hpp"
 #include "property/topology.hpp"
 #include "thin_image.hpp"
+#include "whole_mesh.hpp"
 
 namespace thin {
 namespace {
@@ -139,12 +140,9 @@ Subject field_subject(std::uint64_t seed, std::uint64_t number) {
 }
 
 settling::Tets mesh_of(const certet::Domain& domain, const Lattice& lattice, Plant plant) {
-  certet::Context context;
-  context.threads = 1;
   const certet::Method method =
       plant == Plant::published_rule ? certet::Method::angles : certet::Method::embedded;
-  settling::Tets tets = settling::tets_of(
-      certet::emit(certet::Stuffing(domain, lattice, method, context), {}, context));
+  settling::Tets tets = settling::tets_of(whole_mesh(domain, lattice, method));
   if (plant == Plant::moved_point && !tets.points.empty())
     tets.points[tets.points.size() / 2] = tets.points[tets.points.size() / 2] + Coord3{60000, 0, 0};
   return tets;
