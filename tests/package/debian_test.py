@@ -56,7 +56,7 @@ class Debian(PackageTest):
         self.run_program("dpkg", "-x", self.command, root)
         certet = root / "usr" / "bin" / "certet"
         self.assertIn("certet", self.run_program(certet, "--version"))
-        mesh = (certet, "mesh", "--shape", "ball:1", "--size", "0.5", "-o")
+        mesh = (certet, "mesh", "--shape", "sphere:1", "--size", "0.5", "-o")
         self.run_program(*mesh, self.folder / "ball.vtu")
         lacks = subprocess.run([*mesh, self.folder / "ball.vtkhdf"], text=True, capture_output=True)
         self.assertEqual(lacks.returncode, 2, lacks)
