@@ -27,7 +27,7 @@ struct RawMesh {
   RawMaterials materials;
   std::vector<std::string> patches;
   MethodChoice method;
-  std::string optimise_to, features;
+  std::string optimise_to, features, max_size;
   bool compress = false;
 };
 
@@ -103,6 +103,7 @@ void declare_lattice(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
       ->check(CLI::Range(1, 1000))
       ->option_text("N");
   declare_method(mesh, raw.method);
+  declare_grade(mesh, options.grade, raw.max_size);
   mesh.add_option("--keep", raw.keep,
                   "Drops all pieces but the largest, the N largest, or those that go through "
                   "from end to end: largest, N, percolating:x (y, z)")
@@ -286,6 +287,7 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   check_source(options, raw);
   read_size(options, raw);
   options.method = chosen(raw.method);
+  check_grade(options.grade, raw.max_size);
   if (!raw.iso.empty()) read_iso(options, raw.iso);
   if (raw.merge.starts_with('@')) options.merges = read_merges(raw.merge.substr(1));
   else if (!raw.merge.empty()) options.merges = parse_merges(raw.merge);
