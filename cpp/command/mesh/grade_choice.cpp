@@ -35,10 +35,14 @@ void declare_grade(CLI::App& app, GradeChoice& choice, std::string& max_size) {
       ->option_text("S");
 }
 
-void check_grade(GradeChoice& choice, const std::string& max_size) {
-  if (max_size.empty()) return;
-  if (choice.levels != 0) refuse("--grade and --max-size exclude each other");
-  choice.max_size = parse_positive("--max-size", max_size);
+void check_grade(GradeChoice& choice, const std::string& max_size, bool moves) {
+  if (!max_size.empty()) {
+    if (choice.levels != 0) refuse("--grade and --max-size exclude each other");
+    choice.max_size = parse_positive("--max-size", max_size);
+  }
+  if (choice.any() && moves)
+    refuse("--grade and --max-size do not go with --optimise or --features: vertices move where "
+           "all tetrahedra are of one size");
 }
 
 void grade(const GradeChoice& choice, double size, Stuffing& stuffing, Context& context) {

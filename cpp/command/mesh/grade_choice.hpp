@@ -17,12 +17,15 @@ namespace certet::command {
 struct GradeChoice {
   std::int32_t levels = 0;
   double max_size = 0;  ///< 0: as many levels as `levels` says
+
+  [[nodiscard]] bool any() const { return levels != 0 || max_size != 0; }
 };
 
 /// `max_size` is where the text of --max-size goes.
 void declare_grade(CLI::App& app, GradeChoice& choice, std::string& max_size);
-/// Reads that text.
-void check_grade(GradeChoice& choice, const std::string& max_size);
+/// Reads that text.  `moves` says whether vertices are to move, which they do where all
+/// tetrahedra are of one size.
+void check_grade(GradeChoice& choice, const std::string& max_size, bool moves);
 
 /// Grades a counted mesh whose long edges have this size, if it is to be.  \throws Error
 /// `bad_option` where the mesh is not one that can be.

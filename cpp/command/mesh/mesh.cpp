@@ -200,6 +200,10 @@ void keep_sharp(const MeshOptions& options, const Counted& counted, std::optiona
   const PlacedDomain& domain = *counted.source.domain;
   report.features = {name(options.features),
                      decide_features(options.features, domain, options.method), {}};
+  if (report.graded.levels != 0) {
+    report.features.decision.angle.reset();
+    report.features.decision.why = "the mesh is graded";
+  }
   if (!report.features.decision.angle || options.dry_run) return;
   const Stopwatch clock;
   if (!made && options.features.automatic && !can_move(counted, report)) {

@@ -287,7 +287,6 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   check_source(options, raw);
   read_size(options, raw);
   options.method = chosen(raw.method);
-  check_grade(options.grade, raw.max_size);
   if (!raw.iso.empty()) read_iso(options, raw.iso);
   if (raw.merge.starts_with('@')) options.merges = read_merges(raw.merge.substr(1));
   else if (!raw.merge.empty()) options.merges = parse_merges(raw.merge);
@@ -306,6 +305,8 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   check_order(options.order, options.format, options.method);
   check_optimise(options.optimise, raw.optimise_to, options.method);
   options.features = chosen_features(raw.features, options.method);
+  check_grade(options.grade, raw.max_size,
+              options.optimise.wanted || (!options.features.automatic && options.features.angle));
   if (raw.origin == "0") options.origin = OutputOrigin::lattice;
   if (raw.frame == "lps") options.frame = OutputFrame::lps;
   if (raw.frame == "ras") options.frame = OutputFrame::ras;
