@@ -1,5 +1,7 @@
 #include "node_fields.hpp"
 
+#include <algorithm>
+
 #include "fields/for_each_tile.hpp"
 #include "fields/make_tile.hpp"
 #include "fields/volume_constants.hpp"
@@ -9,13 +11,11 @@ namespace {
 
 /// In place.
 void finish_tile(Tile& tile, const Constants& constants, bool hold) {
-  std::vector<std::int32_t> values;
+  HeldBlock held;
   for (const Block& block : tile.blocks) {
     if (block.labels == 0) continue;
-    values.resize(block.labels * nodes_of_block);
-    raise_and_hold(tile.view(block), constants, hold, values);
-    std::int16_t* kept = &tile.values[nodes_of_block * block.first];
-    for (const std::int32_t value : values) *kept++ = static_cast<std::int16_t>(value);
+    raise_and_hold(tile.view(block), constants, hold, held);
+    std::ranges::copy(held.values, &tile.values[nodes_of_block * block.first]);
   }
 }
 
