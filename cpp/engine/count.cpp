@@ -32,8 +32,7 @@ std::uint64_t count_material_tets(const SignPlanes& planes, int j, int k) {
   for (int w = 0; w < planes.words(); ++w) {
     const auto [any, whole] = cells.kinds(w);
     count += cell_tet_count * static_cast<std::uint64_t>(std::popcount(whole));
-    for_each_bit(any & ~whole,
-                 [&](int b) { cells.for_each_tet(64 * w + b, [&](auto...) { ++count; }); });
+    for_each_bit(any & ~whole, [&](int b) { count += cells.count_tets(64 * w + b); });
   }
   return count;
 }

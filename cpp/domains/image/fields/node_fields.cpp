@@ -37,10 +37,15 @@ void NodeFields::make_tiles(const MaterialImage& image, const Rules& rules,
                             const Context& context) {
   const int halo = halo_of(rules);
   const Treads treads = rules.slope_treads ? Treads(image, context) : Treads();
-  for_each_tile(context, tiles_.size(), [&](std::size_t t) {
-    const LabelWindow window = window_around(image, treads, first_cell(t), halo);
-    only_[t] = window.materials.front();
-    tiles_[t] = make_tile(window, rules);
+  // Along the first axis one after the other.
+  const auto row = static_cast<std::size_t>(counts_[0]);
+  for_each_tile(context, tiles_.size() / row, [&](std::size_t r) {
+    TileMaker maker(rules);
+    for (std::size_t t = r * row; t < (r + 1) * row; ++t) {
+      const LabelWindow window = window_around(image, treads, first_cell(t), halo);
+      only_[t] = window.materials.front();
+      tiles_[t] = maker.make(window);
+    }
   });
 }
 
