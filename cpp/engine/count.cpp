@@ -36,18 +36,18 @@ std::uint64_t count_material_tets(const SignPlanes& planes, const GradedCells* g
   std::uint64_t count = 0;
   for (int w = 0; w < planes.words(); ++w) {
     const auto [any, whole] = cells.kinds(w);
-    if (graded == nullptr)
+    if (graded == nullptr) {
       count += cell_tet_count * static_cast<std::uint64_t>(std::popcount(whole));
-    else
-      for (std::size_t c = 0; c < cell_tet_count; ++c)
-        count += static_cast<std::uint64_t>(
-            std::popcount(whole & graded->structured(c, j, k, w)));
-    for_each_bit(any & ~whole,
-                 [&](int b) {
-                   cells.for_each_tet(64 * w + b, [&](std::size_t c, auto...) {
-                     if (graded == nullptr || (graded->structured(c, j, k, w) >> b & 1) != 0) ++count;
-                   });
-                 });
+      for_each_bit(any & ~whole, [&](int b) { count += cells.count_tets(64 * w + b); });
+      continue;
+    }
+    for (std::size_t c = 0; c < cell_tet_count; ++c)
+      count += static_cast<std::uint64_t>(std::popcount(whole & graded->structured(c, j, k, w)));
+    for_each_bit(any & ~whole, [&](int b) {
+      cells.for_each_tet(64 * w + b, [&](std::size_t c, auto...) {
+        if ((graded->structured(c, j, k, w) >> b & 1) != 0) ++count;
+      });
+    });
   }
   return count;
 }
