@@ -1,9 +1,6 @@
 (** * A quarter, and the pyramid of a child beside it: proofs *)
 
-From Certet Require Import Angles.Definitions.
-From Certet Require Import Lattice.Tiling Mesh.Method.
-From Certet Require Import Grading.Octree Grading.Flag Grading.GradedTet
-  Grading.Surface Grading.GradingSpec.
+From Certet Require Import Grading.Definitions.
 From Certet Require Import Grading.FlagProof Grading.BalanceProof
   Grading.PartitionProof Grading.GradedVolumeProof
   Grading.FaceSeenProof.
@@ -13,93 +10,80 @@ Section Beside.
   Variable cells : CellSet.
   Hypothesis Balance : IsBalanced cells.
 
-  Local Notation across := (FlagAcross cells).
-  Local Notation present := (IsPresent cells).
-  Local Notation kind := (KindAt cells).
 
   Lemma QuarterOf x : AcrossExists cells x = true -> FaceIsUsed cells x = true ->
-    EdgeIsUsed cells x = true -> kind x = QuarterTet.
+    EdgeIsUsed cells x = true -> KindAt cells x = QuarterTet.
   Proof.
     unfold AcrossExists, FaceIsUsed, EdgeIsUsed, KindAt. now intros -> -> ->.
   Qed.
 
-  Lemma PyramidOf x : AcrossExists cells x = false -> kind x = PyramidTet.
+  Lemma PyramidOf x : AcrossExists cells x = false -> KindAt cells x = PyramidTet.
   Proof. unfold AcrossExists, KindAt. now intros ->. Qed.
 
-  Lemma QuarterLevel x : kind x = QuarterTet -> exists l, LevelOf x = S l.
+  Lemma QuarterLevel x : KindAt cells x = QuarterTet -> exists l, LevelOf x = S l.
   Proof.
     intros K. pose proof (KindTells cells x) as T. rewrite K in T.
     destruct T as (_ & T & _). unfold FaceIsUsed in T.
     destruct (LevelOf x) as [|l]; [discriminate T | now exists l].
   Qed.
 
-  (** A quarter, and the pyramid of a child beside it. *)
-  Lemma FinerInCellThere x l : LevelOf x = S l ->
-    (present (FinerInCell x) = true /\ kind (FinerInCell x) = PyramidTet) <->
-    (present x = true /\ kind x = QuarterTet /\ present (OtherCorner x) = false).
+  (** A quarter, and the pyramid of a child that is in the way of the flag beside. *)
+  Lemma FinerThere x y beside i k :
+    LevelOf x = S (LevelOf y) -> 1 <= i <= 2 -> 0 <= k <= 1 ->
+    CellSeen y 0 0 0 = ChildSeen x i 1 k -> CellSeen y 1 0 0 = ChildSeen x 1 1 1 ->
+    (cells (LevelOf x) (CellSeen x 0 0 0) = true -> AcrossExists cells x = true ->
+     IsPresent cells beside = true <->
+     HasChild cells (LevelOf x) (ChildSeen x i 1 k) = false) ->
+    (IsPresent cells y = true /\ KindAt cells y = PyramidTet) <->
+    (IsPresent cells x = true /\ KindAt cells x = QuarterTet /\
+     IsPresent cells beside = false).
   Proof.
-    intros L. set (y := FinerInCell x).
-    assert (Ly : LevelOf y = l) by now apply FinerInCellLevel.
-    assert (Cy : forall i j k, CellSeen y i j k = ChildSeen x (1 + j) (1 - k) i)
-      by (intros; now apply (CellByFinerInCell x l)).
-    assert (H : forall i j k, HasChild cells (LevelOf x) (ChildSeen x i j k)
-                = cells l (ChildSeen x i j k)) by (intros; now rewrite L).
+    intros L Bi Bk C C' B.
+    assert (H : forall c, HasChild cells (LevelOf x) c = cells (LevelOf y) c)
+      by (intros; now rewrite L).
     split.
     - intros [P K]. apply PresentTells in P. destruct P as [E _].
       pose proof (KindTells cells y) as A. rewrite K in A. unfold AcrossExists in A.
-      rewrite Ly, Cy in E, A. change (1 + 0) with 1 in E, A. change (1 - 0) with 1 in E, A.
-      rewrite <- H in E, A.
+      rewrite C, <- H in E. rewrite C', <- H in A.
       destruct (FaceChild cells Balance x _ _ _ E ltac:(lia) ltac:(lia) ltac:(lia)) as [E0 E1].
       split; [|split].
       + now apply PresentTells.
       + apply QuarterOf; [exact E1 | |]; apply (Used _ _ _ _ _ _ _ _ E); lia.
-      + apply not_true_is_false. intros Q. apply PresentCorner in Q. destruct Q. congruence.
+      + apply not_true_is_false. intros Q. apply (B E0 E1) in Q. congruence.
     - intros (P & K & Q). pose proof (KindTells cells x) as T. rewrite K in T.
-      apply PresentTells in P. destruct P as [E0 E].
-      assert (F : HasChild cells (LevelOf x) (ChildSeen x 1 1 0) = true).
-      { apply not_false_is_true. intros F. apply not_true_iff_false in Q. apply Q.
-        now apply PresentCorner. }
+      destruct T as (E1 & _). apply PresentTells in P. destruct P as [E0 E].
+      assert (F : HasChild cells (LevelOf x) (ChildSeen x i 1 k) = true).
+      { apply not_false_is_true. intros F. apply not_true_iff_false in Q. now apply Q, B. }
       rewrite H in E, F.
-      assert (A : AcrossExists cells y = false) by (unfold AcrossExists; now rewrite Ly, Cy).
-      split; [|now apply PyramidOf]. apply PresentTells. rewrite Ly, Cy. split; [exact F|].
-      apply not_true_is_false. intros G. rewrite <- Ly in G.
+      assert (A : AcrossExists cells y = false) by (unfold AcrossExists; now rewrite C').
+      split; [|now apply PyramidOf]. apply PresentTells. rewrite C. split; [exact F|].
+      apply not_true_is_false. intros G.
       apply (FaceChild cells Balance) in G; [|lia ..]. unfold AcrossExists in A.
       destruct G. congruence.
   Qed.
 
-  Lemma FinerInOtherThere x l : LevelOf x = S l ->
-    (present (FinerInOther x) = true /\ kind (FinerInOther x) = PyramidTet) <->
-    (present x = true /\ kind x = QuarterTet /\ present (OtherCell x) = false).
+  Lemma FinerInCellThere x l : LevelOf x = S l ->
+    (IsPresent cells (FinerInCell x) = true /\ KindAt cells (FinerInCell x) = PyramidTet) <->
+    (IsPresent cells x = true /\ KindAt cells x = QuarterTet /\
+     IsPresent cells (OtherCorner x) = false).
   Proof.
-    intros L. set (y := FinerInOther x).
-    assert (Ly : LevelOf y = l) by now apply FinerInOtherLevel.
-    assert (Cy : forall i j k, CellSeen y i j k = ChildSeen x (2 - i) (1 + j) (1 - k))
-      by (intros; now apply (CellByFinerInOther x l)).
-    assert (H : forall i j k, HasChild cells (LevelOf x) (ChildSeen x i j k)
-                = cells l (ChildSeen x i j k)) by (intros; now rewrite L).
-    split.
-    - intros [P K]. apply PresentTells in P. destruct P as [E _].
-      pose proof (KindTells cells y) as A. rewrite K in A. unfold AcrossExists in A.
-      rewrite Ly, Cy in E, A. change (1 + 0) with 1 in E, A. change (1 - 0) with 1 in E, A.
-      change (2 - 0) with 2 in E. change (2 - 1) with 1 in A.
-      rewrite <- H in E, A.
-      destruct (FaceChild cells Balance x _ _ _ E ltac:(lia) ltac:(lia) ltac:(lia)) as [E0 E1].
-      split; [|split].
-      + now apply PresentTells.
-      + apply QuarterOf; [exact E1 | |]; apply (Used _ _ _ _ _ _ _ _ E); lia.
-      + apply not_true_is_false. intros Q. apply PresentCell in Q. destruct Q. congruence.
-    - intros (P & K & Q). pose proof (KindTells cells x) as T. rewrite K in T.
-      destruct T as (E1 & _). unfold AcrossExists in E1.
-      apply PresentTells in P. destruct P as [E0 E].
-      assert (F : HasChild cells (LevelOf x) (ChildSeen x 2 1 1) = true).
-      { apply not_false_is_true. intros F. apply not_true_iff_false in Q. apply Q.
-        now apply PresentCell. }
-      rewrite H in E, F.
-      assert (A : AcrossExists cells y = false) by (unfold AcrossExists; now rewrite Ly, Cy).
-      split; [|now apply PyramidOf]. apply PresentTells. rewrite Ly, Cy. split; [exact F|].
-      apply not_true_is_false. intros G. rewrite <- Ly in G.
-      apply (FaceChild cells Balance) in G; [|lia ..]. unfold AcrossExists in A.
-      destruct G. congruence.
+    intros L. apply (FinerThere _ _ _ 1 0); try lia.
+    - now rewrite (FinerInCellLevel x l).
+    - apply (CellByFinerInCell x l 0 0 0 L).
+    - apply (CellByFinerInCell x l 1 0 0 L).
+    - intros E0 _. rewrite PresentCorner. tauto.
+  Qed.
+
+  Lemma FinerInOtherThere x l : LevelOf x = S l ->
+    (IsPresent cells (FinerInOther x) = true /\ KindAt cells (FinerInOther x) = PyramidTet) <->
+    (IsPresent cells x = true /\ KindAt cells x = QuarterTet /\
+     IsPresent cells (OtherCell x) = false).
+  Proof.
+    intros L. apply (FinerThere _ _ _ 2 1); try lia.
+    - now rewrite (FinerInOtherLevel x l).
+    - apply (CellByFinerInOther x l 0 0 0 L).
+    - apply (CellByFinerInOther x l 1 0 0 L).
+    - intros _ E1. rewrite PresentCell. unfold AcrossExists in E1. tauto.
   Qed.
 
   (** The faces of the two. *)

@@ -1,9 +1,6 @@
 (** * Across each of a flag's four sides: proofs *)
 
-From Certet Require Import Angles.Definitions.
-From Certet Require Import Lattice.Tiling Mesh.Method.
-From Certet Require Import Grading.Octree Grading.Flag Grading.GradedTet
-  Grading.Surface Grading.GradingSpec.
+From Certet Require Import Grading.Definitions.
 From Certet Require Import Grading.FlagProof Grading.BalanceProof
   Grading.PartitionProof Grading.GradedVolumeProof
   Grading.FaceSeenProof Grading.FinerBesideProof.
@@ -13,28 +10,27 @@ Section Across.
   Variable cells : CellSet.
   Hypothesis Balance : IsBalanced cells.
 
-  Local Notation across := (FlagAcross cells).
-  Local Notation present := (IsPresent cells).
-  Local Notation kind := (KindAt cells).
 
   (** The two flags see the same face. *)
   Definition Meet (z y : Flag) (w' : Place) (w : Place) : Prop :=
-    present y = true /\ IsOuter (kind y) y w' = true /\
-    TetOfFlag cells (across y w') = TetOfFlag cells z /\
-    SameVertices (FaceSeen (kind z) z w) (FaceSeen (kind y) y w') /\
-    LiesBetween (FaceSeen (kind z) z w) (ApexSeen (kind z) z w) (ApexSeen (kind y) y w').
-  Lemma AcrossCorner z : present z = true -> IsOuter (kind z) z First = true ->
-    exists w', Meet z (across z First) w' First.
+    IsPresent cells y = true /\ IsOuter (KindAt cells y) y w' = true /\
+    TetOfFlag cells (FlagAcross cells y w') = TetOfFlag cells z /\
+    SameVertices (FaceSeen (KindAt cells z) z w) (FaceSeen (KindAt cells y) y w') /\
+    LiesBetween (FaceSeen (KindAt cells z) z w) (ApexSeen (KindAt cells z) z w)
+      (ApexSeen (KindAt cells y) y w').
+
+  Lemma AcrossCorner z : IsPresent cells z = true -> IsOuter (KindAt cells z) z First = true ->
+    exists w', Meet z (FlagAcross cells z First) w' First.
   Proof.
-    intros P O. cbn [FlagAcross]. destruct (present (OtherCorner z)) eqn:Q.
+    intros P O. cbn [FlagAcross]. destruct (IsPresent cells (OtherCorner z)) eqn:Q.
     - exists First. split; [exact Q|]. rewrite KindByCorner. cbn [FlagAcross].
       rewrite CornerTwice, P. split; [|split].
-      + destruct (kind z); exact O || discriminate O.
+      + destruct (KindAt cells z); exact O || discriminate O.
       + reflexivity.
-      + split; destruct (kind z); try discriminate O; cbn [FaceSeen ApexSeen];
+      + split; destruct (KindAt cells z); try discriminate O; cbn [FaceSeen ApexSeen];
           [shared | shared | sides | sides].
-    - assert (K : kind z = QuarterTet).
-      { destruct (kind z) eqn:K; try discriminate O; [|reflexivity].
+    - assert (K : KindAt cells z = QuarterTet).
+      { destruct (KindAt cells z) eqn:K; try discriminate O; [|reflexivity].
         rewrite (CornerPresent cells Balance z P) in Q by (rewrite K; discriminate).
         discriminate Q. }
       destruct (QuarterLevel cells z K) as [l L].
@@ -48,23 +44,23 @@ Section Across.
       now rewrite (PyramidNameKept _ E C), (CoarserOfCell z l L).
   Qed.
 
-  Lemma AcrossEdge z : present z = true -> IsOuter (kind z) z Second = true ->
-    exists w', Meet z (across z Second) w' Second.
+  Lemma AcrossEdge z : IsPresent cells z = true -> IsOuter (KindAt cells z) z Second = true ->
+    exists w', Meet z (FlagAcross cells z Second) w' Second.
   Proof.
     intros P O. exists Second. cbn [FlagAcross]. split; [now rewrite PresentEdge|].
     cbn [FlagAcross]. rewrite EdgeTwice.
     pose proof (KindTells cells z) as T. pose proof (KindTells cells (OtherEdge z)) as T'.
     rewrite AcrossByEdge, FaceUsedByEdge in T'. pose proof (OffDiagonalByEdge z) as D.
     split; [|split; [reflexivity|]].
-    - destruct (kind z); destruct (kind (OtherEdge z)); cbn [IsOuter] in *;
+    - destruct (KindAt cells z); destruct (KindAt cells (OtherEdge z)); cbn [IsOuter] in *;
         rewrite ?D; auto; intuition congruence.
     - cbn [IsOuter] in O.
-      split; destruct (kind z); destruct (kind (OtherEdge z));
+      split; destruct (KindAt cells z); destruct (KindAt cells (OtherEdge z));
         try (exfalso; intuition congruence); cbn [FaceSeen ApexSeen]; meets.
   Qed.
 
-  Lemma AcrossFace z : present z = true -> IsOuter (kind z) z Third = true ->
-    exists w', Meet z (across z Third) w' Third.
+  Lemma AcrossFace z : IsPresent cells z = true -> IsOuter (KindAt cells z) z Third = true ->
+    exists w', Meet z (FlagAcross cells z Third) w' Third.
   Proof.
     intros P O. exists Third. cbn [FlagAcross]. split; [now rewrite PresentFace|].
     cbn [FlagAcross]. rewrite FaceTwice.
@@ -76,33 +72,33 @@ Section Across.
     { intros U. unfold AcrossExists. rewrite LevelByFace, CellByFace.
       apply (EdgeUsed cells Balance z 0 1); [exact U | lia ..]. }
     split; [|split; [reflexivity|]].
-    - now destruct (kind (OtherFace z)).
+    - now destruct (KindAt cells (OtherFace z)).
     - destruct (EdgeIsUsed cells z);
         [rewrite (A eq_refl) in T; rewrite (A' eq_refl) in T'|];
-        split; destruct (kind z); destruct (kind (OtherFace z));
+        split; destruct (KindAt cells z); destruct (KindAt cells (OtherFace z));
         try (exfalso; intuition congruence); cbn [FaceSeen ApexSeen];
         try (destruct (IsOffDiagonal z)); try (destruct (IsOffDiagonal (OtherFace z)));
         meets.
   Qed.
 
-  Lemma AcrossCell z : present z = true -> IsOuter (kind z) z Fourth = true ->
-    exists w', Meet z (across z Fourth) w' Fourth.
+  Lemma AcrossCell z : IsPresent cells z = true -> IsOuter (KindAt cells z) z Fourth = true ->
+    exists w', Meet z (FlagAcross cells z Fourth) w' Fourth.
   Proof.
     intros P O. cbn [FlagAcross].
     destruct (cells (LevelOf z) (CellSeen z 1 0 0)) eqn:A.
-    - destruct (present (OtherCell z)) eqn:Q.
+    - destruct (IsPresent cells (OtherCell z)) eqn:Q.
       + pose proof (proj1 (proj1 (PresentTells cells z) P)) as H.
         exists Fourth. split; [exact Q|]. rewrite (KindByCell cells z H A).
         cbn [FlagAcross]. rewrite LevelByCell, CellByCell. change (1 - 1) with 0.
         rewrite H, CellTwice, P.
         pose proof (KindTells cells z) as T. unfold AcrossExists in T.
         split; [|split; [reflexivity|]].
-        * destruct (kind z); exact O.
-        * split; destruct (kind z); try discriminate O; try congruence;
+        * destruct (KindAt cells z); exact O.
+        * split; destruct (KindAt cells z); try discriminate O; try congruence;
             cbn [FaceSeen ApexSeen]; meets.
-      + assert (K : kind z = QuarterTet).
+      + assert (K : KindAt cells z = QuarterTet).
         { pose proof (KindTells cells z) as T. unfold AcrossExists in T.
-          destruct (kind z) eqn:K; try discriminate O; [|reflexivity | congruence].
+          destruct (KindAt cells z) eqn:K; try discriminate O; [|reflexivity | congruence].
           rewrite (CellPresent cells z P) in Q by (rewrite K; auto). discriminate Q. }
         destruct (QuarterLevel cells z K) as [l L].
         destruct (proj2 (FinerInOtherThere cells Balance z l L)) as [P' K']; [auto|].
@@ -114,7 +110,7 @@ Section Across.
         unfold AcrossExists in T. rewrite T.
         destruct (AheadInOther z l L) as (_ & E & C).
         now rewrite (PyramidNameKept _ E C), (CoarserOfOther z l L).
-    - assert (K : kind z = PyramidTet) by now apply PyramidOf.
+    - assert (K : KindAt cells z = PyramidTet) by now apply PyramidOf.
       pose proof (BesideName cells Balance z P) as (P0 & K0 & T0).
       rewrite K in P0, K0, T0. cbn [NamingFlag] in P0, K0, T0.
       set (x0 := WithCornerOffDiagonal z) in *.
@@ -150,8 +146,8 @@ Section Across.
         rewrite B in S, D. apply base; assumption.
   Qed.
 
-  Lemma FlagsMeet z w : present z = true -> IsOuter (kind z) z w = true ->
-    exists w', Meet z (across z w) w' w.
+  Lemma FlagsMeet z w : IsPresent cells z = true -> IsOuter (KindAt cells z) z w = true ->
+    exists w', Meet z (FlagAcross cells z w) w' w.
   Proof.
     destruct w; [apply AcrossCorner | apply AcrossEdge | apply AcrossFace | apply AcrossCell].
   Qed.

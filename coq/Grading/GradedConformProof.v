@@ -209,6 +209,47 @@ Qed.
 
 (** ** The graded mesh *)
 
+Lemma LatticeApexNotShared stid k : InLattice stid ->
+  forall j, VertexAt (GetStructuredTet stid) k
+            <> VertexAt (GetStructuredTet (NeighborOf stid k)) j.
+Proof.
+  intros even j E. apply (NeighborApart stid k).
+  apply (VerticesTell stid (NeighborOf stid k) even (NeighborInLattice stid k even)).
+  intros i.
+  assert (S : i = k \/ i <> k) by (destruct i, k; (left; reflexivity) || (right; discriminate)).
+  destruct S as [-> | S]; [now exists j|].
+  apply (proj2 (FaceOfTwo stid k (NeighborOf stid k) even (NeighborInLattice stid k even)));
+    [now right|].
+  destruct (GetStructuredTet stid), i, k; cbn [FaceAcross VertexAt In]; tauto.
+Qed.
+
+Section SharedFace.
+  Variables (before : SignField) (warping : Coord3 -> Warping).
+  Local Notation names := (PlacedNames before warping).
+
+  (** What two neighbours have in common lies in their face. *)
+  Lemma SharedLiesIn stid k t u m : InLattice stid ->
+    In t (names stid) -> In u (names (NeighborOf stid k)) ->
+    In m (TetCorners t) -> In m (TetCorners u) -> LiesIn (FaceOf stid k) m.
+  Proof.
+    intros even T U I J.
+    assert (shared : forall i j,
+      VertexAt (GetStructuredTet stid) i
+      = VertexAt (GetStructuredTet (NeighborOf stid k)) j ->
+      In (VertexAt (GetStructuredTet stid) i) (FaceOf stid k)).
+    { intros i j E. assert (i <> k) as D
+        by (intros ->; exact (LatticeApexNotShared stid k even j E)).
+      unfold FaceOf. destruct (GetStructuredTet stid), i, k;
+        cbn [FaceAcross VertexAt In]; tauto. }
+    destruct (NamesVertices before warping _ t m T I) as [(i & ->) | (i & j & -> & _)];
+      destruct (NamesVertices before warping _ u _ U J) as [(i' & E) | (i' & j' & E & _)];
+      try discriminate E.
+    - injection E as E. cbn [LiesIn]. now apply (shared i i').
+    - injection E as E F. cbn [LiesIn].
+      split; [now apply (shared i i') | now apply (shared j j')].
+  Qed.
+End SharedFace.
+
 Section Mesh.
   Variables (method : Method) (sign : SignField) (domain : PositionSigns).
   Local Notation mesh := (MeshOf method sign domain).
@@ -248,7 +289,7 @@ Section Mesh.
       (forall k, GradedVertexAt tid i <> GradedVertexAt nei k) /\
       (forall k, GradedVertexAt nei j <> GradedVertexAt tid k).
   Proof.
-    intros M nei. destruct (NeighborMeets cells IsOne tid i M) as (M' & j & F & D & _).
+    intros M nei. destruct (NeighborMeets cells tid i IsOne M) as (M' & j & F & D & _).
     split; [exact M'|]. exists j. split; [exact F|]. split.
     - exact (ApexNotShared tid i nei j F D).
     - apply (ApexNotShared nei j tid i); [now apply SameSym|].
@@ -323,82 +364,25 @@ Section Mesh.
     - destruct T as [<- | []]. apply CornersOfMap in I. destruct I as (w & I & [= ->]).
       now apply GradedVertexIn.
   Qed.
-End Mesh.
-
-Theorem GradedFacesConform :
-  forall (method : Method) (sign : SignField) (domain : PositionSigns) cells,
-    let mesh := MeshOf method sign domain in
-    IsOctree cells -> KeepsSurface (CornerSigns mesh) cells ->
-    forall tid i a b c, InGradedMesh cells tid ->
-      let face := GradedFace tid i in
-      let here := GradedTetsWithin mesh tid in
-      let there := GradedTetsWithin mesh (GradedNeighbor cells tid i) in
-      LiesIn face a -> LiesIn face b -> LiesIn face c ->
-      ((exists f, In f face /\ SignIn mesh (Corner f) = Plus) ->
-       AmongTriangles here a b c <-> AmongTriangles there a b c) /\
-      (forall t u, In t here -> In u here ->
-         HasTriangle t a b c -> HasTriangle u a b c -> t = u).
-Proof.
-  intros method sign domain cells mesh octree kept tid i a b c M face here there La Lb Lc.
-  split; [now apply (ConformsAcross method sign domain cells octree kept)|].
-  intros t u T U HT HU. subst here. unfold GradedTetsWithin in T, U.
-  destruct (StructuredName tid) as [stid|] eqn:N.
-  - pose proof (MeshConforms method sign domain) as conform.
-    subst face. rewrite <- (FaceOfStructured cells tid stid i M N) in *.
-    exact (proj2 (conform stid i a b c La Lb Lc) t u T U HT HU).
-  - destruct T as [<- | []], U as [<- | []]. reflexivity.
-Qed.
-
-(** ** The boundary *)
-
-Lemma LatticeApexNotShared stid k : InLattice stid ->
-  forall j, VertexAt (GetStructuredTet stid) k
-            <> VertexAt (GetStructuredTet (NeighborOf stid k)) j.
-Proof.
-  intros even j E. apply (NeighborApart stid k).
-  apply (VerticesTell stid (NeighborOf stid k) even (NeighborInLattice stid k even)).
-  intros i.
-  assert (S : i = k \/ i <> k) by (destruct i, k; (left; reflexivity) || (right; discriminate)).
-  destruct S as [-> | S]; [now exists j|].
-  apply (proj2 (FaceOfTwo stid k (NeighborOf stid k) even (NeighborInLattice stid k even)));
-    [now right|].
-  destruct (GetStructuredTet stid), i, k; cbn [FaceAcross VertexAt In]; tauto.
-Qed.
-
-Section SharedFace.
-  Variables (before : SignField) (warping : Coord3 -> Warping).
-  Local Notation names := (PlacedNames before warping).
-
-  (** What two neighbours have in common lies in their face. *)
-  Lemma SharedLiesIn stid k t u m : InLattice stid ->
-    In t (names stid) -> In u (names (NeighborOf stid k)) ->
-    In m (TetCorners t) -> In m (TetCorners u) -> LiesIn (FaceOf stid k) m.
+  Theorem GradedFacesConform tid i a b c : InGradedMesh cells tid ->
+    let face := GradedFace tid i in
+    let here := within tid in
+    LiesIn face a -> LiesIn face b -> LiesIn face c ->
+    ((exists f, In f face /\ SignIn mesh (Corner f) = Plus) ->
+     AmongTriangles here a b c <-> AmongTriangles (within (GradedNeighbor cells tid i)) a b c) /\
+    (forall t u, In t here -> In u here ->
+       HasTriangle t a b c -> HasTriangle u a b c -> t = u).
   Proof.
-    intros even T U I J.
-    assert (shared : forall i j,
-      VertexAt (GetStructuredTet stid) i
-      = VertexAt (GetStructuredTet (NeighborOf stid k)) j ->
-      In (VertexAt (GetStructuredTet stid) i) (FaceOf stid k)).
-    { intros i j E. assert (i <> k) as D
-        by (intros ->; exact (LatticeApexNotShared stid k even j E)).
-      unfold FaceOf. destruct (GetStructuredTet stid), i, k;
-        cbn [FaceAcross VertexAt In]; tauto. }
-    destruct (NamesVertices before warping _ t m T I) as [(i & ->) | (i & j & -> & _)];
-      destruct (NamesVertices before warping _ u _ U J) as [(i' & E) | (i' & j' & E & _)];
-      try discriminate E.
-    - injection E as E. cbn [LiesIn]. now apply (shared i i').
-    - injection E as E F. cbn [LiesIn].
-      split; [now apply (shared i i') | now apply (shared j j')].
+    intros M face here La Lb Lc. split; [now apply ConformsAcross|].
+    intros t u T U HT HU. subst here. unfold GradedTetsWithin in T, U.
+    destruct (StructuredName tid) as [stid|] eqn:N.
+    - pose proof (MeshConforms method sign domain) as conform.
+      subst face. rewrite <- (FaceOfStructured tid stid i M N) in *.
+      exact (proj2 (conform stid i a b c La Lb Lc) t u T U HT HU).
+    - destruct T as [<- | []], U as [<- | []]. reflexivity.
   Qed.
-End SharedFace.
 
-Section Boundary.
-  Variables (method : Method) (sign : SignField) (domain : PositionSigns).
-  Local Notation mesh := (MeshOf method sign domain).
-  Variable cells : CellSet.
-  Hypothesis IsOne : IsOctree cells.
-  Hypothesis Kept : KeepsSurface (CornerSigns mesh) cells.
-  Local Notation within := (GradedTetsWithin mesh).
+  (** ** The boundary *)
 
   (** Across a face that is inside, where either side is kept whole, there is
       another tetrahedron. *)
@@ -410,18 +394,18 @@ Section Boundary.
     exists u, u <> t /\ HasTriangle u a b c /\
       In u (within (GradedNeighbor cells tid i)).
   Proof.
-    intros M T H La Lb Lc N. destruct (NeighborSides cells IsOne tid i M) as (M' & j & F & A & B).
-    pose proof (FaceInside method sign domain cells IsOne Kept tid i _ j M M' F N) as P.
+    intros M T H La Lb Lc N. destruct (NeighborSides tid i M) as (M' & j & F & A & B).
+    pose proof (FaceInside tid i _ j M M' F N) as P.
     destruct (FaceTriple tid i) as (f & _ & _ & I & _).
-    destruct (proj1 (ConformsAcross method sign domain cells IsOne Kept tid i a b c M La Lb Lc
+    destruct (proj1 (ConformsAcross tid i a b c M La Lb Lc
       (ex_intro _ f (conj I (P f I))))) as (u & U & HU); [exists t; auto|].
     exists u. split; [|auto]. intros ->. destruct N as [N | N].
     - unfold GradedTetsWithin in T. rewrite N in T. destruct T as [<- | []].
-      destruct (CornersWithin method sign domain cells _ _ (GradedVertexAt tid i) M' U) as [k E];
+      destruct (CornersWithin _ _ (GradedVertexAt tid i) M' U) as [k E];
         [|exact (A k E)].
       apply CornersOfMap. eexists. split; [apply VertexOfTet | reflexivity].
     - unfold GradedTetsWithin in U. rewrite N in U. destruct U as [<- | []].
-      destruct (CornersWithin method sign domain cells _ _
+      destruct (CornersWithin _ _
         (GradedVertexAt (GradedNeighbor cells tid i) j) M T) as [k E]; [|exact (B k E)].
       apply CornersOfMap. eexists. split; [apply VertexOfTet | reflexivity].
   Qed.
@@ -454,7 +438,7 @@ Section Boundary.
     exists l. apply AnotherAcross; auto.
   Qed.
 
-  Lemma GradedBoundary tid t a b c : InGradedMesh cells tid ->
+  Theorem GradedBoundaryOnSurface tid t a b c : InGradedMesh cells tid ->
     In t (within tid) -> HasTriangle t a b c ->
     (SignIn mesh a = OnSurface /\ SignIn mesh b = OnSurface /\ SignIn mesh c = OnSurface) \/
     (exists u, u <> t /\ HasTriangle u a b c /\
@@ -469,31 +453,16 @@ Section Boundary.
       + destruct (StructuredNameCorrect cells tid stid M N) as (even & _).
         assert (L : forall m, In m (TetCorners t) -> In m (TetCorners u) ->
           LiesIn (GradedFace tid k) m).
-        { rewrite <- (FaceOfStructured cells tid stid k M N).
+        { rewrite <- (FaceOfStructured tid stid k M N).
           destruct (MeshIsPlaced method sign domain) as (before & warping & cut & E).
           rewrite E in T', U. intros m. now apply (SharedLiesIn before warping stid k t u). }
         pose proof H as ((A & B & C) & _). pose proof HU as ((A' & B' & C') & _).
         destruct (StructuredName (GradedNeighbor cells tid k)) as [other|] eqn:N'.
         * exists u. split; [exact D|]. split; [exact HU|]. right. exists k.
           unfold GradedTetsWithin. rewrite N'.
-          now rewrite (StructuredNeighbor cells IsOne tid k stid other M N N').
+          now rewrite (StructuredNeighbor tid k stid other M N N').
         * destruct (AnotherAcross tid k t a b c M T H (L a A A') (L b B B') (L c C C'))
             as (u' & D' & HU' & U'); [now right|]. eauto 8.
     - right. destruct (PlainAnother tid t a b c M N T H) as (i & u & D & HU & U). eauto 8.
   Qed.
-End Boundary.
-
-Theorem GradedBoundaryOnSurface :
-  forall (method : Method) (sign : SignField) (domain : PositionSigns) cells,
-    let mesh := MeshOf method sign domain in
-    IsOctree cells -> KeepsSurface (CornerSigns mesh) cells ->
-    forall tid t a b c, InGradedMesh cells tid ->
-      In t (GradedTetsWithin mesh tid) -> HasTriangle t a b c ->
-      (SignIn mesh a = OnSurface /\ SignIn mesh b = OnSurface /\
-       SignIn mesh c = OnSurface) \/
-      (exists u, u <> t /\ HasTriangle u a b c /\
-         (In u (GradedTetsWithin mesh tid) \/
-          exists i, In u (GradedTetsWithin mesh (GradedNeighbor cells tid i)))).
-Proof.
-  intros method sign domain cells mesh octree kept. now apply GradedBoundary.
-Qed.
+End Mesh.

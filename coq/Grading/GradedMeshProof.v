@@ -42,18 +42,6 @@ Proof. intros tid. apply TransitionDegrees, TransitionAngles. Qed.
 
 (** ** The mesh *)
 
-(** A corner that is inside after warping is where it was. *)
-Lemma PlusStays method sign domain v :
-  let mesh := MeshOf method sign domain in
-  CornerSigns mesh v = Plus -> PositionIn mesh (Corner v) = Scale Steps v.
-Proof.
-  assert (W : forall (s : Sign) w, WarpedSign s w = Plus -> WarpedPosition v w = Scale Steps v)
-    by (intros s [|d n]; [reflexivity | discriminate]).
-  destruct method; cbv zeta; unfold CornerSigns;
-    cbn [MeshOf StuffedMesh SweptMesh PlacedMesh SignIn PositionIn MeshVertexSign
-      MeshPosition PlacedSign PlacedPosition]; apply W.
-Qed.
-
 Lemma StepsPositive : 0 < Steps.
 Proof. reflexivity. Qed.
 
@@ -77,6 +65,16 @@ Qed.
 Section Mesh.
   Variables (method : Method) (sign : SignField) (domain : PositionSigns).
   Local Notation mesh := (MeshOf method sign domain).
+  (** A corner that is inside after warping is where it was. *)
+  Lemma PlusStays v : CornerSigns mesh v = Plus -> PositionIn mesh (Corner v) = Scale Steps v.
+  Proof.
+    assert (W : forall (s : Sign) w, WarpedSign s w = Plus -> WarpedPosition v w = Scale Steps v)
+      by (intros s [|d n]; [reflexivity | discriminate]).
+    destruct method; unfold CornerSigns;
+      cbn [MeshOf StuffedMesh SweptMesh PlacedMesh SignIn PositionIn MeshVertexSign
+        MeshPosition PlacedSign PlacedPosition]; apply W.
+  Qed.
+
   Variable cells : CellSet.
   Hypothesis IsOne : IsOctree cells.
   Hypothesis Kept : KeepsSurface (CornerSigns mesh) cells.
@@ -99,34 +97,27 @@ Section Mesh.
     transitivity (MapTet (fun v => PositionIn mesh (Corner v)) (GetGradedTet tid));
       [now destruct (GetGradedTet tid)|].
     apply MapTetSame. intros v I. destruct (GradedVertexIn _ _ I) as [i ->].
-    rewrite (PlusStays method sign domain); [|now apply PlainIsPlus].
+    rewrite PlusStays; [|now apply PlainIsPlus].
     unfold Move. destruct (GradedVertexAt tid i). reflexivity.
   Qed.
-End Mesh.
 
-Theorem CertifiedGradedMesh :
-  forall (method : Method) (sign : SignField) (domain : PositionSigns) cells,
-    let mesh := MeshOf method sign domain in
-    IsOctree cells -> KeepsSurface (CornerSigns mesh) cells ->
-    forall tid t, InGradedMesh cells tid -> In t (GradedTetsWithin mesh tid) ->
-      WithinDegrees (IZR (LeastAngle method) / 100) (IZR (GreatestAngle method) / 100)
-        (MapTet (PositionIn mesh) t).
-Proof.
-  intros method sign domain cells mesh octree kept tid t M I.
-  unfold GradedTetsWithin in I. destruct (StructuredName tid) as [stid|] eqn:N.
-  - destruct (CertifiedMesh method sign domain) as (positive & angles & _).
-    fold mesh in positive, angles.
-    assert (J : In (MapTet (PositionIn mesh) t) (PlacedWithin mesh stid))
-      by (unfold PlacedWithin; now apply in_map).
-    pose proof (positive _ _ J) as P.
-    destruct (MapTet (PositionIn mesh) t) as [a b c d] eqn:E.
-    split; [exact P|]. intros p q r s K. exact (angles _ _ p q r s J K).
-  - destruct I as [<- | []]. subst mesh.
-    rewrite (PlainPlaced method sign domain cells octree kept tid M N).
-    pose proof (TransitionDegrees _
-      (MoveWellShaped Steps (C3 0 0 0) StepsPositive _ _ (TransitionAngles tid))) as W.
-    destruct (MapTet (Move Steps (C3 0 0 0)) (GetGradedTet tid)) as [a b c d].
-    destruct W as [P W]. split; [exact P|]. intros p q r s K.
-    pose proof (W p q r s K) as B.
-    destruct method; cbn [LeastAngle GreatestAngle]; lra.
-Qed.
+  Theorem CertifiedGradedMesh tid t : InGradedMesh cells tid -> In t (GradedTetsWithin mesh tid) ->
+    WithinDegrees (IZR (LeastAngle method) / 100) (IZR (GreatestAngle method) / 100)
+      (MapTet (PositionIn mesh) t).
+  Proof.
+    intros M I. unfold GradedTetsWithin in I. destruct (StructuredName tid) as [stid|] eqn:N.
+    - destruct (CertifiedMesh method sign domain) as (positive & angles & _).
+      assert (J : In (MapTet (PositionIn mesh) t) (PlacedWithin mesh stid))
+        by (unfold PlacedWithin; now apply in_map).
+      pose proof (positive _ _ J) as P.
+      destruct (MapTet (PositionIn mesh) t) as [a b c d] eqn:E.
+      split; [exact P|]. intros p q r s K. exact (angles _ _ p q r s J K).
+    - destruct I as [<- | []]. rewrite (PlainPlaced tid M N).
+      pose proof (TransitionDegrees _
+        (MoveWellShaped Steps (C3 0 0 0) StepsPositive _ _ (TransitionAngles tid))) as W.
+      destruct (MapTet (Move Steps (C3 0 0 0)) (GetGradedTet tid)) as [a b c d].
+      destruct W as [P W]. split; [exact P|]. intros p q r s K.
+      pose proof (W p q r s K) as B.
+      destruct method; cbn [LeastAngle GreatestAngle]; lra.
+  Qed.
+End Mesh.

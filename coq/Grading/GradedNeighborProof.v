@@ -4,10 +4,7 @@
     but for which of its points the face has.  So a face is looked at from one of
     its flags, and the neighbour's face from the flag across. *)
 
-From Certet Require Import Angles.Definitions.
-From Certet Require Import Lattice.Tiling Mesh.Method.
-From Certet Require Import Grading.Octree Grading.Flag Grading.GradedTet
-  Grading.Surface Grading.GradingSpec.
+From Certet Require Import Grading.Definitions Lattice.Tiling.
 From Certet Require Import Grading.FlagProof Grading.BalanceProof
   Grading.PartitionProof Grading.GradedVolumeProof
   Grading.FaceSeenProof Grading.FinerBesideProof Grading.FlagAcrossProof.
@@ -17,19 +14,18 @@ Section Around.
   Variable cells : CellSet.
   Hypothesis Balance : IsBalanced cells.
 
-  Local Notation across := (FlagAcross cells).
-  Local Notation present := (IsPresent cells).
-  Local Notation kind := (KindAt cells).
+  Local Notation across x w := (TetOfFlag cells (FlagAcross cells x w)).
+
 
   (** ** All flags at a face have the same neighbour across *)
 
-  Lemma PyramidAround x : present x = true -> kind x = PyramidTet ->
+  Lemma PyramidAround x : IsPresent cells x = true -> KindAt cells x = PyramidTet ->
     IsOffDiagonal x = true ->
     TetOfFlag cells (OtherEdge (OtherCorner (OtherEdge x)))
     = TetOfFlag cells (OtherEdge (OtherCorner x)).
   Proof.
     intros P K off.
-    assert (Kc : forall y, kind y = PyramidTet -> kind (OtherCorner y) = PyramidTet)
+    assert (Kc : forall y, KindAt cells y = PyramidTet -> KindAt cells (OtherCorner y) = PyramidTet)
       by (intros y Ky; now rewrite KindByCorner).
     pose proof (KindByEdgePyramid cells) as Ke.
     assert (T1 : TetOfFlag cells (OtherEdge (OtherCorner x))
@@ -42,22 +38,22 @@ Section Around.
     now rewrite OffDiagonalByCorner, OffDiagonalByEdge, OffDiagonalByCorner, off.
   Qed.
 
-
   (** Two flags that see a face together have the same tetrahedron across. *)
-  Lemma EdgeMates x : present x = true -> kind x = BccTet \/ kind x = EdgeHalfTet ->
-    TetOfFlag cells (across (OtherCell x) Second) = TetOfFlag cells (across x Second).
+  Lemma EdgeMates x : IsPresent cells x = true ->
+    KindAt cells x = BccTet \/ KindAt cells x = EdgeHalfTet ->
+    across (OtherCell x) Second = across x Second.
   Proof.
     intros P K. cbn [FlagAcross]. rewrite CellThenEdge. apply TetByCell.
     - now rewrite PresentEdge.
     - pose proof (KindTells cells x) as T. pose proof (KindTells cells (OtherEdge x)) as T'.
       rewrite AcrossByEdge, FaceUsedByEdge in T'.
       destruct K as [K | K]; rewrite K in T;
-        destruct (kind (OtherEdge x)); auto; exfalso; intuition congruence.
+        destruct (KindAt cells (OtherEdge x)); auto; exfalso; intuition congruence.
   Qed.
 
   Lemma FaceMates x :
-    kind x = BccTet \/ kind x = FaceHalfTet \/ kind x = PyramidTet ->
-    TetOfFlag cells (across (OtherCorner x) Third) = TetOfFlag cells (across x Third).
+    KindAt cells x = BccTet \/ KindAt cells x = FaceHalfTet \/ KindAt cells x = PyramidTet ->
+    across (OtherCorner x) Third = across x Third.
   Proof.
     intros K. cbn [FlagAcross]. rewrite CornerThenFace. apply TetByCorner.
     pose proof (KindTells cells x) as T. pose proof (KindTells cells (OtherFace x)) as T'.
@@ -67,30 +63,28 @@ Section Around.
     destruct (EdgeIsUsed cells x);
       [rewrite (A eq_refl) in T|];
       destruct K as [K | [K | K]]; rewrite K in T;
-      destruct (kind (OtherFace x)); auto; exfalso; intuition congruence.
+      destruct (KindAt cells (OtherFace x)); auto; exfalso; intuition congruence.
   Qed.
 
-  Lemma CornerMates x : present x = true -> kind x = EdgeHalfTet ->
-    TetOfFlag cells (across (OtherCell x) First) = TetOfFlag cells (across x First).
+  Lemma CornerMates x : IsPresent cells x = true -> KindAt cells x = EdgeHalfTet ->
+    across (OtherCell x) First = across x First.
   Proof.
     intros P K. cbn [FlagAcross].
-    assert (Pc : present (OtherCorner x) = true)
+    assert (Pc : IsPresent cells (OtherCorner x) = true)
       by (apply (CornerPresent cells Balance); [exact P | rewrite K; discriminate]).
-    assert (Kc : kind (OtherCorner x) = EdgeHalfTet) by now rewrite KindByCorner.
-    assert (Ps : present (OtherCell (OtherCorner x)) = true)
+    assert (Kc : KindAt cells (OtherCorner x) = EdgeHalfTet) by now rewrite KindByCorner.
+    assert (Ps : IsPresent cells (OtherCell (OtherCorner x)) = true)
       by (apply (CellPresent cells); auto).
     rewrite Pc, <- CornerThenCell, Ps. apply TetByCell; auto.
   Qed.
 
-  Lemma CellMates x : present x = true -> kind x = FaceHalfTet ->
-    TetOfFlag cells (across (OtherCorner x) Fourth) = TetOfFlag cells (across x Fourth).
+  Lemma CellMates x : IsPresent cells x = true -> KindAt cells x = FaceHalfTet ->
+    across (OtherCorner x) Fourth = across x Fourth.
   Proof.
     intros P K. cbn [FlagAcross].
-    assert (Pc : present (OtherCorner x) = true)
-      by (apply (CornerPresent cells Balance); [exact P | rewrite K; discriminate]).
-    assert (Kc : kind (OtherCorner x) = FaceHalfTet) by now rewrite KindByCorner.
-    assert (Ps : present (OtherCell x) = true) by (apply (CellPresent cells); auto).
-    assert (Psc : present (OtherCell (OtherCorner x)) = true)
+    pose proof (BesideCorner cells Balance x P ltac:(auto)) as (Pc & Kc & _). rewrite K in Kc.
+    assert (Ps : IsPresent cells (OtherCell x) = true) by (apply (CellPresent cells); auto).
+    assert (Psc : IsPresent cells (OtherCell (OtherCorner x)) = true)
       by (apply (CellPresent cells); auto).
     pose proof (KindTells cells x) as T. rewrite K in T. destruct T as [A _].
     unfold AcrossExists in A. rewrite LevelByCorner, CellByCorner. change (- 0) with 0.
@@ -98,9 +92,9 @@ Section Around.
     rewrite KindByCell; [auto | now apply PresentTells | exact A].
   Qed.
 
-  Lemma BaseMates x y : kind x = PyramidTet -> kind y = PyramidTet ->
+  Lemma BaseMates x y : KindAt cells x = PyramidTet -> KindAt cells y = PyramidTet ->
     WithCornerOffDiagonal y = WithCornerOffDiagonal x ->
-    across y Fourth = across x Fourth.
+    FlagAcross cells y Fourth = FlagAcross cells x Fourth.
   Proof.
     intros K K' N. cbn [FlagAcross].
     pose proof (KindTells cells x) as T. pose proof (KindTells cells y) as T'.
@@ -112,7 +106,7 @@ Section Around.
     In z (FlagsOf (GTId knd x)) -> IsOuter knd z w = true ->
     exists i, SameVertices (GradedFace (GTId knd x) i) (FaceSeen knd z w) /\
       GradedVertexAt (GTId knd x) i = ApexSeen knd z w /\
-      GradedNeighbor cells (GTId knd x) i = TetOfFlag cells (across z w).
+      GradedNeighbor cells (GTId knd x) i = across z w.
   Proof.
     intros M I O. destruct (NamedBy _ _ _ M) as (P & K & N).
     unfold GradedNeighbor, GradedFace, GradedVertexAt.
@@ -122,7 +116,7 @@ Section Around.
       pose proof (BesideCell cells x P ltac:(auto)) as (Ps & Ks & _).
       rewrite K in Kc, Ks.
       assert (S : forall y, In y [x; OtherCell x] ->
-        TetOfFlag cells (across (OtherCorner y) Third) = TetOfFlag cells (across y Third))
+        across (OtherCorner y) Third = across y Third)
         by (intros y [<- | [<- | []]]; apply FaceMates; auto).
       pose proof (S x ltac:(cbn; tauto)). pose proof (S (OtherCell x) ltac:(cbn; tauto)).
       pose proof (EdgeMates x P ltac:(auto)).
@@ -158,7 +152,7 @@ Section Around.
       pose proof (FaceMates x ltac:(auto)). pose proof (FaceMates (OtherEdge x) ltac:(auto)).
       pose proof (PyramidAround x P K off).
       assert (B : forall y, In y (FlagsOf (GTId PyramidTet x)) ->
-        across y Fourth = across x Fourth).
+        FlagAcross cells y Fourth = FlagAcross cells x Fourth).
       { cbn [FlagsOf In]. intros y J. apply BaseMates; [exact K | |].
         - destruct J as [<- | [<- | [<- | [<- | []]]]]; rewrite ?KindByCorner; assumption.
         - destruct J as [<- | [<- | [<- | [<- | []]]]];
@@ -183,52 +177,42 @@ End Around.
 
 (** ** The theorems *)
 
-Lemma NeighborMeets cells : IsOctree cells ->
-  forall tid i, InGradedMesh cells tid ->
-    InGradedMesh cells (GradedNeighbor cells tid i) /\
-    exists j,
-      SameVertices (GradedFace tid i) (GradedFace (GradedNeighbor cells tid i) j) /\
-      LiesBetween (GradedFace tid i) (GradedVertexAt tid i)
-        (GradedVertexAt (GradedNeighbor cells tid i) j) /\
-      GradedNeighbor cells (GradedNeighbor cells tid i) j = tid.
-Proof.
-  intros [Balance _] [knd x] i M.
-  pose proof (FlagSeesFace cells knd x i M) as S.
-  unfold GradedNeighbor at 1 2 3 5.
-  destruct (FlagAtFace (GTId knd x) i) as [z w]. destruct S as (I & O & F & A).
-  pose proof (FlagBeside cells Balance _ _ _ M I) as (P & K & T).
-  destruct (NamedBy _ _ _ M) as (_ & Kx & _). rewrite Kx in K. clear Kx. subst knd.
-  destruct M as [_ N]. rewrite N in T.
-  destruct (FlagsMeet cells Balance z w P O) as [w' (P' & O' & T' & F' & D)].
-  pose proof (TetInMesh cells Balance _ P') as M'. split; [exact M'|].
-  pose proof (FlagOfItsTet cells (FlagAcross cells z w)) as I'.
-  unfold TetOfFlag in M', I' |- *.
-  destruct (FaceOfFlag cells Balance _ _ _ _ M' I' O') as (j & Fj & Aj & Nj).
-  exists j. split; [|split].
-  - apply (SameTrans _ _ _ F), (SameTrans _ _ _ F'), SameSym, Fj.
-  - rewrite A, Aj. exact (BetweenSame _ _ _ _ (SameSym _ _ F) D).
-  - now rewrite Nj, T'.
-Qed.
+Section Neighbor.
+  Variables (cells : CellSet) (tid : GradedTetId) (i : Place).
+  Hypothesis IsOne : IsOctree cells.
+  Hypothesis M : InGradedMesh cells tid.
+  Local Notation nei := (GradedNeighbor cells tid i).
 
-Theorem GradedFacesCorrect :
-  forall cells tid i, IsOctree cells -> InGradedMesh cells tid ->
-    let nei := GradedNeighbor cells tid i in
-    InGradedMesh cells nei /\
-    exists j,
-      SameVertices (GradedFace tid i) (GradedFace nei j) /\
-      LiesBetween (GradedFace tid i) (GradedVertexAt tid i) (GradedVertexAt nei j).
-Proof.
-  intros cells tid i octree M nei.
-  destruct (NeighborMeets cells octree tid i M) as (M' & j & F & D & _). eauto.
-Qed.
-
-Theorem GradedNeighborInvolution :
-  forall cells tid i, IsOctree cells -> InGradedMesh cells tid ->
-    let nei := GradedNeighbor cells tid i in
-    exists j,
-      SameVertices (GradedFace tid i) (GradedFace nei j) /\
+  Lemma NeighborMeets : InGradedMesh cells nei /\
+    exists j, SameVertices (GradedFace tid i) (GradedFace nei j) /\
+      LiesBetween (GradedFace tid i) (GradedVertexAt tid i) (GradedVertexAt nei j) /\
       GradedNeighbor cells nei j = tid.
-Proof.
-  intros cells tid i octree M nei.
-  destruct (NeighborMeets cells octree tid i M) as (_ & j & F & _ & N). eauto.
-Qed.
+  Proof.
+    destruct IsOne as [Balance _]. destruct tid as [knd x].
+    pose proof (FlagSeesFace cells knd x i M) as S.
+    unfold GradedNeighbor at 1 2 3 5.
+    destruct (FlagAtFace (GTId knd x) i) as [z w]. destruct S as (I & O & F & A).
+    pose proof (FlagBeside cells Balance _ _ _ M I) as (P & K & T).
+    destruct (NamedBy _ _ _ M) as (_ & Kx & _). rewrite Kx in K. clear Kx.
+    pose proof (proj2 M) as N. rewrite N in T. clear N. subst knd.
+    destruct (FlagsMeet cells Balance z w P O) as [w' (P' & O' & T' & F' & D)].
+    pose proof (TetInMesh cells Balance _ P') as M'. split; [exact M'|].
+    pose proof (FlagOfItsTet cells (FlagAcross cells z w)) as I'.
+    unfold TetOfFlag in M', I' |- *.
+    destruct (FaceOfFlag cells Balance _ _ _ _ M' I' O') as (j & Fj & Aj & Nj).
+    exists j. split; [|split].
+    - apply (SameTrans _ _ _ F), (SameTrans _ _ _ F'), SameSym, Fj.
+    - rewrite A, Aj. exact (BetweenSame _ _ _ _ (SameSym _ _ F) D).
+    - now rewrite Nj, T'.
+  Qed.
+
+  Theorem GradedFacesCorrect : InGradedMesh cells nei /\
+    exists j, SameVertices (GradedFace tid i) (GradedFace nei j) /\
+      LiesBetween (GradedFace tid i) (GradedVertexAt tid i) (GradedVertexAt nei j).
+  Proof. destruct NeighborMeets as (M' & j & F & D & _). eauto. Qed.
+
+  Theorem GradedNeighborInvolution :
+    exists j, SameVertices (GradedFace tid i) (GradedFace nei j) /\
+      GradedNeighbor cells nei j = tid.
+  Proof. destruct NeighborMeets as (_ & j & F & _ & N). eauto. Qed.
+End Neighbor.

@@ -44,7 +44,7 @@ Theorem FlippedPyramidFails :
         (GradedFace (GradedNeighbor cells tid Fourth) j).
 Proof.
   intros cells [kind x] j octree M K S. cbn [KindOfName] in K. subst kind.
-  destruct (NeighborMeets cells octree _ Fourth M) as (_ & j' & F & D & _).
+  destruct (NeighborMeets cells _ Fourth octree M) as (_ & j' & F & D & _).
   set (n := GradedNeighbor _ _ _) in *.
   assert (I : In (PointSeen x 1 (-1) (-1)) (GradedFace n j)).
   { apply S. unfold GradedFace, GradedVertexAt. cbn [FlippedPyramid GradedVertices Others Pick].

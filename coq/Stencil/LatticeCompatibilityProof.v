@@ -40,80 +40,40 @@ Qed.
 
 (** ** The four faces *)
 
-Ltac across i :=
-  let GetSign := fresh in let GetIntersection := fresh in let tid := fresh in
-  intros GetSign GetIntersection tid;
-  pose proof (StencilsFitLattice GetSign GetIntersection tid i) as fits;
-  revert fits; unfold LinedUp;
-  cbn [LatticeTiling Identifier VertexOf NeighborAt Others];
-  destruct (GetStructuredTet tid) as [? ? ? ? [tid1 ?] [tid2 ?] [tid3 ?] [tid4 ?]];
-  cbn [NeighborAcross VertexAt fst];
-  lazymatch i with
-  | First => destruct (GetStructuredTet tid1)
-  | Second => destruct (GetStructuredTet tid2)
-  | Third => destruct (GetStructuredTet tid3)
-  | Fourth => destruct (GetStructuredTet tid4)
-  end;
-  cbn [VertexAt];
-  lazymatch goal with |- context [let '(_, _) := ?w in _] => destruct w as [[[? ?] ?] ?] end;
-  exact (fun fits => fits).
-
-Theorem Face1Compatible :
+Definition CompatibleAcross (i : Place) : Prop :=
   forall GetSign GetIntersection tid,
     match GetStructuredTet tid with
-      ST v1 v2 v3 v4 (tid1, order1) _ _ _ =>
-        match GetStructuredTet tid1 with
+      ST v1 v2 v3 v4 nei1 nei2 nei3 nei4 =>
+        let '(nei, order) := Pick (nei1, nei2, nei3, nei4) i in
+        match GetStructuredTet nei with
           ST u1 u2 u3 u4 _ _ _ _ =>
-            let '(w1, w2, w3, w4) :=
-              order1 u1 u2 u3 u4 in
-            AllEdgesCompatible Coord3 GetSign
-              GetIntersection w2 w3 w4 v1 w1
+            let '(w1, w2, w3, w4) := order u1 u2 u3 u4 in
+            let w := Pick (w1, w2, w3, w4) in
+            let '(j, k, l) := Others i in
+            AllEdgesCompatible Coord3 GetSign GetIntersection
+              (w j) (w k) (w l) (Pick (v1, v2, v3, v4) i) (w i)
               v1 v2 v3 v4 u1 u2 u3 u4
         end
     end.
-Proof. across First. Qed.
 
-Theorem Face2Compatible :
-  forall GetSign GetIntersection tid,
-    match GetStructuredTet tid with
-      ST v1 v2 v3 v4 _ (tid2, order2) _ _ =>
-        match GetStructuredTet tid2 with
-          ST u1 u2 u3 u4 _ _ _ _ =>
-            let '(w1, w2, w3, w4) :=
-              order2 u1 u2 u3 u4 in
-            AllEdgesCompatible Coord3 GetSign
-              GetIntersection w1 w3 w4 v2 w2
-              v1 v2 v3 v4 u1 u2 u3 u4
-        end
-    end.
-Proof. across Second. Qed.
+Lemma FaceCompatible i : CompatibleAcross i.
+Proof.
+  intros GetSign GetIntersection tid.
+  pose proof (StencilsFitLattice GetSign GetIntersection tid i) as fits. revert fits.
+  unfold LinedUp; cbn [LatticeTiling Identifier VertexOf NeighborAt].
+  destruct (GetStructuredTet tid) as [? ? ? ? [tid1 ?] [tid2 ?] [tid3 ?] [tid4 ?]].
+  destruct i; cbn [NeighborAcross VertexAt fst snd Pick Others].
+  - destruct (GetStructuredTet tid1); cbn [VertexAt]; now destruct (_ _ _ _ _) as [[[? ?] ?] ?].
+  - destruct (GetStructuredTet tid2); cbn [VertexAt]; now destruct (_ _ _ _ _) as [[[? ?] ?] ?].
+  - destruct (GetStructuredTet tid3); cbn [VertexAt]; now destruct (_ _ _ _ _) as [[[? ?] ?] ?].
+  - destruct (GetStructuredTet tid4); cbn [VertexAt]; now destruct (_ _ _ _ _) as [[[? ?] ?] ?].
+Qed.
 
-Theorem Face3Compatible :
-  forall GetSign GetIntersection tid,
-    match GetStructuredTet tid with
-      ST v1 v2 v3 v4 _ _ (tid3, order3) _ =>
-        match GetStructuredTet tid3 with
-          ST u1 u2 u3 u4 _ _ _ _ =>
-            let '(w1, w2, w3, w4) :=
-              order3 u1 u2 u3 u4 in
-            AllEdgesCompatible Coord3 GetSign
-              GetIntersection w1 w2 w4 v3 w3
-              v1 v2 v3 v4 u1 u2 u3 u4
-        end
-    end.
-Proof. across Third. Qed.
-
-Theorem Face4Compatible :
-  forall GetSign GetIntersection tid,
-    match GetStructuredTet tid with
-      ST v1 v2 v3 v4 _ _ _ (tid4, order4) =>
-        match GetStructuredTet tid4 with
-          ST u1 u2 u3 u4 _ _ _ _ =>
-            let '(w1, w2, w3, w4) :=
-              order4 u1 u2 u3 u4 in
-            AllEdgesCompatible Coord3 GetSign
-              GetIntersection w1 w2 w3 v4 w4
-              v1 v2 v3 v4 u1 u2 u3 u4
-        end
-    end.
-Proof. across Fourth. Qed.
+Theorem Face1Compatible : CompatibleAcross First.
+Proof. apply FaceCompatible. Qed.
+Theorem Face2Compatible : CompatibleAcross Second.
+Proof. apply FaceCompatible. Qed.
+Theorem Face3Compatible : CompatibleAcross Third.
+Proof. apply FaceCompatible. Qed.
+Theorem Face4Compatible : CompatibleAcross Fourth.
+Proof. apply FaceCompatible. Qed.
