@@ -13,6 +13,8 @@
 #   make conformance      write the conformance kit anew, from the certified functions
 #   make build            the library and the command, build/bin/certet
 #   make bench            the figures of the README, into build/bench
+#   make profile          where the time of a run goes, by stage and by function: of RUN="mesh a.nii
+#                         -o a.vtu", or of a torus; by perf, or where that is not allowed by callgrind
 #   make install          cmake --install, to PREFIX (/usr/local)
 #   make package          the Debian packages certet and libcertet-dev, into build/package
 #
@@ -31,7 +33,7 @@
 
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: demo test proofs audit audit-selftest check-extracted conformance build bench certified-tables \
+.PHONY: demo test proofs audit audit-selftest check-extracted conformance build bench profile certified-tables \
   deps build-deps demo-deps proof-deps test-deps bench-deps configured everything clean \
   install package repeatability checksums tidy sanitize leaks tsan valgrind mutation soak fuzz fuzz-memory
 .NOTPARALLEL:
@@ -144,6 +146,11 @@ bench: bench-deps everything
 	mkdir -p $(BUILD)/bench
 	$(MAKE) -s -C extracted BUILD=$(abspath $(BUILD))/bench/reference
 	$(PYTHON) -B cpp/bench/report.py $(BUILD) $(if $(LARGE),--large)
+
+RUN ?=
+profile: build
+	$(call install,valgrind)
+	$(PYTHON) -B cpp/bench/profile.py $(BUILD) $(RUN)
 
 PREFIX ?= /usr/local
 install: build

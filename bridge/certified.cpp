@@ -216,6 +216,19 @@ std::vector<PlacedTet> settle(Thresholds t, Gap gap, const certet::Lattice& latt
                                        cells[2]);
 }
 
+std::vector<PlacedTet> grade(Thresholds t, bool settles, int levels,
+                             const certet::Lattice& lattice, const Domain& domain) {
+  std::vector<PlacedTet> tets;
+  const closures::Stuffing closures{domain, tets};
+  Frame frame(&closures);
+  const auto& [origin, cells] = lattice;
+  runtime::call("certified.grade",
+                {frame.handle(), t.long_edge, t.short_edge, settles ? 1 : 0, levels, origin.x,
+                 origin.y, origin.z, cells[0], cells[1], cells[2]},
+                &frame);
+  return tets;
+}
+
 std::vector<PlacedMaterialTet> settle_materials(Thresholds t, const certet::Lattice& lattice,
                                                 const MaterialDomain& domain) {
   const auto& [o, cells] = lattice;

@@ -180,6 +180,11 @@ enum class Gap {
 std::vector<PlacedTet> settle(Thresholds thresholds, Gap gap, const certet::Lattice& lattice,
                               const Domain& domain);
 
+/// The whole mesh, graded by so many levels: `GradedOctree` and `GradedTetsWithin` of the
+/// mesh that `settle` (with `Gap::level`) or `stuff` makes; in an order of its own.
+std::vector<PlacedTet> grade(Thresholds thresholds, bool settles, int levels,
+                             const certet::Lattice& lattice, const Domain& domain);
+
 /// A domain of several materials: that of each lattice point, and the cut of each edge in
 /// steps from the end of the higher one, given first.
 struct MaterialDomain {

@@ -209,6 +209,18 @@ let settle_all frame long short strict ox oy oz nx ny nz =
   let settled = Settler.settle gap (thresholds long short) lattice domain in
   Settler.iter_tets settled (emit_placed frame (Settler.position settled))
 
+(* Of a mesh whose vertices settle, or are all moved. *)
+let grade_all frame long short settles levels ox oy oz nx ny nz =
+  let lattice = lattice ox oy oz nx ny nz in
+  let domain = Domain.within lattice (domain frame) in
+  let thresholds = thresholds long short in
+  let mesh =
+    if settles <> 0 then Settler.mesh (Settler.settle levelGap thresholds lattice domain)
+    else Mesher.mesh thresholds domain
+  in
+  Grader.iter_tets mesh levels lattice
+    (emit_placed frame (fun v -> Convert.point_of_coord3 (mesh.positionIn v)))
+
 (* {1 Meshes of several materials} *)
 
 let is_well_shaped ax ay az bx by bz cx cy cz dx dy dz =
@@ -258,6 +270,7 @@ let () =
   Callback.register "certified.stuff_tet" stuff_one;
   Callback.register "certified.stuff" stuff_all;
   Callback.register "certified.settle" settle_all;
+  Callback.register "certified.grade" grade_all;
   Callback.register "certified.material_tets" material_tets;
   Callback.register "certified.is_well_shaped" is_well_shaped;
   Callback.register "certified.settle_materials" settle_materials;

@@ -9,3 +9,6 @@ val iter_tets : Certified.thresholds -> Lattice.t -> Domain.t -> (tet -> unit) -
 
 val position : Certified.thresholds -> Domain.t -> Certified.meshVertex -> Convert.point
 (** Where a vertex of the mesh lies, in steps. *)
+
+val mesh : Certified.thresholds -> Domain.t -> Certified.mesh
+(** The certificate's [StuffedMesh]. *)

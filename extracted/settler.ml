@@ -23,3 +23,10 @@ let iter_tets { lattice; sign; zeros; _ } visit =
 let position { thresholds; cut; zeros; _ } v =
   Convert.point_of_coord3
     (placedPosition (placeIn zeros) (clampedCut thresholds cut) v)
+
+let mesh { thresholds; sign; cut; zeros; _ } =
+  {
+    tetsWithin = placedNames sign (placeIn zeros);
+    signIn = placedSign sign (placeIn zeros);
+    positionIn = placedPosition (placeIn zeros) (clampedCut thresholds cut);
+  }

@@ -16,3 +16,6 @@ val iter_tets : t -> (Mesher.tet -> unit) -> unit
 
 val position : t -> Certified.meshVertex -> Convert.point
 (** Where a vertex of the mesh lies, in steps. *)
+
+val mesh : t -> Certified.mesh
+(** The certificate's [SweptMesh]. *)

@@ -1,12 +1,13 @@
-# cpack -G DEB: the packages certet (the program) and libcertet-dev (headers and
-# libraries).
+# cpack -G DEB: the packages certet (the program), certet-images and others (its parts, which need
+# heavy libraries: certet recommends them) and libcertet-dev (headers and libraries).
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME certet)
 set(CPACK_PACKAGE_VENDOR certet)
 set(CPACK_PACKAGE_CONTACT "The certet developers <certet@example.org>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_COMPONENTS_ALL command development)
+get_property(parts GLOBAL PROPERTY CERTET_PARTS)
+set(CPACK_COMPONENTS_ALL command development ${parts})
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
@@ -17,6 +18,23 @@ set(CPACK_COMPONENT_COMMAND_DESCRIPTION "tetrahedral meshes with proven angles
  certet fills a shape, be it a segmented image, a grayscale image or a formula,
  with tetrahedra whose dihedral angles lie within proven bounds.")
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
+
+set(about_hdf5 "XDMF and VTKHDF files, through HDF5")
+set(about_dicom "DICOM series and segmentations, through GDCM")
+set(about_images "images, through ITK")
+set(about_surfaces "STL, OBJ, PLY and OFF files, through assimp")
+set(about_volumes "sparse volumes, through OpenVDB")
+set(recommended "")
+foreach(name IN LISTS parts)
+  string(TOUPPER ${name} part)
+  set(CPACK_DEBIAN_${part}_PACKAGE_NAME certet-${name})
+  set(CPACK_DEBIAN_${part}_PACKAGE_DEPENDS "certet (= ${PROJECT_VERSION})")
+  set(CPACK_DEBIAN_${part}_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_COMPONENT_${part}_DESCRIPTION "tetrahedral meshes with proven angles (${about_${name}})
+ The part of the program certet that reads or writes ${about_${name}}.")
+  list(APPEND recommended certet-${name})
+endforeach()
+list(JOIN recommended ", " CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS)
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libcertet-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)

@@ -61,11 +61,20 @@ install(FILES
   DESTINATION ${package_folder} COMPONENT development)
 
 if(TARGET certet_command)
+  # The program finds what it loads from where it is: the libraries, or the folder of its parts.
+  file(RELATIVE_PATH to_libraries
+    ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
   if(BUILD_SHARED_LIBS)
-    file(RELATIVE_PATH to_libraries
-      ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
     set_target_properties(certet_command PROPERTIES INSTALL_RPATH "$ORIGIN/${to_libraries}")
+  else()
+    set_target_properties(certet_command PROPERTIES
+      INSTALL_RPATH "$ORIGIN/${to_libraries}/certet")
   endif()
+  get_property(parts GLOBAL PROPERTY CERTET_PARTS)
+  foreach(name IN LISTS parts)
+    install(TARGETS certet_part_${name} LIBRARY
+      DESTINATION ${CMAKE_INSTALL_LIBDIR}/certet COMPONENT ${name})
+  endforeach()
   install(TARGETS certet_command RUNTIME COMPONENT command)
   set(manual ${PROJECT_BINARY_DIR}/manual)
   install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT command)
@@ -76,10 +85,12 @@ if(TARGET certet_command)
   install(FILES ${manual}/fish/certet.fish COMPONENT command
     DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 endif()
-foreach(part command development)
+foreach(part command development ${parts})
   set(document certet)
   if(part STREQUAL development)
     set(document libcertet-dev)
+  elseif(NOT part STREQUAL command)
+    set(document certet-${part})
   endif()
   install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${document} COMPONENT ${part})

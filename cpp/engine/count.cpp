@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "cell_word.hpp"
+#include "graded_rows.hpp"
 #include "layer_loop.hpp"
 #include "material_cells.hpp"
 #include "row_ranks.hpp"
@@ -10,15 +11,18 @@
 namespace certet::core {
 namespace {
 
-std::uint64_t count_tets(const SignPlanes& planes, int j, int k) {
+std::uint64_t count_tets(const SignPlanes& planes, const GradedCells* graded, int j, int k) {
   const SignRows signs(planes, j, k);
   std::uint64_t count = 0;
   for (int w = 0; w < planes.words(); ++w) {
     const CellWord word(signs, w);
     if (word.any_plus == 0) continue;
-    for (const auto& corner : cell.corner) {
-      const StencilCounts counts = word.counts(corner);
-      count += static_cast<std::uint64_t>(std::popcount(counts.one) + std::popcount(counts.two) +
+    for (std::size_t c = 0; c < cell_tet_count; ++c) {
+      const StencilCounts counts = word.counts(cell.corner[c]);
+      // The surface is where no tetrahedron of the lattice is left out.
+      const std::uint64_t one =
+          graded == nullptr ? counts.one : counts.one & graded->structured(c, j, k, w);
+      count += static_cast<std::uint64_t>(std::popcount(one) + std::popcount(counts.two) +
                                           std::popcount(counts.three));
     }
   }
@@ -26,14 +30,24 @@ std::uint64_t count_tets(const SignPlanes& planes, int j, int k) {
 }
 
 /// The same where several materials meet.
-std::uint64_t count_material_tets(const SignPlanes& planes, int j, int k) {
+std::uint64_t count_material_tets(const SignPlanes& planes, const GradedCells* graded, int j,
+                                  int k) {
   const MaterialCells cells(planes, j, k);
   std::uint64_t count = 0;
   for (int w = 0; w < planes.words(); ++w) {
     const auto [any, whole] = cells.kinds(w);
-    count += cell_tet_count * static_cast<std::uint64_t>(std::popcount(whole));
-    for_each_bit(any & ~whole,
-                 [&](int b) { cells.for_each_tet(64 * w + b, [&](auto...) { ++count; }); });
+    if (graded == nullptr) {
+      count += cell_tet_count * static_cast<std::uint64_t>(std::popcount(whole));
+      for_each_bit(any & ~whole, [&](int b) { count += cells.count_tets(64 * w + b); });
+      continue;
+    }
+    for (std::size_t c = 0; c < cell_tet_count; ++c)
+      count += static_cast<std::uint64_t>(std::popcount(whole & graded->structured(c, j, k, w)));
+    for_each_bit(any & ~whole, [&](int b) {
+      cells.for_each_tet(64 * w + b, [&](std::size_t c, auto...) {
+        if ((graded->structured(c, j, k, w) >> b & 1) != 0) ++count;
+      });
+    });
   }
   return count;
 }
@@ -41,8 +55,8 @@ std::uint64_t count_material_tets(const SignPlanes& planes, int j, int k) {
 }  // namespace
 
 RowNumbers::RowNumbers(const SignPlanes& planes, const Lattice& lattice, Window window,
-                       Context& context)
-    : window_(window), rows_(static_cast<std::size_t>(lattice.cells[1])) {
+                       Context& context, const GradedCells* graded)
+    : graded_(graded), window_(window), rows_(static_cast<std::size_t>(lattice.cells[1])) {
   const Window counted = widened(window, 0, 1, lattice);
   const std::size_t rows = rows_ * static_cast<std::size_t>(counted.layers());
   points_.resize(rows + 1);
@@ -50,11 +64,13 @@ RowNumbers::RowNumbers(const SignPlanes& planes, const Lattice& lattice, Window 
   for_each_layer(context, Stage::count, counted, [&](std::int32_t k) {
     RowRanks ranks;
     for (int j = 0; j < lattice.cells[1]; ++j) {
-      ranks.compute(planes, j, k);
+      ranks.compute(planes, j, k, graded);
       points_[at(j, k)] = ranks.count();
       if (!window_.contains(k)) continue;
-      tets_[at(j, k)] = planes.materials() == nullptr ? count_tets(planes, j, k)
-                                                      : count_material_tets(planes, j, k);
+      tets_[at(j, k)] = planes.materials() == nullptr
+                            ? count_tets(planes, graded, j, k)
+                            : count_material_tets(planes, graded, j, k);
+      if (graded != nullptr) tets_[at(j, k)] += count_graded_tets(graded->octree(), j, k);
     }
   });
   for (auto* counts : {&points_, &tets_})

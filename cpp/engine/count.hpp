@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "certet/context.hpp"
+#include "graded_cells.hpp"
 #include "sign_planes.hpp"
 #include "window.hpp"
 
@@ -16,7 +17,12 @@ namespace certet::core {
 /// window's tetrahedra use.
 class RowNumbers {
  public:
-  RowNumbers(const SignPlanes& planes, const Lattice& lattice, Window window, Context& context);
+  /// `graded`, if it is given, outlives the object.
+  RowNumbers(const SignPlanes& planes, const Lattice& lattice, Window window, Context& context,
+             const GradedCells* graded = nullptr);
+
+  /// What the mesh is graded by, if it is.
+  [[nodiscard]] const GradedCells* graded() const { return graded_; }
 
   [[nodiscard]] std::uint64_t first_point(int j, int k) const { return points_[at(j, k)]; }
   [[nodiscard]] std::uint64_t first_tet(int j, int k) const { return tets_[at(j, k)]; }
@@ -44,6 +50,7 @@ class RowNumbers {
     return static_cast<std::size_t>(k - window_.begin) * rows_ + static_cast<std::size_t>(j);
   }
 
+  const GradedCells* graded_;
   Window window_;
   std::size_t rows_;  ///< of a layer
   std::vector<std::uint64_t> points_, tets_;  ///< by layer and row; one entry more at the end

@@ -3,6 +3,7 @@
 #include "corners.hpp"
 #include "emit.hpp"
 #include "emit_loop.hpp"
+#include "graded_vertices.hpp"
 #include "layer_loop.hpp"
 #include "material_cells.hpp"
 
@@ -26,6 +27,41 @@ void emit_row_materials(const SignPlanes& planes, int j, int k, Material* out) {
   }
 }
 
+/// The same where the mesh is graded, of what it has from the lattice.
+Material* emit_structured_materials(const SignPlanes& planes, const GradedCells& graded, int j,
+                                    int k, Material* out) {
+  const MaterialCells cells(planes, j, k);
+  for (int w = 0; w < planes.words(); ++w) {
+    std::array<std::uint64_t, cell_tet_count> structured;
+    for (std::size_t c = 0; c < cell_tet_count; ++c) structured[c] = graded.structured(c, j, k, w);
+    for_each_bit(cells.kinds(w).any, [&](int b) {
+      cells.for_each_tet(64 * w + b, [&](std::size_t c, const UnstructuredTet&, Material material) {
+        if ((structured[c] >> b & 1) != 0) *out++ = material;
+      });
+    });
+  }
+  return out;
+}
+
+/// Those of the others: of one of their vertices, which are all of one material.
+void emit_graded_materials(const SignPlanes& planes, const Octree& octree, int j, int k,
+                           Material* out) {
+  const MaterialPlanes& materials = *planes.materials();
+  for_each_graded_row(octree, j, k, [&](const GradedRow& row, int level, const RowOfCells& at) {
+    for (int w = 0; w < octree.grid(level).words(); ++w)
+      row.for_each(w, [&](GradedKind kind, std::size_t flag, std::uint64_t cells) {
+        if (level == 0) {
+          for_each_bit(cells, [&](int b) { *out++ = materials.at(odd, 64 * w + b, j, k); });
+          return;
+        }
+        const GradedVertices vertices(octree, level, at, kind, flag);
+        const MaterialRow first = materials.row(even, vertices.rows()[0].j, vertices.rows()[0].k);
+        for_each_bit(cells,
+                     [&](int b) { *out++ = first.at(vertices.index(0, 64 * w + b)); });
+      });
+  });
+}
+
 }  // namespace
 
 void emit_materials(const SignPlanes& planes, const RowNumbers& numbers, const Lattice& lattice,
@@ -33,8 +69,14 @@ void emit_materials(const SignPlanes& planes, const RowNumbers& numbers, const L
   const std::uint64_t start = numbers.first_tet(0, window.begin);
   check_room(out.size(), numbers.first_tet(0, window.end) - start);
   for_each_piece(lattice, window, context, [&](int j_begin, int j_end, int k) {
-    for (int j = j_begin; j < j_end; ++j)
-      emit_row_materials(planes, j, k, out.data() + (numbers.first_tet(j, k) - start));
+    for (int j = j_begin; j < j_end; ++j) {
+      Material* const to = out.data() + (numbers.first_tet(j, k) - start);
+      if (const GradedCells* const graded = numbers.graded(); graded == nullptr)
+        emit_row_materials(planes, j, k, to);
+      else
+        emit_graded_materials(planes, graded->octree(), j, k,
+                              emit_structured_materials(planes, *graded, j, k, to));
+    }
   });
 }
 
@@ -44,7 +86,9 @@ void emit_materials(const Domain& domain, const RowNumbers& numbers, const Latti
                     std::span<const Tet<Index>> tets, std::span<Material> out, Context& context) {
   const std::uint64_t first_point = numbers.first_point(0, window.begin);
   const std::uint64_t first_tet = numbers.first_tet(0, window.begin);
-  const Window reached = widened(window, 0, 1, lattice);
+  const GradedCells* const graded = numbers.graded();
+  const Window reached =
+      widened(window, 0, graded == nullptr ? 1 : graded->layers_behind(), lattice);
   check_room(points.size(), numbers.first_point(0, reached.end) - first_point);
   check_room(tets.size(), numbers.first_tet(0, window.end) - first_tet);
   check_room(out.size(), tets.size());

@@ -8,13 +8,12 @@ namespace certet::core {
 namespace {
 
 /// Corners of one grid: where the lattice has them, or where warping moved them.
-Coord3* emit_corners(const WarpedLattice& warped, const Lattice& lattice, Grid grid, int j, int k,
-                     const Displacement*& displacement, Coord3* out) {
+Coord3* emit_corners(const WarpedLattice& warped, const Lattice& lattice, const RowRanks& row,
+                     Grid grid, int j, int k, const Displacement*& displacement, Coord3* out) {
   const SignPlanes& planes = warped.planes;
   for (int w = 0; w < planes.words(); ++w) {
-    const std::uint64_t plus = planes.plus(grid, j, k)[w];
     const std::uint64_t zero = planes.zero(grid, j, k)[w];
-    for_each_bit(plus | zero, [&](int b) {
+    for_each_bit(row.mask(grid, w), [&](int b) {
       const bool moved = (zero >> b & 1) != 0;
       *out++ = moved_place(lattice, {grid, 64 * w + b, j, k},
                            moved ? *displacement++ : Displacement{});
@@ -47,7 +46,7 @@ void emit_row_points(const WarpedLattice& warped, const Lattice& lattice, const 
       zeros.displacements.data() + zeros.row_begin[static_cast<std::size_t>(j)];
   const std::uint16_t* cut = cuts.steps.data() + cuts.row_begin[static_cast<std::size_t>(j)];
   for (const Grid grid : grids)
-    out = emit_corners(warped, lattice, grid, j, k, displacement, out);
+    out = emit_corners(warped, lattice, row, grid, j, k, displacement, out);
   for (std::size_t f = 0; f < family_count; ++f)
     out = emit_cuts(warped, lattice, row, f, j, k, cut, out);
 }
@@ -59,7 +58,7 @@ void mark_row_points(const SignPlanes& planes, const RowRanks& row, int j, int k
   for (const Grid grid : grids)
     for (int w = 0; w < planes.words(); ++w) {
       const std::uint64_t zero = planes.zero(grid, j, k)[w];
-      for_each_bit(planes.plus(grid, j, k)[w] | zero,
+      for_each_bit(row.mask(grid, w),
                    [&](int b) { *out++ = static_cast<std::uint8_t>(zero >> b & 1); });
     }
   std::fill(cuts, cuts + (row.count() - row.corners()), std::uint8_t{1});
@@ -75,7 +74,7 @@ void for_each_row(const WarpedLattice& warped, const RowNumbers& numbers, const 
   for_each_piece(lattice, window, context, [&](int j_begin, int j_end, int k) {
     RowRanks row;
     for (int j = j_begin; j < j_end; ++j) {
-      row.compute(warped.planes, j, k);
+      row.compute(warped.planes, j, k, numbers.graded());
       emit(row, j, k, out.data() + (numbers.first_point(j, k) - start));
     }
   });

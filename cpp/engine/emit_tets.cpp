@@ -3,6 +3,7 @@
 #include "cell_word.hpp"
 #include "emit.hpp"
 #include "emit_loop.hpp"
+#include "graded_vertices.hpp"
 #include "material_cells.hpp"
 #include "row_window.hpp"
 
@@ -14,7 +15,10 @@ template <class Index>
 class TetEmitter {
  public:
   TetEmitter(const SignPlanes& planes, const RowNumbers& numbers, int j, int k, Tet<Index>* out)
-      : planes_(planes), numbers_(numbers), j_(j), k_(k), window_(planes, j, k), out_(out) {}
+      : planes_(planes), numbers_(numbers), graded_(numbers.graded()), j_(j), k_(k),
+        window_(planes, j, k, graded_), out_(out) {
+    structured_.fill(~std::uint64_t{0});
+  }
 
   void emit_row() {
     first_point_ = {{{row_number(j_, k_), row_number(j_, k_ + 1)},
@@ -26,6 +30,7 @@ class TetEmitter {
       const MaterialCells cells(planes_, j_, k_);
       for (int w = 0; w < planes_.words(); ++w) emit_material_word(cells, w);
     }
+    if (graded_ != nullptr) emit_graded();
     ++j_;
     window_.next();
   }
@@ -43,10 +48,12 @@ class TetEmitter {
   void emit_word(const SignRows& signs, int w) {
     const CellWord word(signs, w);
     std::uint64_t any_plus = word.any_plus;
+    std::uint64_t all_plus = word.all_plus;
+    if (graded_ != nullptr) keep_structured(w, any_plus, all_plus);
     while (any_plus != 0) {
       const int b = std::countr_zero(any_plus);
-      if ((word.all_plus >> b & 1) != 0) {
-        const int length = std::countr_one(word.all_plus >> b);
+      if ((all_plus >> b & 1) != 0) {
+        const int length = std::countr_one(all_plus >> b);
         emit_interior(w, b, length);
         any_plus = b + length == 64 ? 0 : any_plus & ~below(b + length);
       } else {
@@ -59,6 +66,7 @@ class TetEmitter {
   /// The same where several materials meet.
   void emit_material_word(const MaterialCells& cells, int w) {
     auto [any, whole] = cells.kinds(w);
+    if (graded_ != nullptr) keep_structured(w, any, whole);
     while (any != 0) {
       const int b = std::countr_zero(any);
       if ((whole >> b & 1) != 0) {
@@ -67,11 +75,66 @@ class TetEmitter {
         any = b + length == 64 ? 0 : any & ~below(b + length);
       } else {
         cells.for_each_tet(64 * w + b, [&](std::size_t c, const UnstructuredTet& tet, Material) {
-          emit_tet(c, tet, w, b);
+          if (is_structured(c, b)) emit_tet(c, tet, w, b);
         });
         any &= any - 1;
       }
     }
+  }
+
+  /// Finds which tetrahedra of word w a graded mesh has from the lattice; `any` loses the cells
+  /// that have none left, `whole` those that have not all.
+  void keep_structured(int w, std::uint64_t& any, std::uint64_t& whole) {
+    std::uint64_t some = 0;
+    for (std::size_t c = 0; c < cell_tet_count; ++c) {
+      structured_[c] = graded_->structured(c, j_, k_, w);
+      some |= structured_[c];
+      whole &= structured_[c];
+    }
+    any &= some;
+  }
+
+  [[nodiscard]] bool is_structured(std::size_t c, int b) const {
+    return (structured_[c] >> b & 1) != 0;
+  }
+
+  /// The tetrahedra of a graded mesh that the lattice has not, level by level.
+  void emit_graded() {
+    const Octree& octree = graded_->octree();
+    for_each_graded_row(octree, j_, k_, [&](const GradedRow& row, int level, const RowOfCells& at) {
+      for (int w = 0; w < octree.grid(level).words(); ++w)
+        row.for_each(w, [&](GradedKind kind, std::size_t flag, std::uint64_t cells) {
+          if (level == 0)
+            emit_at_cells(kind, flag, w, cells);
+          else
+            emit_coarse(GradedVertices(octree, level, at, kind, flag), w, cells);
+        });
+    });
+  }
+
+  /// At cells of level 0, whose vertices are those of the row.
+  void emit_at_cells(GradedKind kind, std::size_t flag, int w, std::uint64_t cells) {
+    std::array<VertexRef, 4> vertices;
+    for (std::size_t v = 0; v < 4; ++v)
+      vertices[v] = vertex_at(Coord3{1, 1, 1} + graded_tets[static_cast<std::size_t>(kind)][flag][v]);
+    for_each_bit(cells, [&](int b) {
+      for (std::size_t v = 0; v < 4; ++v)
+        (*out_)[v] = point(vertices[v].grid, vertices[v].shift, w, b);
+      ++out_;
+    });
+  }
+
+  void emit_coarse(const GradedVertices& vertices, int w, std::uint64_t cells) {
+    for (std::size_t v = 0; v < 4; ++v) {
+      const auto& [j, k, x] = vertices.rows()[v];
+      const GradedCells::EvenRanks ranks = graded_->ranks(j, k);
+      const auto first = static_cast<Index>(numbers_.first_point(j, k));
+      Tet<Index>* to = out_;
+      for_each_bit(cells, [&](int b) {
+        (*to++)[v] = static_cast<Index>(first + ranks[vertices.index(v, 64 * w + b)]);
+      });
+    }
+    out_ += std::popcount(cells);
   }
 
   /// The number of a point `kind` whose owner is `owner` away from bit b, by its rank
@@ -102,6 +165,7 @@ class TetEmitter {
   void emit_cell(const CellWord& word, int w, int b) {
     const std::array<Sign, cell_vertex_count> sign = word.signs(b);
     for (std::size_t c = 0; c < cell_tet_count; ++c) {
+      if (!is_structured(c, b)) continue;
       const auto& corner = cell.corner[c];
       const auto pattern = static_cast<std::size_t>(pattern_index(
           sign[corner[0]], sign[corner[1]], sign[corner[2]], sign[corner[3]]));
@@ -126,6 +190,8 @@ class TetEmitter {
 
   const SignPlanes& planes_;
   const RowNumbers& numbers_;
+  const GradedCells* graded_;  ///< or none: every tetrahedron of the lattice is there
+  std::array<std::uint64_t, cell_tet_count> structured_;  ///< of the word that is emitted
   int j_, k_;
   RowWindow window_;  ///< rows j..j+1 of layers k..k+1
   std::array<std::array<Index, 2>, 2> first_point_{};

@@ -50,29 +50,28 @@ class MaterialCells {
   /// case, in the order of the stencil; those outside are left out.
   template <class Visit>
   void for_each_owned_tet(int i, const Visit& visit) const {
-    std::array<Material, cell_vertex_count> material, lower;
-    for (std::size_t v = 0; v < cell_vertex_count; ++v) {
-      const auto& [plus, zero, materials] = vertices_[v];
-      const int x = i + cell.vertices[v].shift.x;
-      const auto bit = [x](const std::uint64_t* row) { return (row[x >> 6] >> (x & 63) & 1) != 0; };
-      const bool moved = bit(zero);
-      lower[v] = moved || bit(plus) ? materials.at(x) : 0;
-      material[v] = moved ? moved_corner : lower[v];
-    }
+    const Cell materials(*this, i);
     for (std::size_t c = 0; c < cell_tet_count; ++c) {
-      const auto& corner = cell.corner[c];
-      const auto of_corners = [&](const auto& values) {
-        return std::array{values[corner[0]], values[corner[1]], values[corner[2]], values[corner[3]]};
-      };
-      const CornerMaterials corners = of_corners(material);
+      const CornerMaterials corners = materials.corners(c);
       for (const MaterialTet& tet : material_tets(corners)) {
-        // Corners that have all moved have one lower material, but for those that pieces were
-        // dropped around: it is 0 of some then, and so is the tetrahedron's.
-        const Material owner = tet.owner == shared_owner ? std::ranges::min(of_corners(lower))
-                                                         : corners[tet.owner];
+        const Material owner =
+            tet.owner == shared_owner ? materials.shared(c) : corners[tet.owner];
         if (owner != 0) visit(c, tet, owner);
       }
     }
+  }
+
+  /// How many these are.
+  [[nodiscard]] std::uint64_t count_tets(int i) const {
+    const Cell materials(*this, i);
+    std::uint64_t count = 0;
+    for (std::size_t c = 0; c < cell_tet_count; ++c) {
+      const CornerMaterials corners = materials.corners(c);
+      const auto& owned = owned_tets[pattern_of_likeness[likeness(corners)]];
+      for (std::size_t n = 0; n < 4; ++n) count += corners[n] > 0 ? owned[n] : 0U;
+      if (owned[shared_owner] != 0 && materials.shared(c) != 0) count += owned[shared_owner];
+    }
+    return count;
   }
 
   /// The same without their owners.
@@ -84,6 +83,46 @@ class MaterialCells {
   }
 
  private:
+  /// How many tetrahedra of each pattern are of each corner, and shared.
+  static constexpr std::array<std::array<std::uint8_t, 5>, material_pattern_count> owned_tets = [] {
+    std::array<std::array<std::uint8_t, 5>, material_pattern_count> counts{};
+    for (std::size_t p = 0; p < material_pattern_count; ++p)
+      for (const MaterialTet& tet : material_stencil_table[p]) ++counts[p][tet.owner];
+    return counts;
+  }();
+
+  /// The materials at the vertices of a cell.
+  class Cell {
+   public:
+    Cell(const MaterialCells& cells, int i) {
+      for (std::size_t v = 0; v < cell_vertex_count; ++v) {
+        const auto& [plus, zero, materials] = cells.vertices_[v];
+        const int x = i + cell.vertices[v].shift.x;
+        const auto bit = [x](const std::uint64_t* row) {
+          return (row[x >> 6] >> (x & 63) & 1) != 0;
+        };
+        const bool moved = bit(zero);
+        lower_[v] = moved || bit(plus) ? materials.at(x) : 0;
+        material_[v] = moved ? moved_corner : lower_[v];
+      }
+    }
+
+    [[nodiscard]] CornerMaterials corners(std::size_t c) const { return of(material_, c); }
+    /// Corners that have all moved have one lower material, but for those that pieces were
+    /// dropped around: it is 0 of some then, and so is the tetrahedron's.
+    [[nodiscard]] Material shared(std::size_t c) const { return std::ranges::min(of(lower_, c)); }
+
+   private:
+    using Materials = std::array<Material, cell_vertex_count>;
+
+    static CornerMaterials of(const Materials& values, std::size_t c) {
+      const auto& corner = cell.corner[c];
+      return {values[corner[0]], values[corner[1]], values[corner[2]], values[corner[3]]};
+    }
+
+    Materials material_, lower_;
+  };
+
   struct Vertex {
     const std::uint64_t *plus, *zero;  ///< of its row
     MaterialRow materials;

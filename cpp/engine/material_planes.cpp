@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "row_ranks.hpp"
+
 namespace certet::core {
 namespace {
 
@@ -16,6 +18,10 @@ MaterialPlanes::MaterialPlanes(const PlaneLayout& layout, Material most)
     : layout_(layout), digits_(digits_of(most)), parted_words_(layout.size()) {
   for (std::vector<std::uint64_t>& words : words_)
     words.resize(layout.size() * static_cast<std::size_t>(digits_));
+  // One vertex beyond the last row of the last layer.
+  plane_size_ = byte_at(layout.cells()[0], layout.cells()[1], layout.window().end) + 1;
+  for (std::vector<std::uint8_t>& bytes : bytes_)
+    bytes.resize(plane_size_ * static_cast<std::size_t>(byte_count()));
 }
 
 void MaterialPlanes::set_row(Grid grid, int j, int k, std::span<const Material> row) {
@@ -30,6 +36,12 @@ void MaterialPlanes::set_row(Grid grid, int j, int k, std::span<const Material> 
       if (row[i] >> d & 1) digits[d] |= run;
     i = e;
   }
+  const auto count = static_cast<std::size_t>(layout_.cells()[0]);
+  std::uint8_t* const bytes = &bytes_[grid][byte_at(0, j, k)];
+  for (int byte = 0; byte < byte_count(); ++byte)
+    for (std::size_t i = 0; i < count; ++i)
+      bytes[static_cast<std::size_t>(byte) * plane_size_ + i] =
+          static_cast<std::uint8_t>(row[i] >> 8 * byte);
 }
 
 void MaterialPlanes::set(Grid grid, int i, int j, int k, Material material) {
@@ -37,11 +49,13 @@ void MaterialPlanes::set(Grid grid, int i, int j, int k, Material material) {
   std::uint64_t* const digits = &words_[grid][begin(j, k, i >> 6)];
   for (int d = 0; d < digits_; ++d)
     digits[d] = material >> d & 1 ? digits[d] | bit : digits[d] & ~bit;
+  set_byte(grid, byte_at(i, j, k), material);
 }
 
 void MaterialPlanes::clear(Grid grid, int j, int k, int w, std::uint64_t vertices) {
   std::uint64_t* const digits = &words_[grid][begin(j, k, w)];
   for (int d = 0; d < digits_; ++d) digits[d] &= ~vertices;
+  for_each_bit(vertices, [&](int b) { set_byte(grid, byte_at(64 * w + b, j, k), 0); });
 }
 
 void MaterialPlanes::find_parted_words(int k) {
@@ -122,7 +136,8 @@ std::uint64_t MaterialPlanes::uniform_cells(int j, int k, int w) const {
 
 std::size_t MaterialPlanes::bytes() const {
   return layout_.size() *
-         (static_cast<std::size_t>(digits_) * grid_count * sizeof(std::uint64_t) + 1);
+             (static_cast<std::size_t>(digits_) * grid_count * sizeof(std::uint64_t) + 1) +
+         grid_count * plane_size_ * static_cast<std::size_t>(byte_count());
 }
 
 }  // namespace certet::core

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The materials of lattice vertices, as the binary digits of their numbers.
+/// The materials of lattice vertices, as numbers and as the binary digits of these.
 
 #include <array>
 #include <cstddef>
@@ -15,22 +15,24 @@
 
 namespace certet::core {
 
-/// A row of vertices: the digits of 64 of them stand side by side, the lowest first.
+/// The materials of a row of vertices: their numbers' lowest bytes side by side, and the next
+/// ones a plane further, if there are so many materials.
 struct MaterialRow {
-  const std::uint64_t* words;
-  int digits;
+  const std::uint8_t* lowest;
+  std::ptrdiff_t plane;
+  int bytes;
 
   [[nodiscard]] Material at(int i) const {
-    const std::uint64_t* const word = words + (i >> 6) * digits;
-    Material material = 0;
-    for (int d = 0; d < digits; ++d)
-      material |= static_cast<Material>(word[d] >> (i & 63) & 1) << d;
+    Material material = lowest[i];
+    for (int byte = 1; byte < bytes; ++byte)
+      material |= Material{lowest[byte * plane + i]} << 8 * byte;
     return material;
   }
 };
 
-/// A plane for each digit, so that 64 vertices are compared with 64 others at once.  All
-/// digits of what is outside are 0, as they are around the lattice.
+/// A plane for each digit, so that 64 vertices are compared with 64 others at once, and one
+/// for each byte, where one vertex is asked for.  All digits of what is outside are 0, as
+/// they are around the lattice.
 class MaterialPlanes {
  public:
   /// For materials from 0 to `most`; all are 0 at first.
@@ -45,7 +47,7 @@ class MaterialPlanes {
   void find_parted_words(int k);
 
   [[nodiscard]] MaterialRow row(Grid grid, int j, int k) const {
-    return {&words_[grid][begin(j, k)], digits_};
+    return {&bytes_[grid][byte_at(0, j, k)], static_cast<std::ptrdiff_t>(plane_size_), byte_count()};
   }
   [[nodiscard]] Material at(Grid grid, int i, int j, int k) const { return row(grid, j, k).at(i); }
   /// The indices of word w at which the vertices at `a` and `b` are of one material.
@@ -65,6 +67,20 @@ class MaterialPlanes {
   /// Where the digits of word w of a row begin.
   [[nodiscard]] std::size_t begin(int j, int k, int w = 0) const {
     return (layout_.at(j, k) + static_cast<std::size_t>(w)) * static_cast<std::size_t>(digits_);
+  }
+  [[nodiscard]] int byte_count() const { return (digits_ + 7) / 8; }
+  /// Where a vertex has its lowest byte; there is a rim of one vertex all around.
+  [[nodiscard]] std::size_t byte_at(int i, int j, int k) const {
+    const auto& cells = layout_.cells();
+    const auto layer = static_cast<std::size_t>(cells[1] + 2);
+    const auto rows = static_cast<std::size_t>(k + 1 - layout_.window().begin) * layer +
+                      static_cast<std::size_t>(j + 1);
+    return rows * static_cast<std::size_t>(cells[0] + 2) + static_cast<std::size_t>(i + 1);
+  }
+  void set_byte(Grid grid, std::size_t at, Material material) {
+    for (int byte = 0; byte < byte_count(); ++byte)
+      bytes_[grid][static_cast<std::size_t>(byte) * plane_size_ + at] =
+          static_cast<std::uint8_t>(material >> 8 * byte);
   }
   /// A digit of the vertices at `ref` from the indices of word w.
   [[nodiscard]] std::uint64_t digit(int d, VertexRef ref, int j, int k, int w) const {
@@ -90,6 +106,8 @@ class MaterialPlanes {
   int digits_;
   std::array<std::vector<std::uint64_t>, grid_count> words_;  ///< the lowest digits first
   std::vector<std::uint8_t> parted_words_;
+  std::size_t plane_size_;  ///< of bytes
+  std::array<std::vector<std::uint8_t>, grid_count> bytes_;
 };
 
 }  // namespace certet::core

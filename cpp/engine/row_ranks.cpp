@@ -39,7 +39,7 @@ std::array<std::uint64_t, family_count> parted_masks(const MaterialPlanes& mater
 
 }  // namespace
 
-void RowRanks::compute(const SignPlanes& planes, int j, int k) {
+void RowRanks::compute(const SignPlanes& planes, int j, int k, const GradedCells* graded) {
   words_ = planes.words();
   entries_.assign(static_cast<std::size_t>(words_) * kind_count, {});
   count_ = corners_ = 0;
@@ -51,6 +51,7 @@ void RowRanks::compute(const SignPlanes& planes, int j, int k) {
     for (const Grid grid : grids) {
       const SignWord own = rows.at({grid, {}}, w);
       entry[grid].mask = own.plus | own.zero;
+      if (graded != nullptr) entry[grid].mask &= graded->used(grid, j, k, w);
     }
     const auto masks = materials == nullptr ? cut_masks(rows, w)
                                             : parted_masks(*materials, rows, j, k, w);

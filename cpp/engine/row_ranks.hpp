@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "graded_cells.hpp"
 #include "sign_planes.hpp"
 
 namespace certet::core {
@@ -19,8 +20,8 @@ namespace certet::core {
 class RowRanks {
  public:
   /// Rows outside the lattice, or the window of the planes, are allowed; they own
-  /// nothing.
-  void compute(const SignPlanes& planes, int j, int k);
+  /// nothing.  Where the mesh is graded only corners that it uses are points.
+  void compute(const SignPlanes& planes, int j, int k, const GradedCells* graded = nullptr);
 
   [[nodiscard]] int words() const { return words_; }
   [[nodiscard]] std::uint64_t mask(std::size_t kind, int w) const { return at(kind, w).mask; }

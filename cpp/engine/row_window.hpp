@@ -13,7 +13,8 @@ namespace certet::core {
 /// are owned by these rows alone.  A step along j computes two and keeps two.
 class RowWindow {
  public:
-  RowWindow(const SignPlanes& planes, int j, int k) : planes_(planes), j_(j), k_(k) {
+  RowWindow(const SignPlanes& planes, int j, int k, const GradedCells* graded = nullptr)
+      : planes_(planes), graded_(graded), j_(j), k_(k) {
     for (std::size_t y = 0; y < 2; ++y) compute(y);
   }
 
@@ -29,10 +30,11 @@ class RowWindow {
  private:
   void compute(std::size_t y) {
     for (std::size_t z = 0; z < 2; ++z)
-      rows_[y][z].compute(planes_, j_ + static_cast<int>(y), k_ + static_cast<int>(z));
+      rows_[y][z].compute(planes_, j_ + static_cast<int>(y), k_ + static_cast<int>(z), graded_);
   }
 
   const SignPlanes& planes_;
+  const GradedCells* graded_;
   int j_, k_;
   std::array<std::array<RowRanks, 2>, 2> rows_;
 };

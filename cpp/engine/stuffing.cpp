@@ -26,6 +26,8 @@ using namespace core;
 void refuse_interfaces(const Stuffing& stuffing) {
   if (stuffing.has_interfaces())
     throw Error(ErrorCode::bad_option, "the faces of a mesh that has interfaces are not told");
+  if (stuffing.grading_levels() != 0)
+    throw Error(ErrorCode::bad_option, "the faces of a graded mesh are not told");
 }
 
 /// The lattice is checked once, here; every coordinate that the engine computes
@@ -60,6 +62,8 @@ struct Stuffing::State {
   RowNumbers numbers;
   Method method;
   std::uint64_t inverted_tets = 0;
+  std::unique_ptr<const GradedCells> graded = {};
+  std::uint64_t uniform_tets = 0;  ///< of a graded mesh
 };
 
 namespace {
@@ -146,6 +150,11 @@ std::uint64_t Stuffing::first_tet(std::int32_t layer) const {
   return state_->numbers.first_tet(0, layer);
 }
 
+std::int32_t Stuffing::points_end(std::int32_t end) const {
+  const std::int32_t behind = state_->graded ? state_->graded->layers_behind() : 1;
+  return std::min(end + behind, layers());
+}
+
 void Stuffing::emit_points(std::int32_t begin, std::int32_t end, std::span<Coord3> out,
                            Context& context) const {
   core::emit_points(state_->warped, state_->numbers, state_->lattice, {begin, end}, out, context);
@@ -202,8 +211,36 @@ void Stuffing::materials_of(std::span<const TetCorners> tets, std::span<Material
 Pieces Stuffing::pieces(const Frame& frame, Context& context) const {
   return within_memory([&] {
     const State& s = *state_;
-    return count_pieces(s.warped, s.lattice, labels(), tet_count(), frame, context);
+    return count_pieces(s.warped, s.lattice, labels(), uniform_tet_count(), frame, context);
   });
+}
+
+void Stuffing::grade(std::int32_t levels, Context& context) {
+  if (levels < 0 || levels > most_grading_levels)
+    throw Error(ErrorCode::bad_option, "a mesh is graded by 0 to " +
+                                           std::to_string(most_grading_levels) + " levels");
+  if (levels != 0 && labels().size() > 1 && !has_interfaces())
+    throw Error(ErrorCode::bad_option,
+                "a mesh is graded where its materials meet in common interfaces");
+  within_memory([&] {
+    State& s = *state_;
+    const Window all = whole(s.lattice);
+    auto graded = levels == 0 ? nullptr
+                              : std::make_unique<const GradedCells>(s.warped.planes, s.lattice,
+                                                                    levels, context);
+    RowNumbers numbers(s.warped.planes, s.lattice, all, context, graded.get());
+    s.uniform_tets = uniform_tet_count();
+    s.numbers = std::move(numbers);
+    s.graded = std::move(graded);
+  });
+}
+
+std::int32_t Stuffing::grading_levels() const {
+  return state_->graded ? state_->graded->octree().top() : 0;
+}
+
+std::uint64_t Stuffing::uniform_tet_count() const {
+  return state_->graded ? state_->uniform_tets : tet_count();
 }
 
 void Stuffing::visit_faces_within(std::int32_t layer, const VisitTetPairs& visit) const {
@@ -243,6 +280,7 @@ bool Stuffing::is_on_border(Coord3 point) const {
 std::uint64_t Stuffing::bytes() const {
   const State& s = *state_;
   std::uint64_t bytes = s.warped.planes.bytes() + s.numbers.bytes();
+  if (s.graded) bytes += s.graded->bytes();
   for (const CutLayer& layer : s.warped.cuts)
     bytes += 2 * layer.steps.size() + 8 * layer.row_begin.size();
   for (const DisplacedLayer& layer : s.warped.zeros)

@@ -30,7 +30,7 @@ struct Source {
   /// The tetrahedra of layers up to `end` use points up to those of layer
   /// `points_end(end)`, exclusive.
   [[nodiscard]] std::int32_t points_end(std::int32_t end) const {
-    return std::min(end + 1, stuffing.layers());
+    return stuffing.points_end(end);
   }
 };
 

@@ -218,7 +218,7 @@ Slabs cut_slabs(const Stuffing& stuffing, std::uint64_t max_bytes) {
   Slabs slabs;
   slabs.bounds.push_back(0);
   for (std::int32_t layer = 0; layer < stuffing.layers(); ++layer) {
-    const std::int32_t behind = std::min(layer + 2, stuffing.layers());
+    const std::int32_t behind = stuffing.points_end(layer + 1);
     const auto points_from = [&](std::int32_t begin) {
       return std::max(slabs.points, stuffing.first_point(behind) - stuffing.first_point(begin));
     };

@@ -61,7 +61,7 @@ LayerSurvey<Index>::LayerSurvey(const Stuffing& stuffing, const core::BorderSide
     : stuffing_(stuffing), border_(border), layer_(layer),
       first_point_(stuffing.first_point(layer)), first_tet_(stuffing.first_tet(layer)),
       tets_(stuffing.first_tet(layer + 1) - first_tet_) {
-  const std::int32_t behind = std::min(layer + 2, stuffing.layers());
+  const std::int32_t behind = stuffing.points_end(layer + 1);
   const std::uint64_t points = stuffing.first_point(behind) - first_point_;
   stuffing.emit_tets(layer, layer + 1, std::span<Tet<Index>>(tets_), context_);
   on_surface_ = Buffer<std::uint8_t>(points);

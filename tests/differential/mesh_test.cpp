@@ -12,6 +12,7 @@
 #include "certified.hpp"
 #include "differences.hpp"
 #include "domains.hpp"
+#include "seen.hpp"
 
 namespace {
 
@@ -50,22 +51,7 @@ PlacedMesh engine(const domains::Positional& domain, const Lattice& lattice,
 std::vector<PlacedTet> reference(const domains::Positional& domain, const Lattice& lattice,
                                  Method method) {
   const certet::Thresholds thresholds = certet::facts(method).thresholds;
-  const bool midpoint_cuts = certet::facts(method).cuts == certet::Cuts::midpoint;
-  const auto bisected = [&](Coord3 plus, Coord3 minus) {
-    return certified::bisect([&](std::int64_t t) {
-      return domain.sign_at(certified::point_on_edge(plus, minus, t));
-    });
-  };
-  const std::int64_t midpoint = certified::constants().midpoint_cut;
-  const certified::Domain seen{
-      [&](Coord3 v) {
-        const Sign sign = domain.sign_at(certified::warped_position(v, {}));
-        // `InOrOut` of the certificate.
-        return midpoint_cuts && sign == Sign::on_surface ? Sign::plus : sign;
-      },
-      [&](Coord3 plus, Coord3 minus) {
-        return midpoint_cuts ? midpoint : bisected(plus, minus);
-      }};
+  const certified::Domain seen = seen_by(method, domain);
   const certified::Thresholds alpha{thresholds.long_edge, thresholds.short_edge};
   return certet::facts(method).settles
              ? certified::settle(alpha, certified::Gap::level, lattice, seen)

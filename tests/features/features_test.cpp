@@ -113,6 +113,19 @@ TEST(Features, NearlyAllOfPartsIsKept) {
   EXPECT_GE(share / count, 98.5);
 }
 
+/// Parts that are too acute for their size, so that the guard stops many a move.
+TEST(Features, TheBoundsHoldWhereEdgesAreAcute) {
+  for (int trial = 0; trial < 12; ++trial) {
+    std::mt19937_64 random(trial_seed(test_seed(), 300 + unsigned(trial)));
+    const double height = real(random, 0.3, 0.8);
+    parts::Part part = trial % 2 == 0 ? parts::star(2, real(random, 0.4, 0.7), 1)
+                                      : parts::prism({{0, 0}, {2, 0}, {2, height}}, {1.5, height / 3}, 1);
+    part = parts::placed(std::move(part), random);
+    const Kept kept = keep(part, real(random, 0.12, 0.25));
+    ASSERT_EQ(judge::fault(kept.before, kept.after, kept.features), "") << trial;
+  }
+}
+
 TEST(Features, ShapesAreKept) {
   for (const char* shape : {"box:1,1.3,0.8", "cylinder:1,1.3"}) {
     const certet::ShapeDomain domain(shape, {}, 0.13, 2);

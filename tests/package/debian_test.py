@@ -2,6 +2,7 @@
 
 import os
 import shutil
+import subprocess
 import unittest
 
 from project import BUILD, CMAKE, PackageTest
@@ -18,6 +19,7 @@ class Debian(PackageTest):
                         "-B", cls.folder)
         cls.command, = cls.folder.glob("certet_*.deb")
         cls.development, = cls.folder.glob("libcertet-dev_*.deb")
+        cls.parts = sorted(cls.folder.glob("certet-*.deb"))
 
     def listed(self, package, *files):
         listing = self.run_program("dpkg-deb", "-c", package)
@@ -34,11 +36,36 @@ class Debian(PackageTest):
         depends = self.run_program("dpkg-deb", "-f", self.command, "Depends")
         self.assertIn("libc6", depends)
 
+    def test_parts(self):
+        """What is heavy is in a package of its own, and only that one needs the library."""
+        depends = self.run_program("dpkg-deb", "-f", self.command, "Depends")
+        recommends = self.run_program("dpkg-deb", "-f", self.command, "Recommends")
+        self.assertTrue(self.parts)
+        for part in self.parts:
+            name = part.name.split("_")[0]
+            self.assertIn(name, recommends)
+            self.listed(part, f"/certet/{name}.so", f"doc/{name}/copyright")
+            own = self.run_program("dpkg-deb", "-f", part, "Depends")
+            self.assertIn("certet (=", own)
+            heavy = next(library for library in ("hdf5", "insighttoolkit", "assimp", "openvdb")
+                         if library in own)
+            self.assertNotIn(heavy, depends)
+
     def test_runs_from_a_scratch_root(self):
         root = self.folder / "root"
         self.run_program("dpkg", "-x", self.command, root)
         certet = root / "usr" / "bin" / "certet"
         self.assertIn("certet", self.run_program(certet, "--version"))
+        mesh = (certet, "mesh", "--shape", "sphere:1", "--size", "0.5", "-o")
+        self.run_program(*mesh, self.folder / "ball.vtu")
+        lacks = subprocess.run([*mesh, self.folder / "ball.vtkhdf"], text=True, capture_output=True)
+        self.assertEqual(lacks.returncode, 2, lacks)
+        self.assertIn("certet-hdf5", lacks.stderr)
+        self.assertFalse((self.folder / "ball.vtkhdf").exists())
+        for part in self.parts:
+            self.run_program("dpkg", "-x", part, root)
+        self.run_program(*mesh, self.folder / "ball.vtkhdf")
+        self.assertTrue((self.folder / "ball.vtkhdf").exists())
 
 
 if __name__ == "__main__":

@@ -73,7 +73,7 @@ class SharedCore(PackageTest):
         cls.prefix = cls.folder / "prefix"
         build = cls.configure_and_build(
             SOURCE, "certet", "-DBUILD_SHARED_LIBS=ON", "-DCMAKE_BUILD_TYPE=None",
-            *without("TBB", *OPTIONAL),
+            "-DCERTET_UNITY=ON", *without("TBB", *OPTIONAL),
             "-DCERTET_TESTS=OFF", "-DCERTET_BENCH=OFF", "-DCMAKE_INSTALL_LIBDIR=lib",
             f"-DCMAKE_INSTALL_PREFIX={cls.prefix}")
         cls.run_program(CMAKE, "--install", build)

@@ -148,6 +148,7 @@ Counted count(const MeshOptions& options, const Source& source, Context& context
     PlacedSource placed = source.place(size);
     check_lattice(placed, options.method, report.memory_limit);
     Stuffing stuffing(*placed.domain, placed.lattice, options.method, context);
+    grade(options.grade, placed.frame.size, stuffing, context);
     return Counted{std::move(placed), std::move(stuffing)};
   };
   if (options.target_tets != 0)
@@ -186,6 +187,7 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
   report.warp = stuffing.warp_figures();
   report.points = stuffing.point_count();
   report.tets = stuffing.tet_count();
+  report.graded = {stuffing.grading_levels(), stuffing.uniform_tet_count()};
   report.sample_seconds = progress.seconds(Stage::sample);
   report.cut_seconds = progress.seconds(Stage::cut);
   report.warp_seconds = progress.seconds(Stage::warp);
@@ -198,6 +200,10 @@ void keep_sharp(const MeshOptions& options, const Counted& counted, std::optiona
   const PlacedDomain& domain = *counted.source.domain;
   report.features = {name(options.features),
                      decide_features(options.features, domain, options.method), {}};
+  if (report.graded.levels != 0) {
+    report.features.decision.angle.reset();
+    report.features.decision.why = "the mesh is graded";
+  }
   if (!report.features.decision.angle || options.dry_run) return;
   const Stopwatch clock;
   if (!made && options.features.automatic && !can_move(counted, report)) {
@@ -234,6 +240,7 @@ void drop_pieces(const MeshOptions& options, Counted& counted, Context& context,
   if (!options.keep) return;
   auto& [source, stuffing] = counted;
   const Stuffing rest = stuffing.keep(*options.keep, context);
+  grade(options.grade, source.frame.size, stuffing, context);
   report.keep = options.keep_text;
   report.dropped.tets = rest.tet_count();
   report.dropped.pieces = rest.pieces(source.frame, context).whole.by_faces;

@@ -144,6 +144,8 @@ std::string json(const MeshReport& report) {
   }
   json["method"] = method(report);
   json["mesh"] = {{"points", report.points}, {"tets", report.tets}};
+  if (report.graded.levels != 0)
+    json["mesh"]["graded"] = json_of(report.graded, report.size * report.scale);
   if (!report.dry_run) {
     json["mesh"]["volume"] = report.out(written.world.volume);
     if (report.room) json["mesh"]["volume_fraction"] = written.world.volume / *report.room;

@@ -38,8 +38,8 @@ void check_target(const MeshOptions& options, std::uint64_t limit) {
                   options.target_tets / 12, limit);
 }
 
-/// The engine holds a sign in two bits for two points in each cell and, where it cuts
-/// materials apart, the digits of their numbers, both twice while it warps, and the
+/// The engine holds a sign in two bits for two points in each cell, twice while it warps, and,
+/// where it cuts materials apart, their numbers, once as digits and once as bytes, and the
 /// numbers of every row.
 void check_lattice(const PlacedSource& source, Method method, std::uint64_t limit) {
   const auto& cells = source.lattice.cells;

@@ -18,6 +18,7 @@
 #include "certet/patch.hpp"
 #include "certet/pieces.hpp"
 #include "features_choice.hpp"
+#include "grade_choice.hpp"
 #include "material_options.hpp"
 #include "optimise_choice.hpp"
 #include "order.hpp"
@@ -66,6 +67,7 @@ struct MeshOptions {
   std::uint64_t target_tets = 0;
   std::int32_t margin = 2;
   Method method{};
+  GradeChoice grade;
   std::optional<KeepRule> keep;  ///< which pieces stay; nothing: all
   std::string keep_text;         ///< as the user wrote it
   bool label_pieces = false;     ///< counts the pieces of each label

@@ -18,6 +18,7 @@
 #include "certet/write_mesh.hpp"
 #include "distance.hpp"
 #include "features_choice.hpp"
+#include "grade_choice.hpp"
 #include "meshed_materials.hpp"
 #include "optimise_choice.hpp"
 #include "order.hpp"
@@ -63,6 +64,7 @@ struct MeshReport {
   WarpFigures warp;
 
   std::uint64_t points = 0, tets = 0;
+  GradeReport graded;
   std::optional<OrderReport> order;  ///< of tetrahedra of ten nodes
   std::optional<OptimiseFigures> optimised;  ///< where vertices moved
   std::vector<PatchFigures> patches;  ///< of the boundary, where it has others than `surface`

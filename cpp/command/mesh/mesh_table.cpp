@@ -119,6 +119,7 @@ std::string table(const MeshReport& report) {
     lines.add("target", "{} tetrahedra, size found in {} tries", grouped(report.target_tets),
               report.tries);
   lines.add("mesh", "{} points, {} tetrahedra", grouped(report.points), grouped(report.tets));
+  add_grade(lines, report.graded, report.tets, report.size * report.scale);
   if (report.optimised)
     add_optimise(lines, *report.optimised, report.size * report.scale);
   add_features(lines, report.features, report.size * report.scale);

@@ -76,8 +76,6 @@ openvdb::FloatGrid::ConstPtr as_floats(const openvdb::GridBase::Ptr& grid) {
 
 bool can_read_volumes() { return true; }
 
-bool is_volume_file(const fs::path& file) { return file.extension() == ".vdb"; }
-
 Volume read_volume(const fs::path& file, const std::string& grid) {
   check_is_file(file);
   openvdb::initialize();

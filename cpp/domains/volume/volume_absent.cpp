@@ -8,7 +8,6 @@ namespace certet {
 struct Volume::State {};
 
 bool can_read_volumes() { return false; }
-bool is_volume_file(const std::filesystem::path& file) { return file.extension() == ".vdb"; }
 
 Volume read_volume(const std::filesystem::path& file, const std::string&) {
   throw Error(ErrorCode::bad_input,

@@ -75,9 +75,9 @@ Quality measure_world(std::span<const Point3> points, std::uint64_t first_point,
 /// (a lattice unit is half a long edge), orientation is decided exactly.  Every
 /// tetrahedron is looked at; those whose edges are the same integer vectors have
 /// the same angles and volume, which are computed once.
-/// \throws Error `bad_input` if a tetrahedron is 2^19 steps wide (eight lattice
-/// units) or wider along an axis, or beyond `coordinate_limit`; those that
-/// stuffing makes are at most half as wide.
+/// \throws Error `bad_input` if a tetrahedron is wider than 2^20 steps (16 lattice
+/// units) along an axis, or beyond `coordinate_limit`; those that stuffing makes are
+/// at most a quarter as wide, and those of graded meshes no wider.
 Quality measure_lattice(std::span<const Coord3> points, std::uint64_t first_point,
                         std::span<const Tet<std::uint32_t>> tets);
 Quality measure_lattice(std::span<const Coord3> points, std::uint64_t first_point,

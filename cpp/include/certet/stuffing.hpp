@@ -26,6 +26,9 @@ using TetPair = std::array<std::uint32_t, 2>;
 /// Takes some pairs, and is called again for more.
 using VisitTetPairs = std::function<void(std::span<const TetPair>)>;
 
+/// Up to so many levels volumes fit their numbers: `GradedVolumesFit` of the certificate.
+inline constexpr std::int32_t most_grading_levels = 3;
+
 /// A mesh that is decided and counted, but not yet written out: signs, cuts
 /// and warped vertices of the lattice.  It is made of layers (one for each k of
 /// the lattice); points and tetrahedra are numbered layer by layer, and a
@@ -60,6 +63,9 @@ class Stuffing {
   /// the total.
   [[nodiscard]] std::uint64_t first_point(std::int32_t layer) const;
   [[nodiscard]] std::uint64_t first_tet(std::int32_t layer) const;
+  /// The layer behind the last one of which tetrahedra of the layers before `end` use points:
+  /// end + 1, or up to 12 of a graded mesh, or `layers()`.
+  [[nodiscard]] std::int32_t points_end(std::int32_t end) const;
 
   /// Writes the points of the layers [begin, end), positions in steps.
   /// `out.size()` is first_point(end) - first_point(begin).
@@ -120,6 +126,19 @@ class Stuffing {
   /// \returns what was taken out, as a mesh of its own.
   /// \throws Error as `pieces`; then nothing is changed.
   Stuffing keep(const KeepRule& rule, Context& context);
+
+  /// Grades the mesh: away from its surface, and where no materials meet, tetrahedra become
+  /// larger, each level by a factor of two, for up to so many `levels`.  What touches the
+  /// surface or an interface stays as it was, bit by bit; points and tetrahedra are numbered
+  /// anew.  0 takes grading back; `keep` does too.
+  /// \throws Error `bad_option` (more levels than `most_grading_levels`, or several materials
+  /// that do not meet in interfaces), `cancelled`, `too_large` (out of memory); then nothing is
+  /// changed.
+  void grade(std::int32_t levels, Context& context);
+  /// By how many levels the mesh is graded.
+  [[nodiscard]] std::int32_t grading_levels() const;
+  /// How many tetrahedra the mesh has when it is not graded.
+  [[nodiscard]] std::uint64_t uniform_tet_count() const;
 
   /// The boxes at which the domain is cut off.
   [[nodiscard]] std::span<const BorderBox> border() const;

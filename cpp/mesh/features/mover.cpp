@@ -50,7 +50,7 @@ bool Mover::push(Number v, Coord3 target) {
 void Mover::load(Number v) {
   star_.clear();
   for (const StarTet at : zone_.around(v)) {
-    star_.add(guard_.corners_of(at.tet()), at.corner(), 0);
+    star_.add(at.tet(), guard_.corners_of(at.tet()), at.corner(), 0);
     star_.measure_last();
   }
 }

@@ -22,7 +22,7 @@ template <class Index>
 WideSum six_volumes(const Stuffing& stuffing, std::int32_t layer) {
   Context alone;
   alone.threads = 1;
-  const std::int32_t behind = std::min(layer + 2, stuffing.layers());
+  const std::int32_t behind = stuffing.points_end(layer + 1);
   const std::uint64_t first = stuffing.first_point(layer);
   std::vector<Coord3> points(stuffing.first_point(behind) - first);
   std::vector<Tet<Index>> tets(stuffing.first_tet(layer + 1) - stuffing.first_tet(layer));

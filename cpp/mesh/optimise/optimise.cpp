@@ -17,6 +17,7 @@
 #include "freedom.hpp"
 #include "mesh/boundary.hpp"
 #include "onto_surface.hpp"
+#include "short_ones.hpp"
 #include "star.hpp"
 #include "stars.hpp"
 #include "worst_angles.hpp"
@@ -32,7 +33,7 @@ constexpr double first_gain = 1e-3, last_gain = 1e-4;
 constexpr std::array<double, 3> bands{0.08, 0.02, 0.005};
 constexpr double room = 2;  ///< degrees beyond the goal that neighbours of those that are left move for
 constexpr int moves_at_once = 3;  ///< of a vertex, before the next one's turn
-constexpr int passes_in_round = 6;
+constexpr int passes_in_round = 30;
 
 double squared_cosine(double degrees) {
   const double cosine = std::cos(degrees * (std::numbers::pi / 180));
@@ -160,7 +161,7 @@ void Mover<Index>::load(const Vertex& vertex) {
   for (const StarTet at : vertex.around) {
     TetCorners corners;
     for (std::size_t c = 0; c < 4; ++c) corners[c] = moving_.points[moving_.tets[at.tet()][c]];
-    star_.add(corners, at.corner(), moving_.worst[at.tet()]);
+    star_.add(at.tet(), corners, at.corner(), moving_.worst[at.tet()]);
   }
 }
 
@@ -175,8 +176,8 @@ bool Mover<Index>::improve(Vertex& vertex) {
     moving_.places[vertex.number] = vertex.freedom->place;
   }
   bool any = false;
+  load(vertex);
   for (int move = 0; move < moves_at_once; ++move) {
-    load(vertex);
     worst = star_.worst();
     if (worst <= moving_.aim) break;
     if (!descend(vertex, worst, false) &&
@@ -232,13 +233,11 @@ bool Mover<Index>::try_at(const Vertex& vertex, const Vector& by, const Bars& ba
 
 template <class Index>
 bool Mover<Index>::put(const Vertex& vertex, Coord3 place) {
+  star_.move(between(moving_.points[vertex.number], place));
   moving_.points[vertex.number] = place;
-  load(vertex);
-  for (std::size_t i = 0; i < vertex.around.size(); ++i) {
-    const StarTet at = vertex.around[i];
-    moving_.worst[at.tet()] = static_cast<float>(star_.spokes()[i].worst_after({0, 0, 0}));
+  for (const Spoke& spoke : star_.spokes()) moving_.worst[spoke.tet] = static_cast<float>(spoke.worst);
+  for (const StarTet at : vertex.around)
     for (const Index corner : moving_.tets[at.tet()]) moving_.stirred[corner] = 1;
-  }
   return true;
 }
 
@@ -255,12 +254,13 @@ void mark_neighbours(std::span<const Tet<Index>> tets, std::span<std::uint8_t> m
 /// All vertices at tetrahedra short of the goal, again and again.
 template <class Index>
 bool run_round(Moving<Index>& moving, Context& context) {
-  const auto is_short = [&](float worst) { return worst > moving.goal; };
-  if (std::ranges::none_of(moving.worst, is_short)) return false;
   std::vector<std::uint8_t> marked(moving.points.size());
-  for (std::size_t t = 0; t < moving.tets.size(); ++t)
-    if (is_short(moving.worst[t]))
-      for (const Index corner : moving.tets[t]) marked[corner] = 1;
+  bool any = false;
+  ShortOnes(moving.worst, moving.goal).visit([&](std::size_t t) {
+    any = true;
+    for (const Index corner : moving.tets[t]) marked[corner] = 1;
+  });
+  if (!any) return false;
   if (moving.aim < moving.goal) mark_neighbours<Index>(moving.tets, marked);
   const Stars stars(moving.tets, marked);
   std::vector<Vertex> vertices;
@@ -314,7 +314,7 @@ OptimiseFigures optimise_all(Mesh& mesh, std::span<const Tet<Index>> tets,
                        tets,
                        mesh.points,
                        origins,
-                       found.of_tets,
+                       {found.of_tets.data(), found.of_tets.size()},
                        stirred,
                        places,
                        left,
@@ -325,10 +325,7 @@ OptimiseFigures optimise_all(Mesh& mesh, std::span<const Tet<Index>> tets,
                        first_gain,
                        false,
                        {found.acute, found.obtuse}};
-  const auto short_ones = [&] {
-    return static_cast<std::uint64_t>(
-        std::ranges::count_if(found.of_tets, [&](float w) { return w > moving.goal; }));
-  };
+  const auto short_ones = [&] { return ShortOnes(moving.worst, moving.goal).count(); };
   OptimiseFigures figures;
   figures.goal = goal.angle;
   figures.short_before = short_ones();

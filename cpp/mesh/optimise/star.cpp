@@ -17,7 +17,7 @@ struct Faces {
   std::array<double, 4> squares;
 };
 
-Faces faces_of(const std::array<Vector, 3>& edges, const Vector& across) {
+[[gnu::always_inline]] inline Faces faces_of(const std::array<Vector, 3>& edges, const Vector& across) {
   const auto& [a, b, c] = edges;
   Faces faces{{across, cross(b, c), cross(c, a), cross(a, b)}, {}};
   for (std::size_t i = 0; i < 4; ++i) faces.squares[i] = dot(faces.normals[i], faces.normals[i]);
@@ -76,14 +76,21 @@ void Spoke::gradients(double least, std::vector<Vector>& out) const {
     }
 }
 
-void Star::add(const TetCorners& corners, std::size_t vertex, double worst) {
+void Star::add(std::uint64_t tet, const TetCorners& corners, std::size_t vertex, double worst) {
   const auto& order = from_corner[vertex];
-  Spoke spoke{{}, {}, worst};
+  Spoke spoke{{}, {}, worst, tet};
   for (std::size_t i = 0; i < 3; ++i)
     spoke.edges[i] = between(corners[order[0]], corners[order[i + 1]]);
   const auto& [a, b, c] = spoke.edges;
   spoke.across = cross(c - a, b - a);
   spokes_.push_back(spoke);
+}
+
+void Star::move(const Vector& by) {
+  for (Spoke& spoke : spokes_) {
+    spoke.edges = moved_edges(spoke.edges, by);
+    spoke.worst = static_cast<float>(spoke.worst_after({0, 0, 0}));
+  }
 }
 
 double Star::worst() const {

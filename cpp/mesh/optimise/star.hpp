@@ -32,6 +32,7 @@ struct Spoke {
   std::array<Vector, 3> edges;
   Vector across;  ///< inward normal of that face, as long as twice its area
   double worst;   ///< greatest squared cosine of its angles
+  std::uint64_t tet;  ///< its number
 
   /// Whether it is positive and below the bars once the vertex has moved.
   [[nodiscard]] bool keeps(const Vector& by, const Bars& bars) const;
@@ -45,11 +46,13 @@ struct Spoke {
 class Star {
  public:
   void clear() { spokes_.clear(); }
-  void add(const TetCorners& corners, std::size_t vertex, double worst);
+  void add(std::uint64_t tet, const TetCorners& corners, std::size_t vertex, double worst);
   /// Finds the worst angle of the one that was added last.
   void measure_last() { spokes_.back().worst = spokes_.back().worst_after({0, 0, 0}); }
 
   [[nodiscard]] std::span<const Spoke> spokes() const { return spokes_; }
+  /// Moves the vertex and finds the worst angles, in single precision.
+  void move(const Vector& by);
   /// The greatest squared cosine of all.
   [[nodiscard]] double worst() const;
   /// Whether all tetrahedra stay positive and come below the bars.  Looks first at those that

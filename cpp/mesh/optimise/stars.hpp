@@ -52,6 +52,7 @@ Stars::Stars(std::span<const Tet<Index>> tets, std::span<const std::uint8_t> mar
     }
   first_.resize(vertices_.size() + 1);
   std::vector<StarTet> found;
+  found.reserve(32 * vertices_.size());  // about what there is around a vertex
   for (std::size_t t = 0; t < tets.size(); ++t) {
     const auto& [a, b, c, d] = tets[t];
     if ((marked[a] | marked[b] | marked[c] | marked[d]) == 0) continue;

@@ -25,7 +25,10 @@ class VertexFaces {
  public:
   /// Of a vertex with so many faces, each counted as often as there are tetrahedra that have it.
   void start(std::size_t count) {
-    slots_.assign(std::bit_ceil(2 * count), Slot{});
+    const std::size_t size = std::bit_ceil(2 * count);
+    if (slots_.size() < size) slots_.assign(size, Slot{});
+    used_.clear();
+    ++vertex_;
   }
 
   void add(std::uint64_t next, std::uint64_t last, std::int32_t label) {
@@ -34,24 +37,26 @@ class VertexFaces {
     const auto [low, high] = pair;
     std::size_t at = static_cast<std::size_t>((low * 0x9e3779b97f4a7c15U + high) *
                                               0xbf58476d1ce4e5b9U >> 40) & mask;
-    for (; slots_[at].used; at = (at + 1) & mask)
+    for (; slots_[at].vertex == vertex_; at = (at + 1) & mask)
       if (ordered(slots_[at].face.others[0], slots_[at].face.others[1]) == pair)
         return join(slots_[at], next, last, label);
-    slots_[at] = {{{next, last}, label}, true, true};
+    slots_[at] = {{{next, last}, label}, vertex_, true};
+    used_.push_back(at);
   }
 
   /// Those on surfaces, by growing numbers of points, into `out`.
   void surfaces(std::vector<VertexFace>& out) const {
     out.clear();
-    for (const Slot& slot : slots_)
-      if (slot.used && slot.open) out.push_back(slot.face);
+    for (const std::size_t at : used_)
+      if (slots_[at].open) out.push_back(slots_[at].face);
     std::ranges::sort(out, {}, &VertexFace::others);
   }
 
  private:
   struct Slot {
     VertexFace face{};
-    bool used = false, open = false;
+    std::uint64_t vertex = 0;  ///< which had it last
+    bool open = false;
   };
 
   static std::pair<std::uint64_t, std::uint64_t> ordered(std::uint64_t a, std::uint64_t b) {
@@ -68,6 +73,8 @@ class VertexFaces {
   }
 
   std::vector<Slot> slots_;
+  std::vector<std::size_t> used_;
+  std::uint64_t vertex_ = 0;  ///< how many there have been
 };
 
 }  // namespace certet::optimising

@@ -19,18 +19,49 @@ struct Extremes {
 /// Of one of the lattice's own tetrahedra, all of whose angles are 60° or 90°.
 constexpr float structured = 0.25F;
 
-/// Whether a tetrahedron between points of the lattice is one of its own: all its edges are
-/// short ones or long ones.
-bool is_structured(const TetCorners& corners) {
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = i + 1; j < 4; ++j) {
-      const Coord3 by = corners[j] - corners[i];
-      const std::int64_t x = by.x >> step_bits, y = by.y >> step_bits, z = by.z >> step_bits;
-      const std::int64_t square = x * x + y * y + z * z;
-      if (square != 3 && square != 4) return false;
+/// Which of many tetrahedra are the lattice's own, which have four short edges and two long ones.
+/// Between points of the lattice no edge is shorter than those, and none is between those and one
+/// whose square is 8, so that the sum of the squares tells.
+class StructuredOnes {
+ public:
+  static constexpr std::size_t most = 64;
+
+  void set(std::size_t i, const TetCorners& corners) {
+    for (std::size_t e = 0; e < 3; ++e) {
+      const Coord3 by = corners[e + 1] - corners[0];
+      edges_[3 * e][i] = by.x;
+      edges_[3 * e + 1][i] = by.y;
+      edges_[3 * e + 2][i] = by.z;
     }
-  return true;
-}
+  }
+  /// In a form that compilers vectorise.
+  void find() {
+    constexpr std::uint32_t sum_of_squares = 4 * 3 + 2 * 4;
+    for (std::size_t i = 0; i < most; ++i) {
+      std::int32_t parts = 0, parities = 0;
+      for (std::size_t e = 0; e < 9; e += 3) {
+        const std::int32_t x = edges_[e][i], y = edges_[e + 1][i], z = edges_[e + 2][i];
+        parts |= x | y | z;
+        parities |= (x ^ y) | (y ^ z);
+      }
+      std::uint32_t squares = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto along = [&](std::size_t e) {
+          return static_cast<std::uint32_t>(edges_[3 * e + axis][i] >> step_bits);
+        };
+        const std::uint32_t u = along(0), v = along(1), w = along(2), sum = u + v + w;
+        squares += 4 * (u * u + v * v + w * w) - sum * sum;
+      }
+      const std::int32_t off = (parts & (steps - 1)) | (parities & steps);
+      are_[i] = static_cast<std::uint32_t>(off) | (squares ^ sum_of_squares);
+    }
+  }
+  [[nodiscard]] bool is(std::size_t i) const { return are_[i] == 0; }
+
+ private:
+  std::array<std::array<std::int32_t, most>, 9> edges_{};
+  std::array<std::uint32_t, most> are_{};
+};
 
 /// Measures tetrahedra as many at once as is fast.
 class Measurer {
@@ -45,11 +76,12 @@ class Measurer {
   }
   void add_structured(std::size_t tet) {
     worst_[tet] = structured;
-    all_.greatest = std::max(all_.greatest, static_cast<double>(structured));
-    all_.least = std::min(all_.least, 0.0);
+    any_structured_ = true;
   }
   Extremes result() {
     if (count_ > 0) measure();
+    if (any_structured_)
+      all_ = {std::max(all_.greatest, double{structured}), std::min(all_.least, 0.0)};
     return all_;
   }
 
@@ -67,28 +99,28 @@ class Measurer {
 
   std::span<float> worst_;
   Extremes all_;
+  bool any_structured_ = false;
   core::TetBlock block_;
   std::array<std::size_t, core::lanes> tets_;
   std::size_t count_ = 0;
 };
 
-bool are_on_lattice(const TetCorners& corners) {
-  std::int32_t all = 0;
-  for (const Coord3 corner : corners) all |= corner.x | corner.y | corner.z;
-  return (all & (steps - 1)) == 0;
-}
-
 template <class Index>
 Extremes measure(std::span<const Coord3> points, std::span<const Tet<Index>> tets,
                  std::span<float> worst) {
   Measurer measurer(worst);
-  for (std::size_t t = 0; t < tets.size(); ++t) {
-    const Tet<Index>& tet = tets[t];
-    const TetCorners corners{points[tet[0]], points[tet[1]], points[tet[2]], points[tet[3]]};
-    if (are_on_lattice(corners) && is_structured(corners))
-      measurer.add_structured(t);
-    else
-      measurer.add(t, corners);
+  StructuredOnes structured_ones;
+  for (std::size_t begin = 0; begin < tets.size(); begin += StructuredOnes::most) {
+    const std::size_t count = std::min(StructuredOnes::most, tets.size() - begin);
+    const auto corners_of = [&](std::size_t i) {
+      const auto& [a, b, c, d] = tets[begin + i];
+      return TetCorners{points[a], points[b], points[c], points[d]};
+    };
+    for (std::size_t i = 0; i < count; ++i) structured_ones.set(i, corners_of(i));
+    structured_ones.find();
+    for (std::size_t i = 0; i < count; ++i)
+      if (structured_ones.is(i)) measurer.add_structured(begin + i);
+      else measurer.add(begin + i, corners_of(i));
   }
   return measurer.result();
 }
@@ -96,12 +128,12 @@ Extremes measure(std::span<const Coord3> points, std::span<const Tet<Index>> tet
 template <class Index>
 WorstAngles worst_of(std::span<const Coord3> points, std::span<const Tet<Index>> tets,
                      Context& context) {
-  WorstAngles found{std::vector<float>(tets.size())};
+  WorstAngles found{Buffer<float>(tets.size())};
   const auto parts = core::in_ranges(
       tets.size(), core::tets_per_task, Stage::emit, context,
       [&](std::size_t begin, std::size_t end) {
         return measure(points, tets.subspan(begin, end - begin),
-                       std::span(found.of_tets).subspan(begin, end - begin));
+                       std::span(found.of_tets.data() + begin, end - begin));
       });
   Extremes all;
   for (const Extremes& part : parts) {

@@ -4,15 +4,15 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "certet/buffer.hpp"
 #include "certet/context.hpp"
 #include "certet/mesh.hpp"
 
 namespace certet::optimising {
 
 struct WorstAngles {
-  std::vector<float> of_tets;  ///< the greatest squared cosine of each
+  Buffer<float> of_tets;  ///< the greatest squared cosine of each
   double acute = 0, obtuse = 0;  ///< of the least and the greatest angle of all
 };
 

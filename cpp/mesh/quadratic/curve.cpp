@@ -91,7 +91,7 @@ template <class Index>
 AtSurface gathered_of(const Stuffing& stuffing, const SurfaceMarks& marks, Context& context) {
   return gathered(stuffing.layers(), context, [&](std::int64_t task, AtSurface& part) {
     const auto layer = static_cast<std::int32_t>(task);
-    const std::int32_t behind = std::min(layer + 2, stuffing.layers());
+    const std::int32_t behind = stuffing.points_end(layer + 1);
     const std::uint64_t first = stuffing.first_point(layer);
     core::OneThread own;
     Buffer<Tet<Index>> tets(stuffing.first_tet(layer + 1) - stuffing.first_tet(layer));

@@ -69,11 +69,13 @@ EdgeLists edges_of(std::span<const Tet<Index>> tets, std::uint64_t begin, std::u
   return without_copies(std::move(ends), std::move(reaches));
 }
 
-/// A tetrahedron of a layer has points of that and of the next one alone, so that the edges whose
-/// lower ends are in a layer are those of its tetrahedra and of the layer before.
+/// A tetrahedron of a layer has points of that and of the next one alone, or of some more where
+/// the mesh is graded, so that the edges whose lower ends are in a layer are those of its
+/// tetrahedra and of the layer before, or of as many.
 template <class Index>
 EdgeLists edges_of_layer(const Stuffing& stuffing, std::int32_t layer) {
-  const std::int32_t before = std::max(layer - 1, 0);
+  std::int32_t before = layer;
+  while (before > 0 && stuffing.points_end(before) > layer) --before;
   Buffer<Tet<Index>> tets(stuffing.first_tet(layer + 1) - stuffing.first_tet(before));
   core::OneThread context;
   stuffing.emit_tets(before, layer + 1, std::span<Tet<Index>>(tets), context);

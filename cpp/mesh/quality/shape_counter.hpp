@@ -15,12 +15,13 @@ namespace certet::core {
 
 /// Edges of which no coordinate is greater have a determinant that fits 64 bits,
 /// with all its intermediate values (`VolumesFit` of the certificate); those of
-/// the output are half as long (`TetsNarrow`).
+/// the output are half as long (`TetsNarrow`), or in graded meshes up to twice as long,
+/// and theirs fit as well (`GradedVolumesFit`).
 inline constexpr std::int64_t edge_limit = std::int64_t{1} << 19;
 
 /// The vector between two positions in range, in steps, as two words that are
 /// quickly subtracted and compared: x + 2^32 y, and z modulo 2^32.  Coordinates
-/// in range are less than 2^32 - 2^19 apart, so that the words of an edge that
+/// in range are less than 2^32 - 2^20 apart, so that the words of an edge that
 /// is not wide are those of no other.
 struct LatticeEdge {
   std::uint64_t xy = 0;
@@ -39,7 +40,7 @@ struct LatticeEdge {
 
   [[nodiscard]] bool is_wide() const {
     return std::ranges::any_of(
-        coordinates(), [](std::int64_t c) { return c < -edge_limit || c >= edge_limit; });
+        coordinates(), [](std::int64_t c) { return c < -2 * edge_limit || c > 2 * edge_limit; });
   }
 
   [[nodiscard]] Point3 exact() const {
@@ -71,7 +72,7 @@ struct LatticeShape {
   [[nodiscard]] bool is_wide() const { return a.is_wide() || b.is_wide() || c.is_wide(); }
   [[nodiscard]] Edges exact() const { return {a.exact(), b.exact(), c.exact()}; }
 
-  /// Smaller than 2^60 if no edge is wide.
+  /// Smaller than 2^63 if no edge is wide.
   [[nodiscard]] std::int64_t determinant() const {
     const auto u = a.coordinates(), v = b.coordinates(), w = c.coordinates();
     return u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) +

@@ -98,8 +98,8 @@ struct Cuts {
     const LatticeMaterials materials(domain);
     materials.for_each_edge([&](Coord3 a, std::size_t one, Coord3 b, std::size_t other) {
       const Material of_a = materials[one], of_b = materials[other];
-      if (of_a > of_b) edges.push_back({a, b, of_b});
-      if (of_a < of_b) edges.push_back({b, a, of_a});
+      if (of_a > of_b) edges.push_back({a, b, of_b, of_a});
+      if (of_a < of_b) edges.push_back({b, a, of_a, of_b});
     });
     steps.resize(edges.size());
     domain.part(edges, steps);

@@ -117,8 +117,9 @@ class FieldsDomain final : public InterfaceDomain {
   void part(std::span<const PartedEdge> edges, std::span<std::uint16_t> out) const override {
     std::ranges::transform(edges, out.begin(), [this](const PartedEdge& edge) {
       const FieldPoint first = frame_.at_lattice(edge.first);
+      const Material of_first = edge.of_first != 0 ? edge.of_first : labelling_(first);
       return fields::part(fields_, frame_.extent(), !keeps_voxels(),
-                          {first, frame_.at_lattice(edge.last), labelling_(first), edge.of_last});
+                          {first, frame_.at_lattice(edge.last), of_first, edge.of_last});
     });
   }
 

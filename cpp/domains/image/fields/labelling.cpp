@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "fields/octants.hpp"
 
@@ -52,6 +53,19 @@ struct Greatest {
   }
 };
 
+bool is_corner(const std::array<std::int64_t, 3>& within) {
+  return (within[0] | within[1] | within[2]) == 0;
+}
+
+/// Whether all corners of a cell have the same label.
+bool is_uniform(const FieldCell& cell) {
+  const std::size_t own = cell.node(0).own();
+  bool uniform = true;
+  for (std::size_t corner = 1; corner < 8; ++corner)
+    uniform = uniform && cell.node(corner).own() == own;
+  return uniform;
+}
+
 bool is_centre(const std::array<std::int64_t, 3>& within) {
   return within == std::array<std::int64_t, 3>{point_one / 2, point_one / 2, point_one / 2};
 }
@@ -60,14 +74,18 @@ bool is_centre(const std::array<std::int64_t, 3>& within) {
 
 Material Labelling::in_cell(const FieldCell& cell,
                             const std::array<std::int64_t, 3>& within) const {
+  if (is_corner(within) || is_uniform(cell)) return cell.material(cell.node(0).own());
   const Node& nearest = cell.node(nearest_corner(within));
   if (force_ && nearest.at_risk()) return cell.material(nearest.own());
   const Candidates candidates(cell, within);
   if (candidates.size() == 1) return cell.material(candidates.begin()->label);
-  const bool unjoined = centres_ == Centres::unjoined && is_centre(within);
+  const bool in_middle = is_centre(within);
+  const bool unjoined = centres_ == Centres::unjoined && in_middle;
   Greatest of_all, of_groups;
   for (const Candidate& candidate : candidates) {
-    const std::int64_t value = trilinear(cell.values(candidate.label), within);
+    const Corners values = cell.values(candidate.label);
+    const std::int64_t value = in_middle ? std::accumulate(values.begin(), values.end(), 0)
+                                         : trilinear(values, within);
     of_all.add(value, candidate.label);
     if (unjoined && hang_together(candidate.corners)) of_groups.add(value, candidate.label);
   }

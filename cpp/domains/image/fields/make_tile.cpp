@@ -27,29 +27,36 @@ constexpr std::int32_t thin_part_lead(std::int32_t own) {
   return std::clamp(55 * field_one / 32 - 7 * own / 4, 0, 5 * field_one / 4);
 }
 
+}  // namespace
+
 /// The fields of a whole tile, and what its blocks take from them.
-class TileFields {
+class TileMaker::Fields {
  public:
-  TileFields(const LabelWindow& window, const Rules& rules) : window_(window) {
-    wide_.compute(window, rules.taps);
+  explicit Fields(const Rules& rules) : rules_(rules) {
+    for (std::size_t a = 0; a < 3; ++a)
+      narrow_taps_[a] = narrower(rules.taps[a], thin_taps());
+  }
+
+  /// Of the tile in the middle of a window.
+  void compute(const LabelWindow& window) {
+    window_ = &window;
+    block_rank_.resize(window.materials.size());
+    wide_.compute(window, rules_.taps);
     const auto whole = whole_blocks(window);
     find_at_risk(window, whole, at_risk_);
     find_slender(window, whole, slender_);
-    if (!rules.hold_slender) slender_.fill(Slender::no);
-    if (!rules.narrow_thin || !find_thin(window, whole, thin_)) return;
-    some_thin_ = true;
-    std::array<Taps, 3> taps;
-    for (std::size_t a = 0; a < 3; ++a) taps[a] = narrower(rules.taps[a], thin_taps());
-    narrow_.compute(window, taps);
+    if (!rules_.hold_slender) slender_.fill(Slender::no);
+    some_thin_ = rules_.narrow_thin && find_thin(window, whole, thin_);
+    if (some_thin_) narrow_.compute(window, narrow_taps_);
   }
 
   /// Appends a block to a tile; `corner` is its first node.
   void add_block(const std::array<int, 3>& corner, Block& block, Tile& tile) {
     block.first = static_cast<std::uint32_t>(tile.materials.size());
-    for (std::size_t rank = 0; rank < window_.materials.size(); ++rank) {
+    for (std::size_t rank = 0; rank < window_->materials.size(); ++rank) {
       if (!gather(rank, corner)) continue;
       block_rank_[rank] = block.labels++;
-      tile.materials.push_back(window_.materials[rank]);
+      tile.materials.push_back(window_->materials[rank]);
       tile.values.insert(tile.values.end(), gathered_.begin(), gathered_.end());
     }
     if (block.labels == 1) {
@@ -93,9 +100,9 @@ class TileFields {
     for (int z = corner[2]; z < corner[2] + block_nodes; ++z)
       for (int y = corner[1]; y < corner[1] + block_nodes; ++y)
         for (int x = corner[0]; x < corner[0] + block_nodes; ++x, ++n) {
-          const int halo = window_.halo;
+          const int halo = window_->halo;
           const unsigned own =
-              block_rank_[window_.ranks[window_.at(x + halo, y + halo, z + halo)]];
+              block_rank_[window_->ranks[window_->at(x + halo, y + halo, z + halo)]];
           unsigned bits = own;
           if (some_thin_ && thin_[tile_node_number(x, y, z)]) bits |= Node::thin_bit;
           if (at_risk_[tile_node_number(x, y, z)]) bits |= Node::at_risk_bit;
@@ -117,20 +124,21 @@ class TileFields {
   }
 
   [[nodiscard]] bool shares(int x, int y, int z) const {
-    const int halo = window_.halo;
-    return !window_.parts.empty() && window_.parts[window_.at(x + halo, y + halo, z + halo)] != 0;
+    const auto& parts = window_->parts;
+    const int halo = window_->halo;
+    return !parts.empty() && parts[window_->at(x + halo, y + halo, z + halo)] != 0;
   }
 
-  const LabelWindow& window_;
+  const Rules& rules_;
+  std::array<Taps, 3> narrow_taps_;
+  const LabelWindow* window_ = nullptr;
   SmoothedLabels wide_, narrow_;
   bool some_thin_ = false;
   NodeFlags thin_{}, at_risk_{};
   Slenderness slender_{};
   std::array<std::int16_t, nodes_of_block> gathered_{};
-  std::vector<std::uint16_t> block_rank_ = std::vector<std::uint16_t>(window_.materials.size());
+  std::vector<std::uint16_t> block_rank_;  ///< of the window's materials
 };
-
-}  // namespace
 
 int halo_of(const Rules& rules) {
   int halo = 2;  // what is thin depends on so many
@@ -138,18 +146,20 @@ int halo_of(const Rules& rules) {
   return halo;
 }
 
-std::unique_ptr<Tile> make_tile(const LabelWindow& window, const Rules& rules) {
+TileMaker::TileMaker(const Rules& rules) : fields_(std::make_unique<Fields>(rules)) {}
+TileMaker::~TileMaker() = default;
+
+std::unique_ptr<Tile> TileMaker::make(const LabelWindow& window) {
   if (window.materials.size() == 1) return nullptr;
-  auto tile = std::make_unique<Tile>();
-  TileFields fields(window, rules);
+  tile_.materials.clear();
+  tile_.values.clear();
+  tile_.nodes.clear();
+  fields_->compute(window);
   for_each_of_cube(tile_blocks, [&](int x, int y, int z) {
-    fields.add_block({block_cells * x, block_cells * y, block_cells * z},
-                     tile->blocks[block_number(x, y, z)], *tile);
+    Block& block = tile_.blocks[block_number(x, y, z)] = {};
+    fields_->add_block({block_cells * x, block_cells * y, block_cells * z}, block, tile_);
   });
-  tile->materials.shrink_to_fit();
-  tile->values.shrink_to_fit();
-  tile->nodes.shrink_to_fit();
-  return tile;
+  return std::make_unique<Tile>(tile_);  // which takes no more than it needs
 }
 
 }  // namespace certet::fields

@@ -1,5 +1,7 @@
 #include "node_fields.hpp"
 
+#include <algorithm>
+
 #include "fields/for_each_tile.hpp"
 #include "fields/make_tile.hpp"
 #include "fields/volume_constants.hpp"
@@ -9,13 +11,11 @@ namespace {
 
 /// In place.
 void finish_tile(Tile& tile, const Constants& constants, bool hold) {
-  std::vector<std::int32_t> values;
+  HeldBlock held;
   for (const Block& block : tile.blocks) {
     if (block.labels == 0) continue;
-    values.resize(block.labels * nodes_of_block);
-    raise_and_hold(tile.view(block), constants, hold, values);
-    std::int16_t* kept = &tile.values[nodes_of_block * block.first];
-    for (const std::int32_t value : values) *kept++ = static_cast<std::int16_t>(value);
+    raise_and_hold(tile.view(block), constants, hold, held);
+    std::ranges::copy(held.values, &tile.values[nodes_of_block * block.first]);
   }
 }
 
@@ -37,10 +37,15 @@ void NodeFields::make_tiles(const MaterialImage& image, const Rules& rules,
                             const Context& context) {
   const int halo = halo_of(rules);
   const Treads treads = rules.slope_treads ? Treads(image, context) : Treads();
-  for_each_tile(context, tiles_.size(), [&](std::size_t t) {
-    const LabelWindow window = window_around(image, treads, first_cell(t), halo);
-    only_[t] = window.materials.front();
-    tiles_[t] = make_tile(window, rules);
+  // Along the first axis one after the other.
+  const auto row = static_cast<std::size_t>(counts_[0]);
+  for_each_tile(context, tiles_.size() / row, [&](std::size_t r) {
+    TileMaker maker(rules);
+    for (std::size_t t = r * row; t < (r + 1) * row; ++t) {
+      const LabelWindow window = window_around(image, treads, first_cell(t), halo);
+      only_[t] = window.materials.front();
+      tiles_[t] = maker.make(window);
+    }
   });
 }
 

@@ -1,6 +1,8 @@
 #include "parting.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <optional>
 
 #include "certet/lattice/coord3.hpp"
 #include "fields/field_cell.hpp"
@@ -45,10 +47,11 @@ class Sides {
     const FieldCell corners(block, cell);
     difference_ = corners.values_of(edge_.of_first);
     const Corners others = corners.values_of(edge_.of_last);
+    for (std::size_t c = 0; c < 8; ++c) difference_[c] -= others[c];
+    if (!force_) return;
     for (std::size_t c = 0; c < 8; ++c) {
-      difference_[c] -= others[c];
       const Node& node = corners.node(c);
-      const bool forced = force_ && node.at_risk();
+      const bool forced = node.at_risk();
       forced_[c] = forced ? corners.material(node.own()) : not_forced;
       some_forced_ = some_forced_ || forced;
     }
@@ -78,11 +81,10 @@ class EdgeInCell {
 
   /// Between two steps by whether the difference is above 0: mostly where a straight line
   /// through the values at both has its root, for that is near.
-  [[nodiscard]] std::int32_t root() const {
-    std::int32_t low = 0, high = steps;
+  [[nodiscard]] std::int32_t root(std::int32_t low, std::int32_t high) const {
     std::int64_t at_low = at(low), at_high = at(high);
-    if (at_low <= 0) return 0;
-    if (at_high > 0) return steps - 1;
+    if (at_low <= 0) return low;
+    if (at_high > 0) return high - 1;
     for (int round = 0; high - low > 1; ++round) {
       const std::int32_t step = round < most_lines ? on_line(low, at_low, high, at_high)
                                                    : low + (high - low) / 2;
@@ -93,6 +95,12 @@ class EdgeInCell {
     return low;
   }
 
+  [[nodiscard]] std::int64_t at(std::int32_t step) const {
+    std::array<std::int64_t, 3> within;
+    for (std::size_t a = 0; a < 3; ++a) within[a] = first_[a] + ((along_[a] * step) >> step_bits);
+    return trilinear(difference_, within);
+  }
+
  private:
   static constexpr int most_lines = 8;
 
@@ -101,12 +109,6 @@ class EdgeInCell {
                               std::int64_t at_high) {
     const std::int64_t away = (high - low) * at_low / (at_low - at_high);
     return std::clamp(low + static_cast<std::int32_t>(away), low + 1, high - 1);
-  }
-
-  [[nodiscard]] std::int64_t at(std::int32_t step) const {
-    std::array<std::int64_t, 3> within;
-    for (std::size_t a = 0; a < 3; ++a) within[a] = first_[a] + ((along_[a] * step) >> step_bits);
-    return trilinear(difference_, within);
   }
 
   const Corners& difference_;
@@ -121,15 +123,61 @@ FieldPoint point_of(const FieldEdge& edge, std::int32_t step) {
   return point;
 }
 
-/// Whether all of an edge lies in a cell, its faces included.
-bool holds(const std::array<std::int64_t, 3>& cell, const FieldEdge& edge) {
+/// Whether all that lies between two points lies in a cell, its faces included.
+bool holds(const std::array<std::int64_t, 3>& cell, const FieldPoint& one,
+           const FieldPoint& other) {
   for (std::size_t a = 0; a < 3; ++a) {
     const std::int64_t low = cell[a] * point_one, high = low + point_one;
-    if (std::min(edge.first.at[a], edge.last.at[a]) < low ||
-        std::max(edge.first.at[a], edge.last.at[a]) > high)
+    if (std::min(one.at[a], other.at[a]) < low || std::max(one.at[a], other.at[a]) > high)
       return false;
   }
   return true;
+}
+
+/// The corner of a cell at which a point is, or 8.
+std::size_t corner_at(const std::array<std::int64_t, 3>& cell, const FieldPoint& point) {
+  std::size_t corner = 0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::int64_t within = point.at[a] - cell[a] * point_one;
+    if (within != 0 && within != point_one) return 8;
+    corner |= static_cast<std::size_t>(within != 0) << a;
+  }
+  return corner;
+}
+
+/// As `EdgeInCell::root`, where the difference is a straight line between two whole numbers:
+/// the last step at which it is above 0.
+std::int32_t root_between(std::int64_t at_first, std::int64_t at_last) {
+  if (at_first <= 0) return 0;
+  if (at_last > 0) return steps - 1;
+  return static_cast<std::int32_t>((at_first * steps - 1) / (at_first - at_last));
+}
+
+/// Of an edge in one cell where nothing is forced.
+std::int32_t root_in(const FieldEdge& edge, const std::array<std::int64_t, 3>& cell,
+                     const Corners& difference) {
+  const std::size_t first = corner_at(cell, edge.first), last = corner_at(cell, edge.last);
+  if (first < 8 && last < 8 && std::has_single_bit(first ^ last))
+    return root_between(difference[first], difference[last]);
+  return EdgeInCell(edge, cell, difference).root(0, steps);
+}
+
+/// Of an edge in two cells, as between the centres of two: of which it crosses the common face
+/// in its middle.
+std::optional<std::int32_t> root_in_halves(Sides& sides, const FieldEdge& edge) {
+  constexpr std::int32_t half = steps / 2;
+  const FieldPoint middle = point_of(edge, half);
+  const auto near_first = point_of(edge, half / 2).cell();
+  const auto near_last = point_of(edge, half + half / 2).cell();
+  if (!holds(near_first, edge.first, middle) || !holds(near_last, middle, edge.last))
+    return std::nullopt;
+  const Corners* difference = sides.difference_in(near_first);
+  if (difference == nullptr) return std::nullopt;
+  const EdgeInCell before(edge, near_first, *difference);
+  if (before.at(half) <= 0) return before.root(0, half);
+  difference = sides.difference_in(near_last);
+  if (difference == nullptr) return std::nullopt;
+  return EdgeInCell(edge, near_last, *difference).root(half, steps);
 }
 
 }  // namespace
@@ -138,10 +186,15 @@ std::uint16_t part(const NodeFields& fields, const FieldExtent& extent, bool for
                    const FieldEdge& edge) {
   Sides sides(fields, force, edge);
   const bool leaves = !extent.contains(edge.last);
-  const auto cell = point_of(edge, steps / 2).cell();
-  if (!leaves && holds(cell, edge))
-    if (const Corners* difference = sides.difference_in(cell); difference != nullptr)
-      return static_cast<std::uint16_t>(EdgeInCell(edge, cell, *difference).root());
+  if (!leaves) {
+    const auto cell = point_of(edge, steps / 2).cell();
+    if (holds(cell, edge.first, edge.last)) {
+      if (const Corners* difference = sides.difference_in(cell); difference != nullptr)
+        return static_cast<std::uint16_t>(root_in(edge, cell, *difference));
+    } else if (const auto root = root_in_halves(sides, edge)) {
+      return static_cast<std::uint16_t>(*root);
+    }
+  }
   std::int32_t low = 0;
   for (std::int32_t half = steps / 2; half != 0; half /= 2) {
     const FieldPoint middle = point_of(edge, low + half);

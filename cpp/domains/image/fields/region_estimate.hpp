@@ -14,6 +14,10 @@
 
 namespace certet::fields {
 
+/// A number for each corner of a cell, or for each of its eight points; a vector of both gcc
+/// and clang.
+using Eight [[gnu::vector_size(32)]] = std::int32_t;
+
 /// How many voxels a surface is away per difference of two fields, in 65536ths.
 struct Slopes {
   std::int32_t wide, narrow;  ///< narrow: near thin voxels
@@ -39,15 +43,23 @@ class TileEstimate {
                  const Constants& constants, bool hold);
 
  private:
-  void find_margins(const BlockView& block);
-  [[nodiscard]] bool is_settled(const BlockView& block, std::size_t node) const;
-  void add_cell(const BlockView& block, std::size_t node, PointSet points);
+  class Parts;
+  /// At the points of a cell, 64 times as great.
+  struct Field {
+    Eight values;
+    Material of;
+    bool is_near;  ///< not 0 in the whole cell
+  };
+
+  void add_cell(const BlockView& block, std::size_t node, PointSet points, std::int64_t slope);
+  void add_two(const Field& first, const Field& second, PointSet points, std::int64_t slope);
+  void add_several(PointSet points, std::int64_t slope);
 
   std::array<std::int64_t, 3> size_;
   Slopes slopes_;
   RegionSums& sums_;
-  std::vector<std::int32_t> values_;                       ///< raised and held
-  std::array<std::int32_t, nodes_of_block> margins_{};  ///< of the own label before the others
+  HeldBlock held_;
+  std::vector<Field> near_;  ///< of the cell
 };
 
 }  // namespace certet::fields

@@ -10,6 +10,11 @@ namespace {
 
 constexpr std::size_t length = SmoothedLabels::row_length;
 
+/// Elements that are there already are not made again: each is written before it is read.
+void grow(std::vector<std::uint16_t>& values, std::size_t size) {
+  if (values.size() < size) values.resize(size);
+}
+
 /// Adds a row with a weight in 65536ths.
 void add_row(const std::uint16_t* row, std::uint16_t weight, std::uint16_t* sum) {
   for (std::size_t x = 0; x < length; ++x)
@@ -57,7 +62,7 @@ void smooth_row(const LabelWindow& window, std::size_t first, std::uint16_t rank
 
 void SmoothedLabels::compute(const LabelWindow& window, const std::array<Taps, 3>& taps) {
   find_supports(window);
-  values_.clear();
+  used_ = 0;
   for (std::size_t rank = 0; rank < supports_.size(); ++rank) smooth(window, rank, taps);
 }
 
@@ -93,27 +98,28 @@ void SmoothedLabels::smooth(const LabelWindow& window, std::size_t rank,
     nodes.low[a] = std::max(voxels.low[a] - radius - window.halo, 0);
     nodes.high[a] = std::min(voxels.high[a] + radius - window.halo, tile_nodes - 1);
   }
-  nodes.first = values_.size();
+  nodes.first = used_;
   if (nodes.low[0] > nodes.high[0] || nodes.low[1] > nodes.high[1]) return;
   const auto rows = static_cast<std::size_t>(voxels.high[0] - voxels.low[0] + 1);
   const auto layers = static_cast<std::size_t>(voxels.high[1] - voxels.low[1] + 1);
   const auto rows_out = static_cast<std::size_t>(nodes.high[0] - nodes.low[0] + 1);
   const auto layers_out = static_cast<std::size_t>(nodes.high[1] - nodes.low[1] + 1);
 
-  along_x_.resize(layers * rows * length);
+  grow(along_x_, layers * rows * length);
   std::uint16_t* out = along_x_.data();
   for (int z = voxels.low[1]; z <= voxels.high[1]; ++z)
     for (int y = voxels.low[0]; y <= voxels.high[0]; ++y, out += length)
       smooth_row(window, window.at(0, y, z), static_cast<std::uint16_t>(rank), taps[0], out);
 
-  along_y_.resize(layers * rows_out * length);
+  grow(along_y_, layers * rows_out * length);
   out = along_y_.data();
   for (std::size_t z = 0; z < layers; ++z)
     for (int y = nodes.low[0]; y <= nodes.high[0]; ++y, out += length)
       smooth_across(&along_x_[z * rows * length], length, voxels.low[0], voxels.high[0],
                     y + window.halo, taps[1], out);
 
-  values_.resize(nodes.first + layers_out * rows_out * length);
+  used_ += layers_out * rows_out * length;
+  grow(values_, used_);
   out = &values_[nodes.first];
   for (int z = nodes.low[1]; z <= nodes.high[1]; ++z)
     for (std::size_t y = 0; y < rows_out; ++y, out += length)

@@ -44,6 +44,7 @@ class SmoothedLabels {
 
   std::vector<Support> supports_;
   std::vector<std::uint16_t> values_, along_x_, along_y_;
+  std::size_t used_ = 0;  ///< of the values
 };
 
 }  // namespace certet::fields

@@ -1,0 +1,15 @@
+#pragma once
+/// \file
+/// Files of HDF5, as a part.
+
+#include "certet/formats.hpp"
+#include "files/formats/registry.hpp"
+
+namespace certet::command {
+
+struct Hdf5Part {
+  formats::OpenWriter *open_xdmf, *open_vtkhdf;
+  formats::FileBytes *xdmf_bytes, *vtkhdf_bytes;
+};
+
+}  // namespace certet::command

@@ -1,0 +1,15 @@
+#pragma once
+/// \file
+/// Volumes of OpenVDB, as a part.
+
+#include "certet/volume.hpp"
+
+namespace certet::command {
+
+struct VolumesPart {
+  decltype(&certet::read_volume) read_volume;
+  decltype(&certet::volume_domain) volume_domain;
+  decltype(&certet::volume_solid) volume_solid;
+};
+
+}  // namespace certet::command

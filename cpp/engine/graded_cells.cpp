@@ -1,0 +1,75 @@
+#include "graded_cells.hpp"
+
+#include "graded_rows.hpp"
+#include "layer_loop.hpp"
+#include "row_ranks.hpp"
+
+namespace certet::core {
+namespace {
+
+/// The even vertices of a row that are corners or centres of cells of a level above 0.
+void add_vertices(const Octree& octree, int level, int j, int k, std::uint64_t* row) {
+  const LevelGrid& fine = octree.grid(0);
+  const LevelGrid& grid = octree.grid(level);
+  const auto add = [&](std::uint64_t bits, int w, int from) {
+    for_each_bit(bits, [&](int b) {
+      const int x = ((grid.first[0] + 64 * w + b) << level) + from - fine.first[0];
+      if (x >= 0 && x < fine.cells[0]) row[x >> 6] |= std::uint64_t{1} << (x & 63);
+    });
+  };
+  const int side = 1 << level;
+  const int y = j + fine.first[1], z = k + fine.first[2];
+  const int cell_j = (y >> level) - grid.first[1], cell_k = (z >> level) - grid.first[2];
+  // Cells of the top level all exist, and so does one around each of their corners.
+  const auto corners = [&](int w) {
+    return level == octree.top() ? ~std::uint64_t{0} : octree.corners(level, cell_j, cell_k)[w];
+  };
+  const bool at_corners = ((y | z) & (side - 1)) == 0;
+  const bool at_centres = (y & (side - 1)) == side / 2 && (z & (side - 1)) == side / 2;
+  for (int w = 0; w < grid.words(); ++w) {
+    if (at_corners) add(corners(w), w, 0);
+    if (at_centres) add(octree.cells(level, cell_j, cell_k)[w], w, side / 2);
+  }
+}
+
+}  // namespace
+
+GradedCells::GradedCells(const SignPlanes& planes, const Lattice& lattice, int levels,
+                         Context& context)
+    : octree_(planes, lattice, levels, context), even_(LevelGrid(lattice)),
+      before_(static_cast<std::size_t>(planes.words()) *
+              static_cast<std::size_t>(lattice.cells[1]) *
+              static_cast<std::size_t>(lattice.cells[2])) {
+  for_each_layer(context, Stage::count, whole(lattice), [&](std::int32_t k) {
+    for (int j = 0; j < lattice.cells[1]; ++j) find_even(planes, j, k);
+  });
+}
+
+void GradedCells::find_even(const SignPlanes& planes, int j, int k) {
+  std::uint64_t* const row = even_.words(j, k);
+  const BitRow corners = octree_.corners(0, j, k);
+  for (int w = 0; w < planes.words(); ++w) row[w] = corners[w];
+  for (int level = 1; level <= octree_.top(); ++level) add_vertices(octree_, level, j, k, row);
+  std::uint32_t before = 0;
+  for (int w = 0; w < planes.words(); ++w) {
+    row[w] &= planes.plus(even, j, k)[w] | planes.zero(even, j, k)[w];
+    before_[word(j, k, w)] = before;
+    before += static_cast<std::uint32_t>(std::popcount(row[w]));
+  }
+}
+
+std::uint64_t GradedCells::structured(std::size_t c, int j, int k, int w) const {
+  std::uint64_t both = ~std::uint64_t{0};
+  for (const std::uint8_t corner : cell.corner[c]) {
+    const auto& [grid, shift] = cell.vertices[corner];
+    if (grid == odd) both &= octree_.cells(0, j + shift.y, k + shift.z).shifted(w, shift.x);
+  }
+  return both;
+}
+
+std::int32_t GradedCells::layers_behind() const {
+  // The farthest is the centre of the next cell of the top level.
+  return (3 << octree_.top()) / 2;
+}
+
+}  // namespace certet::core

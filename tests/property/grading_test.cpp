@@ -1,0 +1,278 @@
+/// \file
+/// What every graded mesh must be: conforming by a count of its faces, of the uniform mesh's
+/// volume and boundary, and of angles in the range of its theorem.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "certet/error.hpp"
+#include "certet/stuffing.hpp"
+#include "domains.hpp"
+#include "exact.hpp"
+#include "materials.hpp"
+#include "seed.hpp"
+
+namespace {
+
+using certet::Coord3;
+using certet::Lattice;
+using certet::Method;
+
+using Triangle = std::array<Coord3, 3>;
+
+/// Of some material; 0 where there is but one.
+struct PlacedTet {
+  std::array<Coord3, 4> corners;
+  std::int32_t label = 0;
+  friend auto operator<=>(const PlacedTet&, const PlacedTet&) = default;
+};
+
+struct PlacedMesh {
+  std::vector<Coord3> points;
+  std::vector<PlacedTet> tets;
+};
+
+PlacedMesh placed(const certet::Stuffing& stuffing) {
+  certet::Context context;
+  context.threads = 2;
+  const certet::Mesh mesh = certet::emit(stuffing, {}, context);
+  PlacedMesh placed;
+  placed.points.assign(mesh.points.begin(), mesh.points.end());
+  std::visit(
+      [&](const auto& tets) {
+        for (std::size_t t = 0; t < tets.size(); ++t) {
+          const auto& [a, b, c, d] = tets[t];
+          placed.tets.push_back({{mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]},
+                                 mesh.labels.empty() ? 0 : mesh.labels[t]});
+        }
+      },
+      mesh.tets);
+  return placed;
+}
+
+/// The same vertices the same way round, starting from the least.
+Triangle turned(Triangle face) {
+  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+  return face;
+}
+
+Triangle other_side(const Triangle& face) { return turned({face[0], face[2], face[1]}); }
+
+/// The faces of tetrahedra by who is on their inner side.
+using Faces = std::map<Triangle, std::int32_t>;
+
+/// Which faces have no tetrahedron of the same label behind them: the surface and the interfaces.
+/// `twice` says whether two tetrahedra are on one side of a face.
+Faces single_faces(const PlacedMesh& mesh, bool& twice) {
+  Faces faces;
+  for (const auto& [corners, label] : mesh.tets) {
+    const auto& [a, b, c, d] = corners;
+    for (const Triangle& face : {Triangle{b, c, d}, {a, d, c}, {a, b, d}, {a, c, b}})
+      twice = twice || !faces.emplace(turned(face), label).second;
+  }
+  Faces single;
+  for (const auto& [face, label] : faces) {
+    const auto behind = faces.find(other_side(face));
+    if (behind == faces.end() || behind->second != label) single.emplace(face, label);
+  }
+  return single;
+}
+
+exact::Wide six_volume(const PlacedMesh& mesh) {
+  exact::Wide sum = 0;
+  for (const PlacedTet& tet : mesh.tets) sum += exact::six_volume(tet.corners);
+  return sum;
+}
+
+/// The first property that a graded mesh breaks, in words; empty if it has them all.
+std::string fault(const PlacedMesh& graded, const PlacedMesh& uniform,
+                  const exact::AngleRange& range) {
+  std::set<Coord3> used;
+  for (const PlacedTet& tet : graded.tets) used.insert(tet.corners.begin(), tet.corners.end());
+  const std::set<Coord3> points(graded.points.begin(), graded.points.end());
+  if (points.size() != graded.points.size()) return "two points are at one place";
+  if (points != used) return "a point is not used";
+  for (const PlacedTet& tet : graded.tets) {
+    if (exact::six_volume(tet.corners) <= 0) return "a tetrahedron is not positive";
+    for (const exact::Dihedral& angle : exact::dihedrals(tet.corners))
+      if (!range.contains(angle))
+        return "an angle of " + std::to_string(static_cast<double>(angle.degrees())) + " degrees";
+  }
+  bool twice = false;
+  const Faces single = single_faces(graded, twice);
+  if (twice) return "two tetrahedra are on one side of a face";
+  if (single != single_faces(uniform, twice)) return "the boundary is another one";
+  if (six_volume(graded) != six_volume(uniform)) return "the volume is another one";
+  return "";
+}
+
+const exact::AngleRange& range_of(Method method) {
+  static const exact::AngleRange midpoint(29.9999, 135.0001);  // both are attained
+  if (method == Method::midpoint) return midpoint;
+  return method == Method::embedding ? exact::embedding_range : exact::angles_range;
+}
+
+struct Graded {
+  PlacedMesh uniform;
+  std::vector<PlacedMesh> levels;  ///< by one level, by two …
+  Method method;
+};
+
+Graded grade(const certet::Domain& domain, const Lattice& lattice, Method method) {
+  certet::Context context;
+  certet::Stuffing stuffing(domain, lattice, method, context);
+  Graded graded{placed(stuffing), {}, stuffing.method()};
+  for (int levels = 1; levels <= certet::most_grading_levels; ++levels) {
+    stuffing.grade(levels, context);
+    EXPECT_EQ(stuffing.uniform_tet_count(), graded.uniform.tets.size());
+    graded.levels.push_back(placed(stuffing));
+  }
+  stuffing.grade(0, context);
+  EXPECT_EQ(placed(stuffing).tets, graded.uniform.tets);
+  return graded;
+}
+
+void expect_sound(const Graded& graded, const std::string& what) {
+  for (const PlacedMesh& mesh : graded.levels)
+    EXPECT_EQ(fault(mesh, graded.uniform, range_of(graded.method)), "") << what;
+}
+
+constexpr Method methods[] = {Method::embedded, Method::angles, Method::embedding,
+                              Method::midpoint};
+
+/// Space with holes, so that cells of all sizes meet in any way.
+domains::Positional with_holes(std::mt19937_64& random, const Lattice& lattice, int holes) {
+  std::vector<domains::Level> all;
+  for (int n = 0; n < holes; ++n) {
+    const auto at = [&](std::int32_t from, std::int32_t cells) {
+      return from + std::uniform_real_distribution(0.0, 2.0 * cells)(random);
+    };
+    all.push_back(domains::sphere(at(lattice.origin.x, lattice.cells[0]),
+                                  at(lattice.origin.y, lattice.cells[1]),
+                                  at(lattice.origin.z, lattice.cells[2]),
+                                  std::uniform_real_distribution(0.2, 4.0)(random)));
+  }
+  return domains::of_level([all](double x, double y, double z) {
+    double level = -1;
+    for (const domains::Level& hole : all) level = std::max(level, -hole(x, y, z));
+    return level;
+  });
+}
+
+Lattice random_lattice(std::mt19937_64& random) {
+  const auto place = [&] { return 2 * between(random, -40, 40); };
+  const auto extent = [&] { return between(random, 4, 24); };
+  return {{place(), place(), place()}, {extent(), extent(), extent()}};
+}
+
+TEST(Grading, OfABallIsSoundAndSmaller) {
+  const Lattice lattice{{-32, -30, -34}, {33, 34, 35}};
+  const Graded graded =
+      grade(domains::of_level(domains::sphere(0.3, 0.2, 0.1, 27)), lattice, Method::embedded);
+  expect_sound(graded, "a ball");
+  EXPECT_LT(graded.levels[0].tets.size(), graded.uniform.tets.size() / 2);
+  EXPECT_LT(graded.levels[1].tets.size(), graded.levels[0].tets.size());
+  EXPECT_LE(graded.levels[2].tets.size(), graded.levels[1].tets.size());
+}
+
+/// A row of more than 64 cells crosses the words of a bit plane.
+TEST(Grading, OfALongBarIsSound) {
+  const Lattice lattice{{-130, 2, 6}, {150, 14, 13}};
+  expect_sound(grade(domains::of_level([](double x, double y, double z) {
+                       return std::max({std::abs(x - 20) - 145, std::abs(y - 15) - 11,
+                                        std::abs(z - 18) - 10, 1 - std::hypot(x + 3, y - 14)});
+                     }),
+                     lattice, Method::embedded),
+               "a bar");
+}
+
+TEST(Grading, OfRandomDomainsIsSound) {
+  for (int trial = 0; trial < 16; ++trial) {
+    std::mt19937_64 random(trial_seed(test_seed(), static_cast<std::uint64_t>(trial)));
+    const Lattice lattice = random_lattice(random);
+    const domains::Positional domain = with_holes(random, lattice, between(random, 0, 5));
+    expect_sound(grade(domain, lattice, methods[trial % 4]), "trial " + std::to_string(trial));
+  }
+}
+
+TEST(Grading, OfNoiseIsTheUniformMesh) {
+  const Graded graded =
+      grade(domains::noise(test_seed(), 20), {{0, 0, 0}, {9, 9, 9}}, Method::angles);
+  for (const PlacedMesh& mesh : graded.levels) EXPECT_EQ(mesh.tets, graded.uniform.tets);
+}
+
+/// A graded mesh where a planted defect is to be seen.
+const Graded& sound() {
+  static const Graded graded =
+      grade(domains::of_level(domains::sphere(0.3, 0.2, 0.1, 15)), {{-18, -18, -18}, {19, 19, 19}},
+            Method::embedded);
+  return graded;
+}
+
+bool is_noticed(const std::function<void(PlacedMesh&)>& spoil) {
+  PlacedMesh mesh = sound().levels[1];
+  spoil(mesh);
+  return !fault(mesh, sound().uniform, range_of(Method::embedded)).empty();
+}
+
+TEST(Grading, NoticesATetrahedronThatIsMissing) {
+  EXPECT_TRUE(is_noticed([](PlacedMesh& m) { m.tets.pop_back(); }));
+}
+
+TEST(Grading, NoticesATetrahedronTwice) {
+  EXPECT_TRUE(is_noticed([](PlacedMesh& m) { m.tets.push_back(m.tets.back()); }));
+}
+
+/// Two tetrahedra of equal size beside each other, cut along the other diagonal of a square.
+TEST(Grading, NoticesAFlippedDiagonal) {
+  EXPECT_TRUE(is_noticed([](PlacedMesh& m) {
+    std::map<Triangle, std::size_t> faces;
+    for (std::size_t t = 0; t < m.tets.size(); ++t) {
+      const auto& [a, b, c, d] = m.tets[t].corners;
+      for (const Triangle& face : {Triangle{b, c, d}, {a, d, c}, {a, b, d}, {a, c, b}})
+        faces[turned(face)] = t;
+    }
+    // The halves of a pyramid: their apex in common, and the other corners in one plane.
+    for (const auto& [face, t] : faces) {
+      const auto found = faces.find(other_side(face));
+      if (found == faces.end()) continue;
+      auto& one = m.tets[t].corners;
+      auto& two = m.tets[found->second].corners;
+      const auto lone = [&](const std::array<Coord3, 4>& tet) {
+        return *std::ranges::find_if(tet, [&, f = face](Coord3 p) {
+          return std::ranges::find(f, p) == f.end();
+        });
+      };
+      const Coord3 p = lone(one), q = lone(two);
+      for (const Coord3 apex : face) {
+        Triangle base = face;
+        std::ranges::rotate(base, std::ranges::find(base, apex));
+        const auto& [top, r, s] = base;
+        if (p + q != r + s) continue;
+        one = {p, q, r, top};
+        two = {q, p, s, top};
+        for (auto* tet : {&one, &two})
+          if (exact::six_volume(*tet) < 0) std::swap((*tet)[0], (*tet)[1]);
+        return;
+      }
+    }
+    ADD_FAILURE() << "there is no pyramid";
+  }));
+}
+
+TEST(Grading, OfTooManyLevelsIsRefused) {
+  certet::Context context;
+  const domains::Positional ball = domains::of_level(domains::sphere(0, 0, 0, 3));
+  certet::Stuffing stuffing(ball, {{-6, -6, -6}, {7, 7, 7}}, Method::embedded, context);
+  EXPECT_THROW(stuffing.grade(certet::most_grading_levels + 1, context), certet::Error);
+  EXPECT_THROW(stuffing.grade(-1, context), certet::Error);
+}
+
+}  // namespace
