@@ -42,30 +42,26 @@ class TetEmitter {
     return static_cast<Index>(numbers_.first_point(j, k));
   }
 
-  /// 64 cells: most have nothing inside, or all.  The former are passed over by the
-  /// bits of `any_plus`, runs of the latter need neither signs nor stencils; what is
-  /// left are the cells around the surface.
   void emit_word(const SignRows& signs, int w) {
     const CellWord word(signs, w);
-    std::uint64_t any_plus = word.any_plus;
-    std::uint64_t all_plus = word.all_plus;
-    if (graded_ != nullptr) keep_structured(w, any_plus, all_plus);
-    while (any_plus != 0) {
-      const int b = std::countr_zero(any_plus);
-      if ((all_plus >> b & 1) != 0) {
-        const int length = std::countr_one(all_plus >> b);
-        emit_interior(w, b, length);
-        any_plus = b + length == 64 ? 0 : any_plus & ~below(b + length);
-      } else {
-        emit_cell(word, w, b);
-        any_plus &= any_plus - 1;
-      }
-    }
+    emit_cells(word.any_plus, word.all_plus, w, [&](int b) { emit_cell(word, w, b); });
   }
 
   /// The same where several materials meet.
   void emit_material_word(const MaterialCells& cells, int w) {
-    auto [any, whole] = cells.kinds(w);
+    const auto [any, whole] = cells.kinds(w);
+    emit_cells(any, whole, w, [&](int b) {
+      cells.for_each_tet(64 * w + b, [&](std::size_t c, const UnstructuredTet& tet, Material) {
+        if (is_structured(c, b)) emit_tet(c, tet, w, b);
+      });
+    });
+  }
+
+  /// 64 cells: most have nothing inside, or all.  The former are passed over by the
+  /// bits of `any`, runs of the latter need neither signs nor stencils; what is left
+  /// are the cells around the surface.
+  template <class EmitOne>
+  void emit_cells(std::uint64_t any, std::uint64_t whole, int w, const EmitOne& emit_one) {
     if (graded_ != nullptr) keep_structured(w, any, whole);
     while (any != 0) {
       const int b = std::countr_zero(any);
@@ -74,9 +70,7 @@ class TetEmitter {
         emit_interior(w, b, length);
         any = b + length == 64 ? 0 : any & ~below(b + length);
       } else {
-        cells.for_each_tet(64 * w + b, [&](std::size_t c, const UnstructuredTet& tet, Material) {
-          if (is_structured(c, b)) emit_tet(c, tet, w, b);
-        });
+        emit_one(b);
         any &= any - 1;
       }
     }

@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <functional>
 #include <random>
-#include <sstream>
 #include <vector>
 
 #include "certet/stuffing.hpp"
 #include "certified.hpp"
-#include "differences.hpp"
 #include "domains.hpp"
+#include "holes.hpp"
+#include "placed_mesh.hpp"
 #include "seed.hpp"
 #include "seen.hpp"
 
@@ -23,11 +23,6 @@ using certet::Coord3;
 using certet::Lattice;
 using certet::Method;
 using certified::PlacedTet;
-
-struct PlacedMesh {
-  std::vector<PlacedTet> tets;  ///< sorted
-  Method method{};
-};
 
 /// The production side of the comparison.
 using Engine =
@@ -39,14 +34,7 @@ PlacedMesh engine(const domains::Positional& domain, const Lattice& lattice, Met
   context.threads = 1;
   certet::Stuffing stuffing(domain, lattice, method, context);
   stuffing.grade(levels, context);
-  const certet::Mesh mesh = certet::emit(stuffing, {}, context);
-  PlacedMesh placed{{}, stuffing.method()};
-  std::visit(
-      [&](const auto& tets) {
-        for (const auto& [a, b, c, d] : tets)
-          placed.tets.push_back({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]});
-      },
-      mesh.tets);
+  PlacedMesh placed = placed_mesh(stuffing, context);
   std::ranges::sort(placed.tets);
   return placed;
 }
@@ -63,25 +51,8 @@ std::vector<PlacedTet> reference(const domains::Positional& domain, const Lattic
 
 Differences compare(const Engine& production, const domains::Positional& domain,
                     const Lattice& lattice, Method method, int levels) {
-  Differences differences;
   const PlacedMesh ours = production(domain, lattice, method, levels);
-  const std::vector<PlacedTet> theirs = reference(domain, lattice, ours.method, levels);
-  differences.expect(ours.tets.size() == theirs.size(), [&] {
-    std::ostringstream out;
-    out << ours.tets.size() << " tetrahedra instead of " << theirs.size();
-    return out.str();
-  });
-  for (std::size_t i = 0; i < std::min(ours.tets.size(), theirs.size()); ++i)
-    differences.expect(ours.tets[i] == theirs[i], [&] {
-      std::ostringstream out;
-      out << "tetrahedron " << i;
-      for (const auto* tet : {&ours.tets[i], &theirs[i]}) {
-        out << (tet == &theirs[i] ? " instead of" : ":");
-        for (const Coord3 v : *tet) out << " (" << v.x << ' ' << v.y << ' ' << v.z << ')';
-      }
-      return out.str();
-    });
-  return differences;
+  return compare_tets(ours.tets, reference(domain, lattice, ours.method, levels));
 }
 
 const Lattice ball_lattice{{-14, -16, -12}, {15, 16, 14}};
@@ -109,21 +80,8 @@ Differences compare_random(const Engine& production, std::uint64_t seed) {
   const auto place = [&] { return 2 * between(random, -40, 40); };
   const auto extent = [&] { return between(random, 4, 12); };
   const Lattice lattice{{place(), place(), place()}, {extent(), extent(), extent()}};
-  std::vector<domains::Level> holes;
-  for (int n = between(random, 0, 2); n > 0; --n) {
-    const auto at = [&](std::int32_t from, std::int32_t cells) {
-      return from + std::uniform_real_distribution(0.0, 2.0 * cells)(random);
-    };
-    holes.push_back(domains::sphere(at(lattice.origin.x, lattice.cells[0]),
-                                    at(lattice.origin.y, lattice.cells[1]),
-                                    at(lattice.origin.z, lattice.cells[2]),
-                                    std::uniform_real_distribution(0.2, 3.0)(random)));
-  }
-  const domains::Positional domain = domains::of_level([holes](double x, double y, double z) {
-    double level = -1;
-    for (const domains::Level& hole : holes) level = std::max(level, -hole(x, y, z));
-    return level;
-  });
+  const domains::Positional domain =
+      domains::with_holes(random, lattice, between(random, 0, 2), 3);
   const Method method = certet::methods[static_cast<std::size_t>(between(random, 0, 3))].method;
   return compare(production, domain, lattice, method, between(random, 1, 3));
 }

@@ -10,8 +10,8 @@
 
 #include "certet/stuffing.hpp"
 #include "certified.hpp"
-#include "differences.hpp"
 #include "domains.hpp"
+#include "placed_mesh.hpp"
 #include "seen.hpp"
 
 namespace {
@@ -22,12 +22,6 @@ using certet::Method;
 using certet::Sign;
 using certified::PlacedTet;
 
-/// A mesh with the method that it was made by in the end.
-struct PlacedMesh {
-  std::vector<PlacedTet> tets;
-  Method method;
-};
-
 /// The production side of the comparison.
 using Engine = std::function<PlacedMesh(const domains::Positional&, const Lattice&,
                                         Method)>;
@@ -37,15 +31,7 @@ PlacedMesh engine(const domains::Positional& domain, const Lattice& lattice,
   certet::Context context;
   context.threads = 1;
   const certet::Stuffing stuffing(domain, lattice, method, context);
-  const certet::Mesh mesh = certet::emit(stuffing, {}, context);
-  PlacedMesh placed{{}, stuffing.method()};
-  std::visit(
-      [&](const auto& tets) {
-        for (const auto& [a, b, c, d] : tets)
-          placed.tets.push_back({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]});
-      },
-      mesh.tets);
-  return placed;
+  return placed_mesh(stuffing, context);
 }
 
 std::vector<PlacedTet> reference(const domains::Positional& domain, const Lattice& lattice,
@@ -60,25 +46,8 @@ std::vector<PlacedTet> reference(const domains::Positional& domain, const Lattic
 
 Differences compare(const Engine& production, const domains::Positional& domain,
                     const Lattice& lattice, Method method) {
-  Differences differences;
   const PlacedMesh ours = production(domain, lattice, method);
-  const std::vector<PlacedTet> theirs = reference(domain, lattice, ours.method);
-  differences.expect(ours.tets.size() == theirs.size(), [&] {
-    std::ostringstream out;
-    out << ours.tets.size() << " tetrahedra instead of " << theirs.size();
-    return out.str();
-  });
-  for (std::size_t i = 0; i < std::min(ours.tets.size(), theirs.size()); ++i)
-    differences.expect(ours.tets[i] == theirs[i], [&] {
-      std::ostringstream out;
-      out << "tetrahedron " << i;
-      for (const auto* tet : {&ours.tets[i], &theirs[i]}) {
-        out << (tet == &theirs[i] ? " instead of" : ":");
-        for (const Coord3 v : *tet) out << " (" << v.x << ' ' << v.y << ' ' << v.z << ')';
-      }
-      return out.str();
-    });
-  return differences;
+  return compare_tets(ours.tets, reference(domain, lattice, ours.method));
 }
 
 void expect_same(const domains::Positional& domain, const Lattice& lattice) {

@@ -15,6 +15,7 @@
 #include "certet/error.hpp"
 #include "certet/stuffing.hpp"
 #include "domains.hpp"
+#include "holes.hpp"
 #include "exact.hpp"
 #include "materials.hpp"
 #include "seed.hpp"
@@ -147,25 +148,6 @@ void expect_sound(const Graded& graded, const std::string& what) {
 constexpr Method methods[] = {Method::embedded, Method::angles, Method::embedding,
                               Method::midpoint};
 
-/// Space with holes, so that cells of all sizes meet in any way.
-domains::Positional with_holes(std::mt19937_64& random, const Lattice& lattice, int holes) {
-  std::vector<domains::Level> all;
-  for (int n = 0; n < holes; ++n) {
-    const auto at = [&](std::int32_t from, std::int32_t cells) {
-      return from + std::uniform_real_distribution(0.0, 2.0 * cells)(random);
-    };
-    all.push_back(domains::sphere(at(lattice.origin.x, lattice.cells[0]),
-                                  at(lattice.origin.y, lattice.cells[1]),
-                                  at(lattice.origin.z, lattice.cells[2]),
-                                  std::uniform_real_distribution(0.2, 4.0)(random)));
-  }
-  return domains::of_level([all](double x, double y, double z) {
-    double level = -1;
-    for (const domains::Level& hole : all) level = std::max(level, -hole(x, y, z));
-    return level;
-  });
-}
-
 Lattice random_lattice(std::mt19937_64& random) {
   const auto place = [&] { return 2 * between(random, -40, 40); };
   const auto extent = [&] { return between(random, 4, 24); };
@@ -197,7 +179,9 @@ TEST(Grading, OfRandomDomainsIsSound) {
   for (int trial = 0; trial < 16; ++trial) {
     std::mt19937_64 random(trial_seed(test_seed(), static_cast<std::uint64_t>(trial)));
     const Lattice lattice = random_lattice(random);
-    const domains::Positional domain = with_holes(random, lattice, between(random, 0, 5));
+    // Cells of all sizes meet in any way.
+    const domains::Positional domain =
+        domains::with_holes(random, lattice, between(random, 0, 5), 4);
     expect_sound(grade(domain, lattice, methods[trial % 4]), "trial " + std::to_string(trial));
   }
 }

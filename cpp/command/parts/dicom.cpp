@@ -5,20 +5,15 @@
 #include "parts/part.hpp"
 
 namespace certet {
-namespace {
-
-const command::DicomPart& dicom() { return command::part<command::DicomPart>("certet-dicom"); }
-
-}  // namespace
 
 Image read_dicom(const std::filesystem::path& folder, std::uint64_t max_bytes,
                  const ImageChoice& choice) {
-  return dicom().read_dicom(folder, max_bytes, choice);
+  return command::part<command::DicomPart>().read_dicom(folder, max_bytes, choice);
 }
 
 Image read_dicom_file(const std::filesystem::path& file, std::uint64_t max_bytes,
                       const ImageChoice& choice) {
-  return dicom().read_dicom_file(file, max_bytes, choice);
+  return command::part<command::DicomPart>().read_dicom_file(file, max_bytes, choice);
 }
 
 }  // namespace certet

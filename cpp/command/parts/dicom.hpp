@@ -7,6 +7,7 @@
 namespace certet::command {
 
 struct DicomPart {
+  static constexpr const char* module = "certet-dicom";
   ReadImage *read_dicom, *read_dicom_file;
 };
 

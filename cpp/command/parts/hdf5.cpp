@@ -5,26 +5,23 @@
 #include "parts/part.hpp"
 
 namespace certet {
-namespace {
-
-const command::Hdf5Part& hdf5() {
-  return command::part<command::Hdf5Part>("certet-hdf5");
-}
-
-}  // namespace
 
 bool has_hdf5() { return true; }
 
 namespace formats {
 
 std::unique_ptr<MeshWriter> open_xdmf(const std::filesystem::path& file, const MeshSize& size) {
-  return hdf5().open_xdmf(file, size);
+  return command::part<command::Hdf5Part>().open_xdmf(file, size);
 }
 std::unique_ptr<MeshWriter> open_vtkhdf(const std::filesystem::path& file, const MeshSize& size) {
-  return hdf5().open_vtkhdf(file, size);
+  return command::part<command::Hdf5Part>().open_vtkhdf(file, size);
 }
-std::uint64_t xdmf_bytes(const MeshSize& size) { return hdf5().xdmf_bytes(size); }
-std::uint64_t vtkhdf_bytes(const MeshSize& size) { return hdf5().vtkhdf_bytes(size); }
+std::uint64_t xdmf_bytes(const MeshSize& size) {
+  return command::part<command::Hdf5Part>().xdmf_bytes(size);
+}
+std::uint64_t vtkhdf_bytes(const MeshSize& size) {
+  return command::part<command::Hdf5Part>().vtkhdf_bytes(size);
+}
 
 }  // namespace formats
 }  // namespace certet

@@ -8,6 +8,7 @@
 namespace certet::command {
 
 struct Hdf5Part {
+  static constexpr const char* module = "certet-hdf5";
   formats::OpenWriter *open_xdmf, *open_vtkhdf;
   formats::FileBytes *xdmf_bytes, *vtkhdf_bytes;
 };

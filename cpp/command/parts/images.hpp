@@ -9,6 +9,7 @@
 namespace certet::command {
 
 struct ImagesPart {
+  static constexpr const char* module = "certet-images";
   decltype(&certet::read_image) read_image;
   decltype(&certet::axes_of_file) axes_of_file;
   decltype(&certet::smoothed_labels) smoothed_labels;

@@ -12,14 +12,14 @@ struct Part {
   const void* functions;  ///< a table of them, of the type that both sides know
 };
 
-/// A module's table, loaded for good.  `name` is that of its file in the folder of modules, which
-/// the program has as its run path.
+/// A module's table, loaded for good.  `name`, the `module` of its type, is that of its file in the
+/// folder of modules, which the program has as its run path.
 /// \throws Error `bad_option` where it is not installed, or is of another version.
 const void* load_part(const char* name);
 
 template <class Functions>
-const Functions& part(const char* name) {
-  static const void* const functions = load_part(name);
+const Functions& part() {
+  static const void* const functions = load_part(Functions::module);
   return *static_cast<const Functions*>(functions);
 }
 

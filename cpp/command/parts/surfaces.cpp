@@ -9,7 +9,7 @@ namespace certet {
 bool can_read_surfaces() { return true; }
 
 TriangleSurface read_surface(const std::filesystem::path& file) {
-  return command::part<command::SurfacesPart>("certet-surfaces").read_surface(file);
+  return command::part<command::SurfacesPart>().read_surface(file);
 }
 
 }  // namespace certet

@@ -7,6 +7,7 @@
 namespace certet::command {
 
 struct SurfacesPart {
+  static constexpr const char* module = "certet-surfaces";
   decltype(&certet::read_surface) read_surface;
 };
 

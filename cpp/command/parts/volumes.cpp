@@ -5,27 +5,20 @@
 #include "parts/part.hpp"
 
 namespace certet {
-namespace {
-
-const command::VolumesPart& volumes() {
-  return command::part<command::VolumesPart>("certet-volumes");
-}
-
-}  // namespace
 
 bool can_read_volumes() { return true; }
 
 Volume read_volume(const std::filesystem::path& file, const std::string& grid) {
-  return volumes().read_volume(file, grid);
+  return command::part<command::VolumesPart>().read_volume(file, grid);
 }
 
 std::unique_ptr<PlacedDomain> volume_domain(const Volume& volume, std::optional<double> level,
                                             const VolumeLattice& lattice) {
-  return volumes().volume_domain(volume, level, lattice);
+  return command::part<command::VolumesPart>().volume_domain(volume, level, lattice);
 }
 
 Solid volume_solid(const Volume& volume, std::optional<double> level) {
-  return volumes().volume_solid(volume, level);
+  return command::part<command::VolumesPart>().volume_solid(volume, level);
 }
 
 }  // namespace certet
