@@ -34,9 +34,9 @@ void add_vertices(const Octree& octree, int level, int j, int k, std::uint64_t* 
 
 }  // namespace
 
-GradedCells::GradedCells(const SignPlanes& planes, const Lattice& lattice, int levels,
-                         Context& context)
-    : octree_(planes, lattice, levels, context), even_(LevelGrid(lattice)),
+GradedCells::GradedCells(const SignPlanes& planes, const Lattice& lattice,
+                         const Grading& grading, Context& context)
+    : octree_(planes, lattice, grading, context), even_(LevelGrid(lattice)),
       before_(static_cast<std::size_t>(planes.words()) *
               static_cast<std::size_t>(lattice.cells[1]) *
               static_cast<std::size_t>(lattice.cells[2])) {

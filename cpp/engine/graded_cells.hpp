@@ -16,7 +16,8 @@ namespace certet::core {
 /// The octree of a mesh, and which vertices of the lattice it uses.
 class GradedCells {
  public:
-  GradedCells(const SignPlanes& planes, const Lattice& lattice, int levels, Context& context);
+  GradedCells(const SignPlanes& planes, const Lattice& lattice, const Grading& grading,
+              Context& context);
 
   [[nodiscard]] const Octree& octree() const { return octree_; }
 

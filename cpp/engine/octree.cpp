@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "asked_cells.hpp"
 #include "layer_loop.hpp"
 
 namespace certet::core {
@@ -79,11 +80,21 @@ std::uint64_t corners_of(const CellPlane& cells, int j, int k, int w) {
   return any;
 }
 
+void add_cells(const CellPlane& asked, CellPlane& cells, Context& context) {
+  const LevelGrid& grid = cells.grid();
+  for_each_layer(context, Stage::count, {0, grid.cells[2]}, [&](std::int32_t k) {
+    for (int j = 0; j < grid.cells[1]; ++j)
+      for (int w = 0; w < grid.words(); ++w) cells.words(j, k)[w] |= asked.words(j, k)[w];
+  });
+}
+
 }  // namespace
 
-Octree::Octree(const SignPlanes& planes, const Lattice& lattice, int levels, Context& context) {
+Octree::Octree(const SignPlanes& planes, const Lattice& lattice, const Grading& grading,
+               Context& context) {
+  const std::vector<CellPlane> asked = asked_cells(planes, lattice, grading, context);
   grids_.emplace_back(lattice);
-  for (int level = 0; level < levels; ++level) {
+  for (int level = 0; level < grading.levels; ++level) {
     if (level == 0) {
       cells_.push_back(cells_near_surface(planes, lattice, context));
     } else {
@@ -92,6 +103,7 @@ Octree::Octree(const SignPlanes& planes, const Lattice& lattice, int levels, Con
         return parents(children, j, k, w);
       }));
     }
+    if (!asked.empty()) add_cells(asked[static_cast<std::size_t>(level)], cells_.back(), context);
     grids_.push_back(grids_.back().coarser());
   }
   find_corners(context);

@@ -9,6 +9,7 @@
 
 #include "cell_planes.hpp"
 #include "certet/context.hpp"
+#include "certet/grading.hpp"
 #include "sign_planes.hpp"
 
 namespace certet::core {
@@ -20,8 +21,9 @@ class Octree {
  public:
   /// The least octree of so many levels above level 0 that keeps every cell with a vertex
   /// near it that is not inside, by the signs after warping, or is of another material:
-  /// `GradedOctree`.
-  Octree(const SignPlanes& planes, const Lattice& lattice, int levels, Context& context);
+  /// `GradedOctree`; and the cells that sizes ask for: `OctreeAround`.
+  Octree(const SignPlanes& planes, const Lattice& lattice, const Grading& grading,
+         Context& context);
 
   /// The level of which all cells exist.
   [[nodiscard]] int top() const { return static_cast<int>(cells_.size()); }

@@ -215,7 +215,8 @@ Pieces Stuffing::pieces(const Frame& frame, Context& context) const {
   });
 }
 
-void Stuffing::grade(std::int32_t levels, Context& context) {
+void Stuffing::grade(const Grading& grading, Context& context) {
+  const std::int32_t levels = grading.levels;
   if (levels < 0 || levels > most_grading_levels)
     throw Error(ErrorCode::bad_option, "a mesh is graded by 0 to " +
                                            std::to_string(most_grading_levels) + " levels");
@@ -227,7 +228,7 @@ void Stuffing::grade(std::int32_t levels, Context& context) {
     const Window all = whole(s.lattice);
     auto graded = levels == 0 ? nullptr
                               : std::make_unique<const GradedCells>(s.warped.planes, s.lattice,
-                                                                    levels, context);
+                                                                    grading, context);
     RowNumbers numbers(s.warped.planes, s.lattice, all, context, graded.get());
     s.uniform_tets = uniform_tet_count();
     s.numbers = std::move(numbers);

@@ -33,7 +33,7 @@ PlacedMesh engine(const domains::Positional& domain, const Lattice& lattice, Met
   certet::Context context;
   context.threads = 1;
   certet::Stuffing stuffing(domain, lattice, method, context);
-  stuffing.grade(levels, context);
+  stuffing.grade({.levels = levels, .of_materials = {}, .at_points = {}}, context);
   PlacedMesh placed = placed_mesh(stuffing, context);
   std::ranges::sort(placed.tets);
   return placed;

@@ -40,6 +40,12 @@ struct PlacedMesh {
   std::vector<PlacedTet> tets;
 };
 
+certet::Grading levels_of(std::int32_t levels) {
+  certet::Grading grading;
+  grading.levels = levels;
+  return grading;
+}
+
 PlacedMesh placed(const certet::Stuffing& stuffing) {
   certet::Context context;
   context.threads = 2;
@@ -92,6 +98,12 @@ exact::Wide six_volume(const PlacedMesh& mesh) {
   return sum;
 }
 
+std::map<std::int32_t, exact::Wide> volumes(const PlacedMesh& mesh) {
+  std::map<std::int32_t, exact::Wide> sums;
+  for (const PlacedTet& tet : mesh.tets) sums[tet.label] += exact::six_volume(tet.corners);
+  return sums;
+}
+
 /// The first property that a graded mesh breaks, in words; empty if it has them all.
 std::string fault(const PlacedMesh& graded, const PlacedMesh& uniform,
                   const exact::AngleRange& range) {
@@ -131,11 +143,11 @@ Graded grade(const certet::Domain& domain, const Lattice& lattice, Method method
   certet::Stuffing stuffing(domain, lattice, method, context);
   Graded graded{placed(stuffing), {}, stuffing.method()};
   for (int levels = 1; levels <= certet::most_grading_levels; ++levels) {
-    stuffing.grade(levels, context);
+    stuffing.grade(levels_of(levels), context);
     EXPECT_EQ(stuffing.uniform_tet_count(), graded.uniform.tets.size());
     graded.levels.push_back(placed(stuffing));
   }
-  stuffing.grade(0, context);
+  stuffing.grade({}, context);
   EXPECT_EQ(placed(stuffing).tets, graded.uniform.tets);
   return graded;
 }
@@ -184,6 +196,114 @@ TEST(Grading, OfRandomDomainsIsSound) {
         domains::with_holes(random, lattice, between(random, 0, 5), 4);
     expect_sound(grade(domain, lattice, methods[trial % 4]), "trial " + std::to_string(trial));
   }
+}
+
+/// Balls of several materials, which lie in each other and touch.
+materials::Positional of_materials(std::mt19937_64& random, const Lattice& lattice) {
+  std::vector<std::pair<domains::Level, certet::Material>> balls;
+  for (int n = 0; n < 4; ++n) {
+    const auto at = [&](std::int32_t from, std::int32_t cells) {
+      return from + std::uniform_real_distribution(0.0, 2.0 * cells)(random);
+    };
+    balls.push_back({domains::sphere(at(lattice.origin.x, lattice.cells[0]),
+                                     at(lattice.origin.y, lattice.cells[1]),
+                                     at(lattice.origin.z, lattice.cells[2]),
+                                     std::uniform_real_distribution(3.0, 14.0)(random)),
+                     between(random, 0, 3)});
+  }
+  return {{11, 12, 13}, [balls](Coord3 p) -> certet::Material {
+            constexpr double unit = certet::steps;
+            certet::Material material = 2;
+            for (const auto& [ball, inside] : balls)
+              if (ball(p.x / unit, p.y / unit, p.z / unit) < 0) material = inside;
+            return material;
+          }};
+}
+
+TEST(Grading, OfSeveralMaterialsIsSound) {
+  for (int trial = 0; trial < 8; ++trial) {
+    std::mt19937_64 random(trial_seed(test_seed(), 100 + static_cast<std::uint64_t>(trial)));
+    const Lattice lattice = random_lattice(random);
+    const Method method = trial % 2 == 0 ? Method::embedded : Method::midpoint;
+    const Graded graded = grade(of_materials(random, lattice), lattice, method);
+    expect_sound(graded, "trial " + std::to_string(trial));
+    for (const PlacedMesh& mesh : graded.levels)
+      EXPECT_EQ(volumes(mesh), volumes(graded.uniform)) << "trial " << trial;
+  }
+}
+
+/// A method that gives each tetrahedron the label at its centre has none to hold on to.
+TEST(Grading, OfMaterialsWithoutInterfacesIsRefused) {
+  certet::Context context;
+  std::mt19937_64 random(1);
+  const Lattice lattice{{0, 0, 0}, {12, 12, 12}};
+  const materials::Positional domain = of_materials(random, lattice);
+  certet::Stuffing stuffing(domain, lattice, Method::angles, context);
+  EXPECT_THROW(stuffing.grade(levels_of(1), context), certet::Error);
+}
+
+/// The length of the longest edge, in long edges of the lattice.
+double longest_edge(const PlacedTet& tet) {
+  double longest = 0;
+  for (std::size_t a = 0; a < 4; ++a)
+    for (std::size_t b = 0; b < a; ++b) {
+      const Coord3 d = tet.corners[a] - tet.corners[b];
+      longest = std::max(longest, std::hypot(d.x, d.y, d.z) / (2 * certet::steps));
+    }
+  return longest;
+}
+
+/// Where fewer levels are asked for, no tetrahedron is larger than these give, and elsewhere
+/// some are.
+TEST(Grading, KeepsToTheSizesThatAreAskedFor) {
+  const Lattice lattice{{-30, -26, -28}, {30, 27, 28}};
+  const domains::Positional domain = domains::of_level(domains::sphere(0.3, 0.2, 0.1, 25));
+  const auto most = [](double x) { return x < -8 ? 0 : x < 0 ? 1 : x < 8 ? 2 : 3; };
+  certet::Context context;
+  certet::Stuffing stuffing(domain, lattice, Method::embedded, context);
+  const PlacedMesh uniform = placed(stuffing);
+  stuffing.grade(levels_of(3), context);
+  const std::uint64_t all = stuffing.tet_count();
+  stuffing.grade({.levels = 3, .of_materials = {},
+                  .at_points = [&](Coord3 first, std::span<std::int32_t> levels) {
+                    for (std::size_t i = 0; i < levels.size(); ++i)
+                      levels[i] = most(first.x + 2.0 * static_cast<double>(i));
+                  }},
+                 context);
+  const PlacedMesh graded = placed(stuffing);
+  EXPECT_EQ(fault(graded, uniform, range_of(Method::embedded)), "");
+  EXPECT_GT(graded.tets.size(), all);
+  EXPECT_LT(graded.tets.size(), uniform.tets.size());
+  bool larger = false;
+  for (const PlacedTet& tet : graded.tets) {
+    double greatest = -1e9;
+    for (const Coord3 p : tet.corners) greatest = std::max(greatest, double(p.x) / certet::steps);
+    // A pyramid's base is as wide as the cell that it lies in; nearest the surface edges move.
+    EXPECT_LE(longest_edge(tet), 1.5 * (1 << most(greatest)));
+    larger = larger || longest_edge(tet) > 1.5;
+  }
+  EXPECT_TRUE(larger);
+}
+
+TEST(Grading, KeepsToTheLevelsOfMaterials) {
+  const Lattice lattice{{-30, -26, -28}, {30, 27, 28}};
+  const materials::Positional domain({5, 6}, [](Coord3 p) -> certet::Material {
+    const double x = double(p.x) / certet::steps, y = double(p.y) / certet::steps,
+                 z = double(p.z) / certet::steps;
+    return std::hypot(x, y, z) > 25 ? 0 : x < 0.3 ? 1 : 2;
+  });
+  certet::Context context;
+  certet::Stuffing stuffing(domain, lattice, Method::embedded, context);
+  const PlacedMesh uniform = placed(stuffing);
+  stuffing.grade({.levels = 3, .of_materials = {0, 2}, .at_points = {}}, context);
+  const PlacedMesh graded = placed(stuffing);
+  EXPECT_EQ(fault(graded, uniform, range_of(Method::embedded)), "");
+  std::map<std::int32_t, double> longest;
+  for (const PlacedTet& tet : graded.tets)
+    longest[tet.label] = std::max(longest[tet.label], longest_edge(tet));
+  EXPECT_LT(longest[5], 1.8);
+  EXPECT_GT(longest[6], 3.9);
+  EXPECT_LT(longest[6], 6);
 }
 
 TEST(Grading, OfNoiseIsTheUniformMesh) {
@@ -255,8 +375,8 @@ TEST(Grading, OfTooManyLevelsIsRefused) {
   certet::Context context;
   const domains::Positional ball = domains::of_level(domains::sphere(0, 0, 0, 3));
   certet::Stuffing stuffing(ball, {{-6, -6, -6}, {7, 7, 7}}, Method::embedded, context);
-  EXPECT_THROW(stuffing.grade(certet::most_grading_levels + 1, context), certet::Error);
-  EXPECT_THROW(stuffing.grade(-1, context), certet::Error);
+  EXPECT_THROW(stuffing.grade(levels_of(certet::most_grading_levels + 1), context), certet::Error);
+  EXPECT_THROW(stuffing.grade(levels_of(-1), context), certet::Error);
 }
 
 }  // namespace

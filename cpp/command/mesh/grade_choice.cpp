@@ -51,7 +51,7 @@ void grade(const GradeChoice& choice, double size, Stuffing& stuffing, Context& 
   if (stuffing.labels().size() > 1 && !stuffing.has_interfaces())
     refuse("--grade and --max-size go with several labels where they are cut apart, so not with "
            "--method paper");
-  stuffing.grade(levels, context);
+  stuffing.grade({.levels = levels, .of_materials = {}, .at_points = {}}, context);
 }
 
 void add_grade(Lines& lines, const GradeReport& report, std::uint64_t tets, double size) {

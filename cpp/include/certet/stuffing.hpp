@@ -11,6 +11,7 @@
 
 #include "certet/context.hpp"
 #include "certet/domain.hpp"
+#include "certet/grading.hpp"
 #include "certet/lattice.hpp"
 #include "certet/lattice/lattice_limits.hpp"
 #include "certet/mesh.hpp"
@@ -25,9 +26,6 @@ namespace certet {
 using TetPair = std::array<std::uint32_t, 2>;
 /// Takes some pairs, and is called again for more.
 using VisitTetPairs = std::function<void(std::span<const TetPair>)>;
-
-/// Up to so many levels volumes fit their numbers: `GradedVolumesFit` of the certificate.
-inline constexpr std::int32_t most_grading_levels = 3;
 
 /// A mesh that is decided and counted, but not yet written out: signs, cuts
 /// and warped vertices of the lattice.  It is made of layers (one for each k of
@@ -128,13 +126,12 @@ class Stuffing {
   Stuffing keep(const KeepRule& rule, Context& context);
 
   /// Grades the mesh: away from its surface, and where no materials meet, tetrahedra become
-  /// larger, each level by a factor of two, for up to so many `levels`.  What touches the
-  /// surface or an interface stays as it was, bit by bit; points and tetrahedra are numbered
-  /// anew.  0 takes grading back; `keep` does too.
+  /// larger.  What touches the surface or an interface stays as it was, bit by bit; points and
+  /// tetrahedra are numbered anew.  By no level grading is taken back; `keep` does so too.
   /// \throws Error `bad_option` (more levels than `most_grading_levels`, or several materials
   /// that do not meet in interfaces), `cancelled`, `too_large` (out of memory); then nothing is
   /// changed.
-  void grade(std::int32_t levels, Context& context);
+  void grade(const Grading& grading, Context& context);
   /// By how many levels the mesh is graded.
   [[nodiscard]] std::int32_t grading_levels() const;
   /// How many tetrahedra the mesh has when it is not graded.
