@@ -121,8 +121,8 @@ Source from_interfaces(const std::shared_ptr<const Image>& image, const MeshOpti
                        const Context& context) {
   const double volume = volume_of_labels(*image, options.labels);
   const auto fields = label_fields(image, options.labels, {options.smooth}, context);
-  const auto place = [fields, options, volume](double size) {
-    auto domain = interface_domain(fields, {size, options.margin});
+  const auto place = [fields, options, volume, &context](double size) {
+    auto domain = interface_domain(fields, {size, options.margin}, context);
     const bool keeps_voxels = domain->keeps_voxels();
     PlacedSource source = placed_image(std::move(domain), options);
     if (!options.crop) source.volume = volume;

@@ -248,7 +248,8 @@ std::unique_ptr<InterfaceDomain> interface_domain(std::shared_ptr<const Image> i
 
 /// The same of fields that there are already.
 std::unique_ptr<InterfaceDomain> interface_domain(std::shared_ptr<const LabelFields> fields,
-                                                 const ImageLattice& lattice);
+                                                 const ImageLattice& lattice,
+                                                 const Context& context = {});
 
 /// One label in an image, and what a lattice finds of it.  A piece is what hangs
 /// together: voxels by their faces, or by faces, edges and corners; points of the

@@ -12,6 +12,7 @@
 #include "fields/label_fields.hpp"
 #include "fields/labelling.hpp"
 #include "fields/material_image.hpp"
+#include "fields/mesh_correction.hpp"
 #include "fields/node_fields.hpp"
 #include "fields/parting.hpp"
 #include "fields/region_volumes.hpp"
@@ -32,11 +33,12 @@ enum class OnCentres {
 
 class FieldsDomain final : public InterfaceDomain {
  public:
-  FieldsDomain(std::shared_ptr<const LabelFields> kept, const Placement& placement,
-               OnCentres on_centres)
+  FieldsDomain(std::shared_ptr<const LabelFields> kept, std::shared_ptr<const NodeFields> nodes,
+               const Placement& placement, OnCentres on_centres)
       : kept_(std::move(kept)),
+        nodes_(std::move(nodes)),
         image_(kept_->image),
-        fields_(kept_->nodes),
+        fields_(*nodes_),
         placement_(placement),
         frame_(placement.axis),
         on_centres_(on_centres),
@@ -149,6 +151,7 @@ class FieldsDomain final : public InterfaceDomain {
   }
 
   std::shared_ptr<const LabelFields> kept_;
+  std::shared_ptr<const NodeFields> nodes_;
   const MaterialImage& image_;
   const NodeFields& fields_;
   Placement placement_;
@@ -203,7 +206,7 @@ std::unique_ptr<InterfaceDomain> fields_domain(std::shared_ptr<const Image> imag
                                               const Context& context) {
   return interface_domain(
       std::make_shared<const LabelFields>(std::move(image), std::move(labels), rules, context),
-      lattice);
+      lattice, context);
 }
 
 }  // namespace certet::fields
@@ -219,11 +222,15 @@ std::shared_ptr<const LabelFields> label_fields(std::shared_ptr<const Image> ima
 }
 
 std::unique_ptr<InterfaceDomain> interface_domain(std::shared_ptr<const LabelFields> fields,
-                                                 const ImageLattice& lattice) {
+                                                 const ImageLattice& lattice,
+                                                 const Context& context) {
   const fields::MaterialImage& materials = fields->image;
   const Placement placement = place(materials.image(), materials.bounds(), lattice, 0);
   const auto on_centres = fields::on_centres(materials.image(), placement.frame.size);
-  return std::make_unique<fields::FieldsDomain>(std::move(fields), placement, on_centres);
+  const auto domain_of = [&](std::shared_ptr<const fields::NodeFields> nodes) {
+    return std::make_unique<fields::FieldsDomain>(fields, std::move(nodes), placement, on_centres);
+  };
+  return domain_of(fields::corrected_by_mesh(fields, placement, domain_of, context));
 }
 
 std::unique_ptr<InterfaceDomain> interface_domain(std::shared_ptr<const Image> image,
@@ -232,7 +239,7 @@ std::unique_ptr<InterfaceDomain> interface_domain(std::shared_ptr<const Image> i
                                                  const InterfaceSmoothing& smoothing,
                                                  const Context& context) {
   return interface_domain(label_fields(std::move(image), std::move(labels), smoothing, context),
-                          lattice);
+                          lattice, context);
 }
 
 }  // namespace certet

@@ -18,9 +18,11 @@ class LabelFields {
  public:
   /// \throws Error as `label_fields`.
   LabelFields(std::shared_ptr<const Image> labelled, std::vector<LabelRange> labels,
-              const fields::Rules& rules, const Context& context)
-      : image(std::move(labelled), std::move(labels)), nodes(image, rules, context) {}
+              const fields::Rules& made_by, const Context& context)
+      : rules(made_by), image(std::move(labelled), std::move(labels)),
+        nodes(image, rules, context) {}
 
+  const fields::Rules rules;
   const fields::MaterialImage image;
   const fields::NodeFields nodes;
 };

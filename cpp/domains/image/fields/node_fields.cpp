@@ -1,6 +1,7 @@
 #include "node_fields.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "fields/for_each_tile.hpp"
 #include "fields/make_tile.hpp"
@@ -29,20 +30,25 @@ NodeFields::NodeFields(const MaterialImage& image, const Rules& rules, const Con
   only_.resize(tiles, 0);
   make_tiles(image, rules, context);
   constants_.assign(image.labels().size() + 1, 0);
-  if (rules.keep_volumes) constants_ = volume_constants(*this, image, rules, context);
+  if (rules.keep_volumes) {
+    auto [constants, growths] = volume_constants(*this, image, rules, context);
+    constants_ = std::move(constants);
+    growths_ = std::move(growths);
+  }
   finish_tiles(rules.hold, context);
 }
 
 void NodeFields::make_tiles(const MaterialImage& image, const Rules& rules,
                             const Context& context) {
   const int halo = halo_of(rules);
-  const Treads treads = rules.slope_treads ? Treads(image, context) : Treads();
+  treads_ = rules.slope_treads ? std::make_shared<const Treads>(image, context)
+                               : std::make_shared<const Treads>();
   // Along the first axis one after the other.
   const auto row = static_cast<std::size_t>(counts_[0]);
   for_each_tile(context, tiles_.size() / row, [&](std::size_t r) {
     TileMaker maker(rules);
     for (std::size_t t = r * row; t < (r + 1) * row; ++t) {
-      const LabelWindow window = window_around(image, treads, first_cell(t), halo);
+      const LabelWindow window = window_around(image, *treads_, first_cell(t), halo);
       only_[t] = window.materials.front();
       tiles_[t] = maker.make(window);
     }
@@ -53,6 +59,23 @@ void NodeFields::finish_tiles(bool hold, const Context& context) {
   for_each_tile(context, tiles_.size(), [&](std::size_t t) {
     if (tiles_[t]) finish_tile(*tiles_[t], constants_, hold);
   });
+}
+
+NodeFields NodeFields::with(Constants constants, const MaterialImage& image, const Rules& rules,
+                            const Context& context) const {
+  NodeFields other(*this);
+  other.constants_ = std::move(constants);
+  const auto has_changed = [&](Material material) {
+    const auto m = static_cast<std::size_t>(material);
+    return other.constants_[m] != constants_[m];
+  };
+  const int halo = halo_of(rules);
+  for_each_tile(context, tiles_.size(), [&](std::size_t t) {
+    if (!tiles_[t] || std::ranges::none_of(tiles_[t]->materials, has_changed)) return;
+    other.tiles_[t] = TileMaker(rules).make(window_around(image, *treads_, first_cell(t), halo));
+    finish_tile(*other.tiles_[t], other.constants_, rules.hold);
+  });
+  return other;
 }
 
 std::optional<Material> NodeFields::only_material(const CellBox& cells) const {

@@ -14,6 +14,7 @@
 #include "fields/hold.hpp"
 #include "fields/material_image.hpp"
 #include "fields/rules.hpp"
+#include "fields/treads.hpp"
 
 namespace certet::fields {
 
@@ -62,6 +63,13 @@ class NodeFields {
   [[nodiscard]] const Tile* tile(std::size_t number) const { return tiles_[number].get(); }
   [[nodiscard]] Material only(std::size_t number) const { return only_[number]; }
   [[nodiscard]] const Constants& constants() const { return constants_; }
+  /// How many voxels a region gains about if its constant grows by 1; none where volumes are not
+  /// kept.
+  [[nodiscard]] const std::vector<double>& growths() const { return growths_; }
+  /// The same with other constants, of the image and by the rules that these are of.  Tiles
+  /// without labels whose constants have changed are shared.
+  [[nodiscard]] NodeFields with(Constants constants, const MaterialImage& image,
+                                const Rules& rules, const Context& context) const;
 
   /// Calls visit(block, its first cell) for all blocks of a tile.
   template <class Visit>
@@ -82,9 +90,11 @@ class NodeFields {
   void finish_tiles(bool hold, const Context& context);
 
   std::array<std::int64_t, 3> counts_;  ///< of tiles
-  std::vector<std::unique_ptr<Tile>> tiles_;
+  std::vector<std::shared_ptr<Tile>> tiles_;  ///< not changed once they are finished
   std::vector<Material> only_;  ///< of tiles of one material
+  std::shared_ptr<const Treads> treads_;
   Constants constants_;
+  std::vector<double> growths_;
 };
 
 }  // namespace certet::fields
