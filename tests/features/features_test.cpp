@@ -68,12 +68,14 @@ TEST(Features, EdgesOfBoxesAreExact) {
     EXPECT_NEAR(judge::volume(kept.after) / part.volume, 1, 1e-4) << trial;
     EXPECT_NEAR(kept.figures.kept_percent(), 100, 1e-9);
   }
-  EXPECT_GE(exact, 14);
+  EXPECT_GE(exact, 15);
 }
 
 /// A chord of a circle is beside it, and no nearer than the curvature of the side lets it.
 TEST(Features, VerticesFollowTheCirclesOfCylinders) {
-  for (int trial = 0; trial < 12; ++trial) {
+  constexpr int trials = 12;
+  double kept_percent = 0;
+  for (int trial = 0; trial < trials; ++trial) {
     std::mt19937_64 random(trial_seed(test_seed(), 100 + unsigned(trial)));
     constexpr int sides[] = {24, 48, 96, 200};
     parts::Part part = parts::cylinder(1, real(random, 1, 2), sides[trial % 4]);
@@ -84,13 +86,16 @@ TEST(Features, VerticesFollowTheCirclesOfCylinders) {
     EXPECT_NEAR(kept.figures.followed_percent(), 100, 1e-9) << trial;
     // The sagitta of a chord of some two edges, and what a side of the polygon leaves.
     const double chord = 2.2 * size;
+    EXPECT_GE(kept.figures.kept_percent(), 60) << trial;
+    kept_percent += kept.figures.kept_percent() / trials;
     EXPECT_LE(judge::nearness(kept.after, kept.features).greatest, chord * chord / 8 / size + 0.01) << trial;
     EXPECT_NEAR(judge::volume(kept.after) / part.volume, 1, 0.15 * size * size) << trial;
   }
+  EXPECT_GE(kept_percent, 92);
 }
 
-/// Parts of re-entrant and of acute edges, and of edges that end in smooth ones.  One edge of a part
-/// may be lost as a whole, in one of some hundreds of parts.
+/// Parts of re-entrant and of acute edges, and of edges that end in smooth ones.  In one of some
+/// hundreds of parts an edge is stopped beside a corner.
 TEST(Features, NearlyAllOfPartsIsKept) {
   double share = 0;
   int count = 0;
@@ -104,13 +109,13 @@ TEST(Features, NearlyAllOfPartsIsKept) {
     ASSERT_EQ(judge::fault(kept.before, kept.after, kept.features), "") << trial;
     const judge::Nearness found = judge::nearness(kept.after, kept.features);
     EXPECT_EQ(found.corners, kept.features.corners.size()) << trial;
-    EXPECT_GE(kept.figures.followed_percent(), 92) << trial;
+    EXPECT_GE(kept.figures.followed_percent(), 98) << trial;
     EXPECT_NEAR(judge::volume(kept.after) / part.volume, 1, 2e-3) << trial;
     share += kept.figures.followed_percent();
     ++count;
   }
   std::cout << share / count << " % of sharp edges are followed\n";
-  EXPECT_GE(share / count, 98.5);
+  EXPECT_GE(share / count, 99.7);
 }
 
 /// Parts that are too acute for their size, so that the guard stops many a move.

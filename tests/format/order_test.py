@@ -7,6 +7,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -20,6 +21,17 @@ import vtu  # noqa: E402
 from program import ProgramTest  # noqa: E402
 from readers import (arrays_of, gmsh, meshio, open_in_gmsh, read_by_vtk,  # noqa: E402
                      vtkXMLUnstructuredGridReader)
+
+try:
+    import h5py
+except ImportError:
+    h5py = None
+
+
+def real(text):
+    """Nastran's exponents have no letter."""
+    return float(re.sub(r"(?<=[0-9.])([+-])", r"e\1", text.strip().lower().replace("e", "")))
+
 
 # The edges that the middle nodes of an element are in the middle of, by its corners.
 VTK = ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))
@@ -151,7 +163,7 @@ class Files(Order):
         self.assertIn("several", run.stdout)
 
     def test_refusals(self):
-        for name in ("a.stl", "a.ply", "a.vtp"):
+        for name in ("a.stl", "a.ply", "a.vtp", "a.mfem", "polyMesh"):
             self.assert_fails(2, ["--order 2", "ten nodes"], "mesh", *SOLIDS, "--order", 2,
                               "-o", name)
         self.assert_fails(2, ["--curved", "--order 2"], "mesh", *SOLIDS, "--curved", "-o", "a.vtu")
@@ -215,8 +227,80 @@ class Text(Order):
         self.assertEqual(misplaced(points, faces, 3, TRIANGLE), 0)
 
 
+    def assert_fields(self, name, nodes_of, points_of):
+        """Columns of text; and that a file whose nodes are in another order is noticed."""
+        told, path = self.make(name)
+        text = (self.folder / name).read_text().splitlines()
+        points, tets = np.array(points_of(text)), np.array(nodes_of(text), np.int64) - 1
+        self.assert_in_the_middle(points, tets, VTK, told)
+        spoilt = tets.copy()
+        spoilt[0, [8, 9]] = spoilt[0, [9, 8]]  # planted: the order of Gmsh, of one element
+        self.assertGreater(misplaced(points, spoilt, 4, VTK), 0)
+
+    def test_nastran(self):
+        """CTETRA: the corners and two middle nodes, and the four others in the next line."""
+        def numbers(line, first):
+            return [int(line[i:i + 8]) for i in range(first, len(line), 8)]
+
+        self.assert_fields(
+            "a.bdf",
+            lambda text: [numbers(line, 24) + numbers(text[i + 1], 8)
+                          for i, line in enumerate(text) if line.startswith("CTETRA")],
+            lambda text: [[real(line[40:56]), real(line[56:72]), real(text[i + 1][8:24])]
+                          for i, line in enumerate(text) if line.startswith("GRID*")])
+
+    def test_dyna(self):
+        """ELEMENT_SOLID: a line of number and part, and one of ten nodes."""
+        def elements(text):
+            first = text.index("*ELEMENT_SOLID") + 1
+            last = next(i for i in range(first, len(text)) if text[i].startswith("*"))
+            for heading in text[first:last:2]:
+                self.assertEqual(len(heading), 16)
+            return [[int(line[i:i + 8]) for i in range(0, 80, 8)]
+                    for line in text[first + 1:last:2]]
+
+        def points(text):
+            first = text.index("*NODE") + 1
+            last = text.index("*ELEMENT_SOLID")
+            return [[float(line[i:i + 16]) for i in (8, 24, 40)] for line in text[first:last]]
+
+        self.assert_fields("a.k", elements, points)
+        self.assertIn("         1        16\n", (self.folder / "a.k").read_text())
+
+
+@unittest.skipIf(h5py is None, "h5py was not found")
+class Hdf5(Order):
+    def test_vtkhdf(self):
+        told, path = self.make("a.vtkhdf")
+        with h5py.File(path) as file:
+            grid = file["VTKHDF"]
+            self.assertEqual(set(grid["Types"][:]), {24})
+            self.assertTrue((np.diff(grid["Offsets"][:]) == 10).all())
+            self.assert_in_the_middle(grid["Points"][:], grid["Connectivity"][:].reshape(-1, 10),
+                                      VTK, told)
+
+    def test_xdmf(self):
+        told, path = self.make("a.xdmf")
+        with h5py.File(self.folder / "a.h5") as file:
+            points = file["geometry"][:]
+            self.assert_in_the_middle(points, file["topology"][:], VTK, told)
+            faces = file["surface_topology"][:]
+        self.assertEqual(faces.shape[1], 6)
+        self.assertEqual(misplaced(points, faces, 3, TRIANGLE), 0)
+
+
 @unittest.skipIf(meshio is None, "meshio was not found")
 class Meshio(Order):
+    @unittest.skipIf(h5py is None, "h5py was not found")
+    def test_xdmf(self):
+        told, points, tets, _ = self.read("a.xdmf")
+        self.assert_in_the_middle(points, tets, VTK, told)
+
+    def test_nastran(self):
+        """meshio turns Nastran's order, which it takes for another than VTK's in hexahedra alone."""
+        told, points, tets, _ = self.read("a.bdf")
+        self.assert_in_the_middle(points, tets, VTK, told)
+
     def read(self, name, *options, **settings):
         told, path = self.make(name, *options)
         mesh = meshio.read(path, **settings)

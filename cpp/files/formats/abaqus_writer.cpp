@@ -107,7 +107,7 @@ class AbaqusWriter final : public StreamedWriter {
   }
 
   void put_sets(const Sheets& sheets) {
-    for (const Sheet& sheet : sheets.all()) put_set(sheet.name, nodes_of(sheets, sheet));
+    for (const Sheet& sheet : sheets.all()) put_set(sheet.name, nodes_of(sheets, sheet, nodes_));
     const std::vector<std::string> names = names_of_region_sets(survey(), sheets);
     std::vector<bool> is_in(size_.points);
     for (std::size_t region = 0; region < names.size(); ++region) {
@@ -119,19 +119,6 @@ class AbaqusWriter final : public StreamedWriter {
       std::ranges::sort(nodes);
       put_set(names[region], nodes);
     }
-  }
-
-  /// Corners, and middle nodes behind them.
-  std::vector<std::uint64_t> nodes_of(const Sheets& sheets, const Sheet& sheet) {
-    if (!nodes_.has_middles()) return points_of(sheets, sheet);
-    std::vector<std::uint64_t> nodes;
-    sheets.for_each_face(sheet, [&](const BoundaryFace& face) {
-      const std::span<const std::uint64_t> own = nodes_.face(face.points);
-      nodes.insert(nodes.end(), own.begin(), own.end());
-    });
-    std::ranges::sort(nodes);
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    return nodes;
   }
 
   /// Those of a line that `line_bytes` describes, which are not in the set yet.

@@ -15,7 +15,7 @@ namespace certet::formats {
 /// Which of `tet_edges` the middle nodes of a format are in turn.
 using EdgeOrder = std::array<std::uint8_t, 6>;
 
-/// VTK, Abaqus, FEBio and MEDIT.
+/// VTK, XDMF, Abaqus, Nastran, LS-DYNA, FEBio and MEDIT.
 inline constexpr EdgeOrder usual_order{0, 1, 2, 3, 4, 5};
 inline constexpr EdgeOrder gmsh_order{0, 1, 2, 3, 5, 4};
 inline constexpr EdgeOrder tetgen_order{5, 3, 0, 1, 4, 2};

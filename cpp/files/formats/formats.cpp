@@ -151,6 +151,10 @@ bool holds_middle_nodes(Format format) {
     case Format::gmsh22:
     case Format::abaqus:
     case Format::febio:
+    case Format::nastran:
+    case Format::dyna:
+    case Format::xdmf:
+    case Format::vtkhdf:
     case Format::tetgen: return true;
     default: return false;
   }

@@ -1,9 +1,10 @@
-// Nastran bulk data: GRID points, CTETRA elements with a PSOLID property for each region, and a
+// Nastran bulk data: GRID points, CTETRA elements, of ten nodes too, with a PSOLID property for each region, and a
 // SET1 of the points of each patch and interface.  Materials, loads and the rest are for the user
 // to add: the material of a region has the region's number.
 
 #include <algorithm>
 
+#include "element_nodes.hpp"
 #include "field16.hpp"
 #include "line.hpp"
 #include "numbered_groups.hpp"
@@ -20,15 +21,18 @@ constexpr std::string_view nastran_head =
     "$ Tetrahedra by certet.  The material of each property, which has its number, is yours to add.\n"
     "BEGIN BULK\n";
 constexpr std::size_t nastran_field = 8, nastran_wide = 16;
+constexpr std::size_t nodes_in_line = 6;  ///< of CTETRA
 /// GRID* and its continuation; CTETRA; PSOLID with a comment, without the name.
 constexpr std::uint64_t grid_bytes = (8 + 4 * nastran_wide + 1) + (8 + nastran_wide + 1),
-                        tetra_bytes = 7 * nastran_field + 1, solid_bytes = 3 * nastran_field + 1 + 12;
+                        tetra_bytes = 7 * nastran_field + 1,
+                        more_bytes = 7 * nastran_field + 1,  // of its continuation
+                        solid_bytes = 3 * nastran_field + 1 + 12;
 
 class NastranWriter final : public StreamedWriter {
  public:
   NastranWriter(const std::filesystem::path& file, const MeshSize& size)
       : StreamedWriter(file, size), groups_(survey(), greatest_of_8_digits), latest_(groups_),
-        text_(file_, 0) {
+        nodes_(size), text_(file_, 0) {
     if (std::max(size.points, size.tets) > greatest_of_8_digits)
       file_.fail("Nastran's fields hold numbers up to 99,999,999");
     text_.append_text(nastran_head);
@@ -68,9 +72,15 @@ class NastranWriter final : public StreamedWriter {
   void put_tets(std::uint64_t first, std::span<const Tet<std::uint64_t>> tets,
                 std::span<const std::int32_t> labels) override {
     for (std::size_t i = 0; i < tets.size(); ++i) {
-      const auto& [a, b, c, d] = tets[i];
       const auto property = static_cast<std::uint64_t>(latest_.number_of(labels[i], file_));
-      put_card("CTETRA", {first + i + 1, property, a + 1, b + 1, c + 1, d + 1});
+      const std::span<const std::uint64_t> nodes = nodes_.tet(tets[i]);
+      Line line;
+      line << "CTETRA  " << Padded{first + i + 1, nastran_field} << Padded{property, nastran_field};
+      for (std::size_t n = 0; n < nodes.size(); ++n) {
+        if (n == nodes_in_line) line << "\n+       ";
+        line << Padded{nodes[n] + 1, nastran_field};
+      }
+      append(line << '\n');
     }
   }
 
@@ -85,7 +95,7 @@ class NastranWriter final : public StreamedWriter {
     constexpr std::size_t fields = 8;
     text_.append_text("$ points of " + sheet.name + "\n");
     std::vector<std::uint64_t> numbers{static_cast<std::uint64_t>(sheet.number)};
-    for (const std::uint64_t point : points_of(groups_.sheets, sheet)) numbers.push_back(point + 1);
+    for (const std::uint64_t point : nodes_of(groups_.sheets, sheet, nodes_)) numbers.push_back(point + 1);
     for (std::size_t i = 0; i < numbers.size(); i += fields) {
       Line line;
       line << (i == 0 ? "SET1    " : "+       ");
@@ -96,6 +106,7 @@ class NastranWriter final : public StreamedWriter {
 
   NumberedGroups groups_;
   LatestGroup latest_;
+  ElementNodes nodes_;
   Fields16 fields_;
   Section text_;
 };
@@ -110,10 +121,11 @@ std::unique_ptr<MeshWriter> open_nastran(const std::filesystem::path& file,
 std::uint64_t nastran_bytes(const MeshSize& size) {
   const Survey& survey = survey_of(size);
   const SheetText text(survey, NameRule::quoted);
-  // A surface has half as many points as triangles.
-  return nastran_head.size() + size.points * grid_bytes + size.tets * tetra_bytes +
+  const bool middles = size.middles != nullptr;
+  // A surface has half as many points as triangles, and one and a half times as many edges.
+  return nastran_head.size() + size.points * grid_bytes + size.tets * (tetra_bytes + (middles ? more_bytes : 0)) +
          text.regions * solid_bytes + text.region_names + text.sheets * (12 + 2 * nastran_field + 10) +
-         text.sheet_names + text.faces / 2 * (nastran_field + 2) + 8;
+         text.sheet_names + text.faces / 2 * (middles ? 4 : 1) * (nastran_field + 2) + 8;
 }
 
 std::vector<std::string> nastran_label_losses(const Survey& survey) {

@@ -53,9 +53,12 @@ void Dataset::append(std::span<const Point3> points) {
   if (!points.empty()) append(std::span<const double>(points.front().data(), 3 * points.size()));
 }
 
-void Dataset::append(std::span<const Tet<std::uint64_t>> tets) {
+void Dataset::append(std::span<const Tet<std::uint64_t>> tets, formats::ElementNodes& nodes) {
   numbers_.clear();
-  for (const Tet<std::uint64_t>& tet : tets) numbers_.insert(numbers_.end(), tet.begin(), tet.end());
+  for (const Tet<std::uint64_t>& tet : tets) {
+    const std::span<const std::uint64_t> own = nodes.tet(tet);
+    numbers_.insert(numbers_.end(), own.begin(), own.end());
+  }
   append(std::span<const std::int64_t>(numbers_));
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "certet/mesh.hpp"
+#include "files/formats/element_nodes.hpp"
 #include "files/formats/output_file.hpp"
 
 namespace certet::hdf5 {
@@ -55,7 +56,8 @@ class Dataset {
     append(Types<T>::memory(), values.data(), values.size());
   }
   void append(std::span<const Point3> points);
-  void append(std::span<const Tet<std::uint64_t>> tets);
+  /// Their nodes, as a format has them.
+  void append(std::span<const Tet<std::uint64_t>> tets, formats::ElementNodes& nodes);
 
  private:
   friend class File;

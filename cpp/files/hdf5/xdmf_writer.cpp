@@ -41,7 +41,9 @@ class Description {
     const std::vector<std::string> names = names_of(survey_.regions, NameRule::xml);
     for (std::size_t i = 0; i < names.size(); ++i)
       text += said("label " + std::to_string(survey_.regions[i].label) + " is ", names[i]);
-    text += geometry() + topology("Tetrahedron", size_.tets, 4, "topology");
+    text += geometry() + (size_.middles == nullptr
+                             ? topology("Tetrahedron", size_.tets, 4, "topology")
+                             : topology("Tetrahedron_10", size_.tets, 10, "topology"));
     text += attribute("label", size_.tets);
     return text + tail;
   }
@@ -52,7 +54,9 @@ class Description {
     for (const Sheet& sheet : sheets.all())
       text += said("surface " + std::to_string(sheet.number) + " is ", sheet.name);
     const std::uint64_t faces = face_count(survey_);
-    text += geometry() + topology("Triangle", faces, 3, "surface_topology");
+    text += geometry() + (size_.middles == nullptr
+                             ? topology("Triangle", faces, 3, "surface_topology")
+                             : topology("Triangle_6", faces, 6, "surface_topology"));
     return text + attribute("surface", faces) + tail;
   }
 
@@ -92,9 +96,9 @@ class XdmfWriter final : public StreamedWriter {
  public:
   XdmfWriter(const std::filesystem::path& file, const MeshSize& size)
       : StreamedWriter(file, size), surfaces_file_(surfaces_beside(file)),
-        numbers_file_(numbers_beside(file)), hdf5_(numbers_file_),
+        numbers_file_(numbers_beside(file)), nodes_(size), hdf5_(numbers_file_),
         points_(hdf5_.make_dataset<double>("geometry", size.points, 3)),
-        tets_(hdf5_.make_dataset<std::int64_t>("topology", size.tets, 4)),
+        tets_(hdf5_.make_dataset<std::int64_t>("topology", size.tets, nodes_.per_tet())),
         labels_(hdf5_.make_dataset<std::int32_t>("label", size.tets)) {
     const Description description(size_, numbers_beside(file).filename().string());
     put_text(file_, description.of_mesh());
@@ -113,13 +117,13 @@ class XdmfWriter final : public StreamedWriter {
 
   void put_tets(std::uint64_t, std::span<const Tet<std::uint64_t>> tets,
                 std::span<const std::int32_t> labels) override {
-    tets_->append(tets);
+    tets_->append(tets, nodes_);
     labels_->append(labels);
   }
 
   void put_surfaces() {
     const std::uint64_t faces = face_count(survey());
-    auto topology = hdf5_.make_dataset<std::int64_t>("surface_topology", faces, 3);
+    auto topology = hdf5_.make_dataset<std::int64_t>("surface_topology", faces, nodes_.per_face());
     auto sheets = hdf5_.make_dataset<std::int32_t>("surface", faces);
     std::vector<std::int64_t> points;
     std::vector<std::int32_t> numbers;
@@ -130,7 +134,8 @@ class XdmfWriter final : public StreamedWriter {
     };
     constexpr std::size_t at_once = 4096;
     Sheets::for_each_face(survey(), [&](const BoundaryFace& face, std::int32_t sheet) {
-      points.insert(points.end(), face.points.begin(), face.points.end());
+      const std::span<const std::uint64_t> own = nodes_.face(face.points);
+      points.insert(points.end(), own.begin(), own.end());
       numbers.push_back(sheet);
       if (numbers.size() == at_once) put();
     });
@@ -149,6 +154,7 @@ class XdmfWriter final : public StreamedWriter {
   }
 
   OutputFile surfaces_file_, numbers_file_;
+  ElementNodes nodes_;
   hdf5::File hdf5_;
   std::optional<hdf5::Dataset> points_, tets_, labels_;
 };
@@ -162,8 +168,9 @@ std::unique_ptr<MeshWriter> open_xdmf(const std::filesystem::path& file, const M
 std::uint64_t xdmf_bytes(const MeshSize& size) {
   const std::uint64_t faces = face_count(survey_of(size));
   const Description description(size, "");
-  return 4096 + description.of_mesh().size() + description.of_surfaces().size() + 24 * size.points + (32 + 4) * size.tets +
-         (24 + 4) * faces;
+  const ElementNodes nodes(size);
+  return 4096 + description.of_mesh().size() + description.of_surfaces().size() + 24 * size.points +
+         (8 * nodes.per_tet() + 4) * size.tets + (8 * nodes.per_face() + 4) * faces;
 }
 
 }  // namespace certet::formats

@@ -13,13 +13,24 @@ namespace {
 constexpr double greatest_way = 1.6, on_it = 1e-3;
 /// Along a curve, in long edges: no edge of a chain goes on by less, and one that goes on by less
 /// than the second costs more.
-constexpr double least_advance = 0.02, fair_advance = 0.4;
-constexpr double cost_of_edge = 0.03, cost_of_sagitta = 4;
+constexpr double least_advance = 0.02, fair_advance = 0.3;
+constexpr double cost_of_edge = 0.03, cost_of_sagitta = 200;
+/// The sagitta of a chord that is short enough, in long edges.
+constexpr double bent = 0.012;
 
 struct Candidate {
   Number vertex;
   double at, away;  ///< along the curve, in steps, and from it, in long edges
 };
+
+/// How far the chord over a part of the curve is from its middle, in long edges.
+double sagitta_of(const Curve& curve, double from, double to) {
+  using optimising::operator+;
+  using optimising::operator-;
+  using optimising::operator*;
+  const Vector chord = 0.5 * (curve.place(from) + curve.place(to));
+  return optimising::length(curve.place((from + to) / 2) - chord) / long_edge;
+}
 
 class Search {
  public:
@@ -56,7 +67,6 @@ class Search {
                : none;
   }
   [[nodiscard]] bool is_beside(Number v) const;
-  [[nodiscard]] double sagitta(double at, double by) const;
   [[nodiscard]] double advance(const Candidate& from, const Candidate& to) const;
   [[nodiscard]] std::vector<Number> around();
   [[nodiscard]] std::vector<Number> from_end_to_end() const;
@@ -125,16 +135,6 @@ double Search::advance(const Candidate& from, const Candidate& to) const {
   return by / long_edge;
 }
 
-/// How far the chord over a part of the curve is from its middle, in long edges.
-double Search::sagitta(double at, double by) const {
-  using optimising::operator+;
-  using optimising::operator-;
-  using optimising::operator*;
-  const double half = by / 2 * long_edge;
-  const Vector chord = 0.5 * (curve_.place(at) + curve_.place(at + 2 * half));
-  return optimising::length(curve_.place(at + half) - chord) / long_edge;
-}
-
 void Search::connect() {
   edges_.clear();
   first_edge_.assign(candidates_.size() + 1, 0);
@@ -148,9 +148,11 @@ void Search::connect() {
       const bool at_end = own.vertex == first_ || next == last_;
       if (by < (at_end ? 0 : least_advance)) continue;
       const double away = candidates_[to].away;
+      const double sagitta = sagitta_of(curve_, own.at, own.at + by * long_edge);
       edges_.push_back({c, to,
                         away * away + cost_of_edge + 2 * std::max(0.0, fair_advance - by) +
-                            cost_of_sagitta * sagitta(own.at, by) + search_.dislike[next]});
+                            cost_of_sagitta * std::max(0.0, sagitta - bent) +
+                            search_.dislike[next]});
     }
   }
   first_edge_[candidates_.size()] = static_cast<std::uint32_t>(edges_.size());
@@ -248,6 +250,7 @@ class Targets {
     }
     pin_bends();
     spread();
+    even_out();
   }
 
   [[nodiscard]] std::vector<Coord3> places() const {
@@ -266,6 +269,7 @@ class Targets {
   void pin_bends();
   void pin(double at);
   void spread();
+  void even_out();
 
   const Curve& curve_;
   std::vector<double> at_;
@@ -330,6 +334,20 @@ void Targets::spread() {
     for (std::size_t i = b; i-- > a + 1;) at_[i] = std::min(at_[i], at_[i + 1] - gap);
     a = b;
   }
+}
+
+/// Where the curve is bent, those that are not pinned move towards the middles between their
+/// neighbours, so that no chord is long.
+void Targets::even_out() {
+  constexpr int sweeps = 30;
+  constexpr double greatest_slide = 0.3 * long_edge;
+  const std::vector<double> before = at_;
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (std::size_t i = 1; i + 1 < at_.size(); ++i) {
+      if (pinned_[i] != 0 || sagitta_of(curve_, at_[i - 1], at_[i + 1]) < bent) continue;
+      at_[i] = std::clamp((at_[i - 1] + at_[i + 1]) / 2, before[i] - greatest_slide,
+                          before[i] + greatest_slide);
+    }
 }
 
 }  // namespace

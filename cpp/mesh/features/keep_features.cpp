@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <new>
 #include <set>
 #include <tuple>
@@ -31,18 +32,22 @@ struct Pending {
 constexpr AngleLimits first_limits{{138, 10}, {46, 10}};  // about 15 and 155 degrees
 constexpr int first_rounds = 6, most_rounds = 40;
 constexpr double aim = 25, last_aim = 20;  ///< degrees
-constexpr int tries_of_corners = 3, tries_of_chains = 6;
+constexpr int tries_of_corners = 3, tries_of_chains = 6, tries_of_all = 8;
 constexpr double corner_reach = 1.6;  ///< long edges
 
 class Keeper {
  public:
-  Keeper(Mesh& mesh, const Features& features, Context& context)
-      : mesh_(mesh), features_(features), context_(context), curves_(curves_of(features)),
+  /// `dislike`: what earlier ones have learnt, of vertices; or empty.
+  Keeper(const Mesh& mesh, const Features& features, const std::vector<double>& dislike,
+         Context& context)
+      : features_(features), context_(context), curves_(curves_of(features)),
         patches_(features), zone_(mesh, features.edges), sites_(zone_, patches_, curves_),
         limits_(limits_of(mesh.method)), mover_(zone_, sites_, limits_), taken_(zone_.size()),
-        is_corner_(zone_.size()), dislike_(zone_.size()),
+        is_corner_(zone_.size()), dislike_(dislike), lessons_(dislike),
         corners_(features.corners.size(), none), chains_(curves_.size()),
         home_(zone_.size(), none) {
+    dislike_.resize(zone_.size());
+    lessons_.resize(zone_.size());
     for (Number v = 0; v < zone_.size(); ++v) home_[v] = sites_[v].which;
   }
 
@@ -53,11 +58,15 @@ class Keeper {
     even_out();
     return figures();
   }
+  /// What another is to avoid: vertices that were stopped, and corners of chains that have them.
+  [[nodiscard]] std::vector<double> lessons() const;
+  void store(Mesh& mesh) const;
 
  private:
   /// \returns those that did not arrive.
   std::vector<Pending> push(std::vector<Pending> pending);
   bool make_room(const std::vector<Pending>& pending);
+  bool slide(Pending& one);
 
   void place_corners();
   /// Another vertex is to go to a corner.
@@ -80,7 +89,6 @@ class Keeper {
   void even_out();
   FeatureFigures figures();
 
-  Mesh& mesh_;
   const Features& features_;
   Context& context_;
   std::vector<Curve> curves_;
@@ -90,7 +98,7 @@ class Keeper {
   AngleLimits limits_;
   Mover mover_;
   std::vector<std::uint8_t> taken_, is_corner_;
-  std::vector<double> dislike_;
+  std::vector<double> dislike_, lessons_;
   std::vector<Number> corners_;  ///< the vertices of corners
   std::vector<Chain> chains_;
   bool is_new_ = true;       ///< no chain was looked for
@@ -103,7 +111,8 @@ std::vector<Pending> Keeper::push(std::vector<Pending> pending) {
     const bool first = round < first_rounds;
     mover_.keep(first ? first_limits : limits_);
     bool any = false;
-    for (const Pending& one : pending) any = mover_.push(one.vertex, one.target) || any;
+    for (Pending& one : pending)
+      any = mover_.push(one.vertex, one.target) || (!first && slide(one)) || any;
     std::erase_if(pending, [&](const Pending& one) {
       if (zone_.place(one.vertex) != one.target) return false;
       sites_.set(one.vertex, one.then);
@@ -113,6 +122,22 @@ std::vector<Pending> Keeper::push(std::vector<Pending> pending) {
     if (!any && !first) break;
   }
   return pending;
+}
+
+/// One that is stopped on its way to a curve may come to that elsewhere.
+bool Keeper::slide(Pending& one) {
+  if (one.then.role != Role::curve) return false;
+  const Curve& curve = curves_[one.then.which];
+  const double at = curve.nearest(in_doubles(zone_.place(one.vertex))).at;
+  for (const double by : {0.0, 0.1, -0.1, 0.2, -0.2, 0.35, -0.35, 0.5, -0.5}) {
+    const double there = at + by * long_edge;
+    if (!curve.is_loop() && (there <= 0 || there >= curve.length())) continue;
+    const Coord3 place = in_steps(curve.place(there));
+    if (!mover_.put_at(one.vertex, place)) continue;
+    one.target = place;
+    return true;
+  }
+  return false;
 }
 
 /// The neighbours of those that are blocked move for better angles.
@@ -325,9 +350,47 @@ FeatureFigures Keeper::figures() {
     ++found.moved;
     found.greatest_move = std::max(
         found.greatest_move, length(between(zone_.origin(v), zone_.place(v))) / long_edge);
-    mesh_.points[zone_.in_mesh(v)] = zone_.place(v);
   }
   return found;
+}
+
+std::vector<double> Keeper::lessons() const {
+  constexpr double cost_of_corner = 0.4;
+  std::vector<double> lessons = lessons_;
+  for (std::size_t c = 0; c < chains_.size(); ++c) {
+    if (is_done(chains_[c])) continue;
+    for (const std::uint32_t end : {curves_[c].first, curves_[c].last})
+      if (end != none && corners_[end] != none) lessons[corners_[end]] += cost_of_corner;
+    for (const Number v : chains_[c].vertices)
+      if (sites_[v].role == Role::face) lessons[v] += 1;
+  }
+  return lessons;
+}
+
+void Keeper::store(Mesh& mesh) const {
+  for (Number v = 0; v < zone_.size(); ++v) mesh.points[zone_.in_mesh(v)] = zone_.place(v);
+}
+
+/// Whether more is kept.
+bool is_better(const FeatureFigures& one, const FeatureFigures& other) {
+  return std::tie(one.kept_corners, one.followed_length) >
+         std::tie(other.kept_corners, other.followed_length);
+}
+
+/// Begins anew where something is lost, and has the best.
+FeatureFigures keep(Mesh& mesh, const Features& features, Context& context) {
+  std::unique_ptr<Keeper> best;
+  FeatureFigures figures;
+  std::vector<double> dislike;
+  for (int turn = 0; turn < tries_of_all; ++turn) {
+    auto keeper = std::make_unique<Keeper>(mesh, features, dislike, context);
+    const FeatureFigures found = keeper->run();
+    dislike = keeper->lessons();
+    if (!best || is_better(found, figures)) best = std::move(keeper), figures = found;
+    if (figures.all_followed()) break;
+  }
+  best->store(mesh);
+  return figures;
 }
 
 }  // namespace
@@ -339,7 +402,7 @@ FeatureFigures keep_features(Mesh& mesh, const Features& features, Context& cont
                 "vertices cannot move onto sharp edges from a surface that passes the middles of edges");
   if (features.none() || mesh.tet_count() == 0) return {};
   try {
-    return features::Keeper(mesh, features, context).run();
+    return features::keep(mesh, features, context);
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::too_large, "out of memory to keep sharp edges");
   }

@@ -22,6 +22,8 @@ class Mover {
   /// Towards a place, along what the vertex is on, as far as halving finds that it may.
   /// \returns whether it moved.
   bool push(Number v, Coord3 target);
+  /// There or nowhere.
+  bool put_at(Number v, Coord3 place) { return put(v, place, push_limits_); }
   /// Moves a vertex along what it is on where the worst angle around is nearer than `aim` (a
   /// squared cosine) to 0° or 180° and grows by it.
   bool relax(Number v, double aim);
