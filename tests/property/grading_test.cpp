@@ -360,14 +360,15 @@ TEST(Grading, NoticesAFlippedDiagonal) {
         faces[turned(face)] = t;
     }
     // The halves of a pyramid: their apex in common, and the other corners in one plane.
-    for (const auto& [face, t] : faces) {
+    for (const auto& entry : faces) {
+      const Triangle face = entry.first;
       const auto found = faces.find(other_side(face));
       if (found == faces.end()) continue;
-      auto& one = m.tets[t].corners;
+      auto& one = m.tets[entry.second].corners;
       auto& two = m.tets[found->second].corners;
       const auto lone = [&](const std::array<Coord3, 4>& tet) {
-        return *std::ranges::find_if(tet, [&, f = face](Coord3 p) {
-          return std::ranges::find(f, p) == f.end();
+        return *std::ranges::find_if(tet, [&](Coord3 p) {
+          return std::ranges::find(face, p) == face.end();
         });
       };
       const Coord3 p = lone(one), q = lone(two);
