@@ -31,7 +31,7 @@ using Triangle = std::array<Coord3, 3>;
 struct PlacedTet {
   std::array<Coord3, 4> corners;
   std::int32_t label = 0;
-  friend auto operator<=>(const PlacedTet&, const PlacedTet&) = default;
+  friend bool operator==(const PlacedTet&, const PlacedTet&) = default;
 };
 
 struct PlacedMesh {
@@ -374,7 +374,7 @@ TEST(Grading, NoticesAFlippedDiagonal) {
       const Coord3 p = lone(one), q = lone(two);
       for (const Coord3 apex : face) {
         Triangle base = face;
-        std::ranges::rotate(base, std::ranges::find(base, apex));
+        std::rotate(base.begin(), std::ranges::find(base, apex), base.end());
         const auto& [top, r, s] = base;
         if (p + q != r + s) continue;
         one = {p, q, r, top};
