@@ -12,14 +12,15 @@ namespace {
 /// centres across its faces, are inside and of one material: the surface can do without them.
 std::uint64_t interior_cells(const SignPlanes& planes, const SignRows& signs, int j, int k,
                              int w) {
-  const VertexRef centre{odd, {}};
+  const Grid centres = grids.back();
+  const VertexRef centre{centres, {}};
   std::uint64_t inside = signs.at(centre, w).plus;
   for (std::size_t d = 0; d < tiling.directions.size() && inside != 0; ++d)
-    inside &= signs.at(neighbor(odd, d), w).plus;
+    inside &= signs.at(neighbor(centres, d), w).plus;
   const MaterialPlanes* const materials = planes.materials();
   if (materials == nullptr) return inside;
   for (std::size_t d = 0; d < tiling.directions.size() && inside != 0; ++d)
-    inside &= materials->alike(centre, neighbor(odd, d), j, k, w);
+    inside &= materials->alike(centre, neighbor(centres, d), j, k, w);
   return inside;
 }
 

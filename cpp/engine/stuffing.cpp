@@ -220,6 +220,8 @@ void Stuffing::grade(const Grading& grading, Context& context) {
   if (levels < 0 || levels > most_grading_levels)
     throw Error(ErrorCode::bad_option, "a mesh is graded by 0 to " +
                                            std::to_string(most_grading_levels) + " levels");
+  if (levels != 0 && grid_count != 2)
+    throw Error(ErrorCode::bad_option, "this tiling has no cells that a mesh is graded by");
   if (levels != 0 && labels().size() > 1 && !has_interfaces())
     throw Error(ErrorCode::bad_option,
                 "a mesh is graded where its materials meet in common interfaces");

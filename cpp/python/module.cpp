@@ -246,15 +246,16 @@ PYBIND11_MODULE(_certet, module) {
   py::register_exception_translator(translate);
   py::class_<Options>(module, "Options")
       .def(py::init([](const std::string& method, int threads, int order, bool curved,
-                       double optimise, bool automatic, std::optional<double> features) {
+                       double optimise, bool automatic, std::optional<double> features,
+                       std::int32_t grade) {
              const std::optional<Method> named = method_named(method);
              if (!named)
                throw Error(ErrorCode::bad_option,
                            "method is one of " + method_names() + ", not '" + method + "'");
-             return Options{*named, threads, order, curved, optimise, {automatic, features}};
+             return Options{*named, threads, order, curved, optimise, {automatic, features}, grade};
            }),
            py::arg("method"), py::arg("threads"), py::arg("order"), py::arg("curved"),
-           py::arg("optimise"), py::arg("automatic"), py::arg("features"));
+           py::arg("optimise"), py::arg("automatic"), py::arg("features"), py::arg("grade"));
   py::class_<PythonMesh, std::shared_ptr<PythonMesh>>(module, "Mesh")
       .def_property_readonly("points", [](const py::object& self) {
         const auto& world = self.cast<const PythonMesh&>().world;

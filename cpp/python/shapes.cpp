@@ -24,11 +24,20 @@ PythonMiddles middles_of(const Mesh& mesh, const Domain& domain, const Options& 
 void fill(const Shape& shape, double size, const Options& options, Context& context,
           PythonMesh& result) {
   const std::shared_ptr<const PlacedDomain> domain = shape.sized.place(size);
-  const Stuffing stuffing(*domain, domain->lattice(), options.method, context);
+  Stuffing stuffing(*domain, domain->lattice(), options.method, context);
+  if (options.grade != 0) {
+    Grading grading;
+    grading.levels = options.grade;
+    stuffing.grade(grading, context);
+  }
   result.mesh = mesh(*domain, stuffing, context);
   if (options.optimise != 0)
     result.optimised = optimise(result.mesh, *domain, {options.optimise}, context);
   result.features = decide_features(options.features, *domain, options.method);
+  if (options.grade != 0) {
+    result.features.angle.reset();
+    result.features.why = "the mesh is graded";
+  }
   if (result.features.angle)
     result.kept = keep_features(result.mesh,
                                 features_of(*domain, *result.features.angle), context);

@@ -28,6 +28,7 @@ struct Options {
   bool curved = false;  ///< whether middle nodes of the surfaces are put on these
   double optimise = 0;  ///< degrees that vertices move for; 0: they stay
   FeatureChoice features = {};
+  std::int32_t grade = 0;  ///< levels by which the mesh is graded
 };
 
 /// A shape that can be put on lattices of several sizes, and what is doubtful about it.

@@ -32,7 +32,7 @@ using Triangle = std::array<Coord3, 3>;
 struct PlacedTet {
   std::array<Coord3, 4> corners;
   std::int32_t label = 0;
-  friend auto operator<=>(const PlacedTet&, const PlacedTet&) = default;
+  friend bool operator==(const PlacedTet&, const PlacedTet&) = default;
 };
 
 struct PlacedMesh {
@@ -344,20 +344,21 @@ TEST(Grading, NoticesAFlippedDiagonal) {
         faces[turned(face)] = t;
     }
     // The halves of a pyramid: their apex in common, and the other corners in one plane.
-    for (const auto& [face, t] : faces) {
+    for (const auto& entry : faces) {
+      const Triangle face = entry.first;
       const auto found = faces.find(other_side(face));
       if (found == faces.end()) continue;
-      auto& one = m.tets[t].corners;
+      auto& one = m.tets[entry.second].corners;
       auto& two = m.tets[found->second].corners;
       const auto lone = [&](const std::array<Coord3, 4>& tet) {
-        return *std::ranges::find_if(tet, [&, f = face](Coord3 p) {
-          return std::ranges::find(f, p) == f.end();
+        return *std::ranges::find_if(tet, [&](Coord3 p) {
+          return std::ranges::find(face, p) == face.end();
         });
       };
       const Coord3 p = lone(one), q = lone(two);
       for (const Coord3 apex : face) {
         Triangle base = face;
-        std::ranges::rotate(base, std::ranges::find(base, apex));
+        std::rotate(base.begin(), std::ranges::find(base, apex), base.end());
         const auto& [top, r, s] = base;
         if (p + q != r + s) continue;
         one = {p, q, r, top};

@@ -19,20 +19,28 @@ class Nowhere final : public certet::MeshWriter {
   void finish() override {}
 };
 
+certet::Stuffing counted(const Shape& shape, const Manner& manner, certet::Context& context) {
+  certet::Stuffing stuffing(*shape.domain, shape.lattice, manner.method, context);
+  certet::Grading grading;
+  grading.levels = manner.levels;
+  if (manner.levels != 0) stuffing.grade(grading, context);
+  return stuffing;
+}
+
 }  // namespace
 
 std::uint64_t in_memory(const Shape& shape, const Manner& manner, int threads) {
   certet::Context context;
   context.threads = threads;
   return certet::checksum(
-      certet::stuff(*shape.domain, shape.lattice, shape.frame, manner.method, context));
+      certet::emit(counted(shape, manner, context), shape.frame, context));
 }
 
 std::uint64_t streamed(const Shape& shape, const Manner& manner, int threads,
                        std::uint64_t max_bytes) {
   certet::Context context;
   context.threads = threads;
-  const certet::Stuffing stuffing(*shape.domain, shape.lattice, manner.method, context);
+  const certet::Stuffing stuffing = counted(shape, manner, context);
   Nowhere nowhere;
   return certet::write_mesh(stuffing, shape.frame, certet::cut_slabs(stuffing, max_bytes),
                             nowhere, context)

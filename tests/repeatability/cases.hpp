@@ -29,6 +29,7 @@ std::vector<Shape> shapes();
 struct Manner {
   std::string name;
   certet::Method method{};
+  std::int32_t levels = 0;  ///< by which meshes are graded
 };
 
 std::vector<Manner> manners();

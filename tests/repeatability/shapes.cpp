@@ -174,7 +174,9 @@ std::vector<Manner> manners() {
   return {{"bisect-pieces", Method::embedded},
           {"bisect-angles", Method::angles},
           {"bisect-embedding", Method::embedding},
-          {"midpoint", Method::midpoint}};
+          {"midpoint", Method::midpoint},
+          {"bisect-pieces-graded", Method::embedded, 3},
+          {"midpoint-graded", Method::midpoint, 2}};
 }
 
 }  // namespace repeatability

@@ -1,6 +1,9 @@
 #include "grade_choice.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <span>
+#include <vector>
 
 #include "option_values.hpp"
 #include "refusal.hpp"
@@ -12,46 +15,90 @@ namespace {
 /// What `TransitionAngles` of the certificate promises of tetrahedra of an octree.
 constexpr double least_inside = 45, greatest_inside = 120;
 
-/// By how many levels edges of this size stay within what is asked for.
-std::int32_t levels_for(const GradeChoice& choice, double size) {
-  if (choice.max_size == 0) return choice.levels;
+/// By how many levels edges of this size stay within `most`.
+std::int32_t levels_within(double most, double size) {
   std::int32_t levels = 0;
-  while (levels < most_grading_levels && size * (2 << levels) <= choice.max_size) ++levels;
+  while (levels < most_grading_levels && size * (2 << levels) <= most) ++levels;
   return levels;
+}
+
+/// LABEL=S,LABEL=S.
+std::map<std::int32_t, double> parse_of_labels(const std::string& text) {
+  std::map<std::int32_t, double> sizes;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string one = text.substr(begin, end - begin);
+    const std::size_t equals = one.find('=');
+    const std::vector<LabelRange> labels =
+        equals == one.npos ? std::vector<LabelRange>() : parse_labels(one.substr(0, equals));
+    if (labels.size() != 1 || labels[0].first != labels[0].last)
+      refuse("--interior-size takes labels and their greatest edges, like 3=2.5,7=1, not '" + text +
+             "'");
+    const double size = parse_positive("--interior-size", one.substr(equals + 1));
+    if (!sizes.emplace(static_cast<std::int32_t>(labels[0].first), size).second)
+      refuse("--interior-size has label " + one.substr(0, equals) + " twice");
+    begin = end + 1;
+  }
+  return sizes;
+}
+
+/// The grading of a mesh whose long edges have this size.
+Grading grading_for(const GradeChoice& choice, double size, std::span<const std::int32_t> labels) {
+  Grading grading;
+  grading.levels =
+      choice.max_size == 0 ? choice.levels : levels_within(choice.max_size, size);
+  if (choice.of_labels.empty()) return grading;
+  grading.of_materials.assign(labels.size(), grading.levels);
+  for (const auto& [label, most] : choice.of_labels) {
+    const auto found = std::ranges::find(labels, label);
+    if (found == labels.end())
+      refuse(fmt::format("--interior-size names label {}, which the mesh has not", label));
+    grading.of_materials[static_cast<std::size_t>(found - labels.begin())] =
+        levels_within(most, size);
+  }
+  for (const std::int32_t levels : grading.of_materials)
+    grading.levels = std::max(grading.levels, levels);
+  return grading;
 }
 
 }  // namespace
 
-void declare_grade(CLI::App& app, GradeChoice& choice, std::string& max_size) {
+void declare_grade(CLI::App& app, GradeChoice& choice, RawGrade& raw) {
   app.add_option("--grade", choice.levels,
                  "Larger tetrahedra away from the surface and from where labels meet, which stay "
                  "as they are: by up to N levels, each of which doubles the edges (at most 3; "
                  "default: 0, all of one size)")
       ->check(CLI::Range(0, int{most_grading_levels}))
       ->option_text("N");
-  app.add_option("--max-size", max_size,
+  app.add_option("--max-size", raw.max_size,
                  "Grades by as many levels as keep long edges within S, in world units; at most "
                  "8 times those at the surface")
       ->option_text("S");
+  app.add_option("--interior-size", raw.of_labels,
+                 "The same within single labels, like 3=2.5,7=1; all others as --grade or "
+                 "--max-size has them, or of one size")
+      ->option_text("LABEL=S,...");
 }
 
-void check_grade(GradeChoice& choice, const std::string& max_size, bool moves) {
-  if (!max_size.empty()) {
+void check_grade(GradeChoice& choice, const RawGrade& raw, bool moves) {
+  if (!raw.max_size.empty()) {
     if (choice.levels != 0) refuse("--grade and --max-size exclude each other");
-    choice.max_size = parse_positive("--max-size", max_size);
+    choice.max_size = parse_positive("--max-size", raw.max_size);
   }
+  if (!raw.of_labels.empty()) choice.of_labels = parse_of_labels(raw.of_labels);
   if (choice.any() && moves)
-    refuse("--grade and --max-size do not go with --optimise or --features: vertices move where "
-           "all tetrahedra are of one size");
+    refuse("--grade, --max-size and --interior-size do not go with --optimise or --features: "
+           "vertices move where all tetrahedra are of one size");
 }
 
 void grade(const GradeChoice& choice, double size, Stuffing& stuffing, Context& context) {
-  const std::int32_t levels = levels_for(choice, size);
-  if (levels == 0) return;
+  if (!choice.any()) return;
+  const Grading grading = grading_for(choice, size, stuffing.labels());
+  if (grading.levels == 0) return;
   if (stuffing.labels().size() > 1 && !stuffing.has_interfaces())
-    refuse("--grade and --max-size go with several labels where they are cut apart, so not with "
-           "--method paper");
-  stuffing.grade({.levels = levels, .of_materials = {}, .at_points = {}}, context);
+    refuse("--grade, --max-size and --interior-size go with several labels where they are cut "
+           "apart, so not with --method paper");
+  stuffing.grade(grading, context);
 }
 
 void add_grade(Lines& lines, const GradeReport& report, std::uint64_t tets, double size) {

@@ -4,6 +4,7 @@
 
 #include <CLI/App.hpp>
 #include <cstdint>
+#include <map>
 #include <string>
 
 #include "certet/context.hpp"
@@ -13,19 +14,24 @@
 
 namespace certet::command {
 
-/// --grade or --max-size.
+/// --grade or --max-size, and --interior-size.
 struct GradeChoice {
   std::int32_t levels = 0;
   double max_size = 0;  ///< 0: as many levels as `levels` says
+  std::map<std::int32_t, double> of_labels;  ///< the greatest edges within some labels
 
-  [[nodiscard]] bool any() const { return levels != 0 || max_size != 0; }
+  [[nodiscard]] bool any() const { return levels != 0 || max_size != 0 || !of_labels.empty(); }
 };
 
-/// `max_size` is where the text of --max-size goes.
-void declare_grade(CLI::App& app, GradeChoice& choice, std::string& max_size);
-/// Reads that text.  `moves` says whether vertices are to move, which they do where all
+/// What --max-size and --interior-size say.
+struct RawGrade {
+  std::string max_size, of_labels;
+};
+
+void declare_grade(CLI::App& app, GradeChoice& choice, RawGrade& raw);
+/// Reads these texts.  `moves` says whether vertices are to move, which they do where all
 /// tetrahedra are of one size.
-void check_grade(GradeChoice& choice, const std::string& max_size, bool moves);
+void check_grade(GradeChoice& choice, const RawGrade& raw, bool moves);
 
 /// Grades a counted mesh whose long edges have this size, if it is to be.  \throws Error
 /// `bad_option` where the mesh is not one that can be.

@@ -27,7 +27,8 @@ struct RawMesh {
   RawMaterials materials;
   std::vector<std::string> patches;
   MethodChoice method;
-  std::string optimise_to, features, max_size;
+  std::string optimise_to, features;
+  RawGrade grade;
   bool compress = false;
 };
 
@@ -103,7 +104,7 @@ void declare_lattice(CLI::App& mesh, MeshOptions& options, RawMesh& raw) {
       ->check(CLI::Range(1, 1000))
       ->option_text("N");
   declare_method(mesh, raw.method);
-  declare_grade(mesh, options.grade, raw.max_size);
+  declare_grade(mesh, options.grade, raw.grade);
   mesh.add_option("--keep", raw.keep,
                   "Drops all pieces but the largest, the N largest, or those that go through "
                   "from end to end: largest, N, percolating:x (y, z)")
@@ -299,7 +300,7 @@ MeshOptions finish(MeshOptions options, const RawMesh& raw) {
   check_order(options.order, options.format, options.method);
   check_optimise(options.optimise, raw.optimise_to, options.method);
   options.features = chosen_features(raw.features, options.method);
-  check_grade(options.grade, raw.max_size,
+  check_grade(options.grade, raw.grade,
               options.optimise.wanted || (!options.features.automatic && options.features.angle));
   if (raw.origin == "0") options.origin = OutputOrigin::lattice;
   if (raw.frame == "lps") options.frame = OutputFrame::lps;

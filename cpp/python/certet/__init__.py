@@ -593,7 +593,7 @@ def mesh(shape: Any, **options: Any) -> Mesh:
     shape : a function that is negative inside, as `mesh_function` takes; a pair (points,
         triangles), as `mesh_surface` does; a dictionary of these, as `mesh_solids` does; an
         array of voxels, as `mesh_image` does; or a `Solid`, with `size`, `margin`, `method`,
-        `threads`, `order`, `curved`, `optimise` and `features` as options
+        `threads`, `order`, `curved`, `optimise`, `features` and `grade` as options
     options : those of that function, by name; `bounds` is required for a function
 
     Raises
@@ -723,6 +723,7 @@ def mesh_image(
     curved: bool = False,
     optimise: bool | float = False,
     features: float | Literal["auto", "off"] = "auto",
+    grade: int = 0,
 ) -> Mesh:
     """Meshes voxels: chosen labels, or where a grayscale image is above `iso`.
 
@@ -769,6 +770,9 @@ def mesh_image(
         surfaces of which nine tenths of the edges are flat or sharp, boxes and cylinders; of
         voxels, functions and several solids no sharp edges are known.  `Mesh.features` says what
         was chosen, and why
+    grade : 0 to 3: away from the surface, and from where labels meet, tetrahedra are larger, by
+        up to so many levels, each of which doubles the edges; what touches the surface stays as it
+        is.  Vertices of such a mesh do not move
 
     Warns of labels that the mesh has lost, with a size that keeps them, of labels asked for one by
     one that no voxel has, and of gray values taken for labels; `Mesh.warnings` has the sentences.
@@ -791,7 +795,7 @@ def mesh_image(
         _arguments.three("spacing", spacing, one_will_do=True),
         _arguments.three("origin", origin), _arguments.direction(direction), ranges, levels,
         None if smooth is None else float(smooth), merges, _arguments.size(size), _arguments.whole("margin", margin),
-        _options(method, cuts, guarantee, threads, order, curved, optimise, features)))
+        _options(method, cuts, guarantee, threads, order, curved, optimise, features, grade)))
 
 
 def mesh_function(
@@ -809,6 +813,7 @@ def mesh_function(
     curved: bool = False,
     optimise: bool | float = False,
     features: float | Literal["auto", "off"] = "auto",
+    grade: int = 0,
 ) -> Mesh:
     """Meshes where a function is negative.
 
@@ -822,7 +827,7 @@ def mesh_function(
         outside
     size : the long edge of the lattice (default: a 64th of the longest side of the box)
     batch : how many points `f` is called with at most; the mesh is the same for any number
-    margin, method, cuts, guarantee, threads, order, curved, optimise, features : as `mesh_image` has them
+    margin, method, cuts, guarantee, threads, order, curved, optimise, features, grade : as `mesh_image` has them
 
     Raises
     ------
@@ -834,7 +839,7 @@ def mesh_function(
     return _told(_certet.mesh_function(
         _arguments.signs(f), low, high, _arguments.batch(batch), _arguments.size(size),
         _arguments.whole("margin", margin),
-        _options(method, cuts, guarantee, threads, order, curved, optimise, features)))
+        _options(method, cuts, guarantee, threads, order, curved, optimise, features, grade)))
 
 
 def mesh_surface(
@@ -852,6 +857,7 @@ def mesh_surface(
     curved: bool = False,
     optimise: bool | float = False,
     features: float | Literal["auto", "off"] = "auto",
+    grade: int = 0,
 ) -> Mesh:
     """Meshes the inside of a closed surface.
 
@@ -866,7 +872,7 @@ def mesh_surface(
         solid is thin, as far as some 4 million tetrahedra)
     repair : of an open surface, mesh what it winds around by more than one half (the
         generalised winding number); `Mesh.notes` says how many holes that closed
-    margin, method, cuts, guarantee, threads, order, curved, optimise, features : as `mesh_image` has them
+    margin, method, cuts, guarantee, threads, order, curved, optimise, features, grade : as `mesh_image` has them
 
     Raises
     ------
@@ -877,7 +883,7 @@ def mesh_surface(
     return _told(_certet.mesh_surface(
         _arguments.points(points), _arguments.triangles(triangles), _arguments.size(size),
         _arguments.whole("margin", margin), bool(repair),
-        _options(method, cuts, guarantee, threads, order, curved, optimise, features)))
+        _options(method, cuts, guarantee, threads, order, curved, optimise, features, grade)))
 
 
 def mesh_solids(
@@ -898,6 +904,7 @@ def mesh_solids(
     curved: bool = False,
     optimise: bool | float = False,
     features: float | Literal["auto", "off"] = "auto",
+    grade: int = 0,
 ) -> Mesh:
     """Meshes several solids as the materials of one mesh, cut apart where they meet.
 
@@ -920,7 +927,7 @@ def mesh_solids(
     size : the long edge of the lattice (default: the spacing of the first image or, without one, a
         64th of the longest side of the box around all)
     repair : of surfaces, as `mesh_surface` has it
-    margin, method, cuts, guarantee, threads, order, curved, optimise, features : as `mesh_image` has them; with the paper's methods the
+    margin, method, cuts, guarantee, threads, order, curved, optimise, features, grade : as `mesh_image` has them; with the paper's methods the
         solids are meshed as one, and a tetrahedron has the label at its centre
 
     Raises
@@ -935,7 +942,7 @@ def mesh_solids(
              for name, one in solids.items()]
     return _told(_certet.mesh_solids(inner, list(priority), _arguments.size(size),
                                      _arguments.whole("margin", margin),
-                                     _options(method, cuts, guarantee, threads, order, curved, optimise, features)))
+                                     _options(method, cuts, guarantee, threads, order, curved, optimise, features, grade)))
 
 
 def _mesh_solid(
@@ -951,10 +958,11 @@ def _mesh_solid(
     curved: bool = False,
     optimise: bool | float = False,
     features: float | Literal["auto", "off"] = "auto",
+    grade: int = 0,
 ) -> Mesh:
     return _told(_certet.mesh_solid(solid._inner, _arguments.size(size),
                                     _arguments.whole("margin", margin),
-                                    _options(method, cuts, guarantee, threads, order, curved, optimise, features)))
+                                    _options(method, cuts, guarantee, threads, order, curved, optimise, features, grade)))
 
 
 def _one_of_several(name: str, solid: Any, bounds: Sequence[Sequence[float]] | None,
@@ -1072,7 +1080,7 @@ def _inner(mesh: Any) -> Any:
 def _options(method: str | None, cuts: str, guarantee: str | None, threads: int,
              order: int = 1, curved: bool = False,
              optimise: bool | float = False,
-             features: float | str = "auto") -> _certet.Options:
+             features: float | str = "auto", grade: int = 0) -> _certet.Options:
     if order not in (1, 2):
         raise ValueError(f"order is 1 or 2, not {order!r}")
     if curved and order != 2:
@@ -1088,6 +1096,13 @@ def _options(method: str | None, cuts: str, guarantee: str | None, threads: int,
     if optimise is not False and optimise is not True and not 0 < optimise <= 60:
         raise ValueError(f"optimise is an angle of at most 60 degrees, or True, not {optimise!r}")
     angle = None if features in ("auto", "off") else _arguments.angle("features", features)
+    levels = _arguments.whole("grade", grade)
+    if levels not in (0, 1, 2, 3):
+        raise ValueError(f"grade is a number of levels from 0 to 3, not {grade!r}")
+    if levels and (optimise or angle is not None):
+        raise ValueError("vertices move where all tetrahedra are of one size: grade does not go with "
+                         "optimise or an angle for features")
     return _certet.Options(_arguments.word("method", method), _arguments.whole("threads", threads),
                            int(order), bool(curved),
-                           25.0 if optimise is True else float(optimise), features == "auto", angle)
+                           25.0 if optimise is True else float(optimise), features == "auto", angle,
+                           levels)

@@ -11,7 +11,8 @@ version: str
 
 class Options:
     def __init__(self, method: str, threads: int, order: int, curved: bool,
-                 optimise: float, automatic: bool, features: float | None) -> None: ...
+                 optimise: float, automatic: bool, features: float | None,
+                 grade: int) -> None: ...
 
 class Mesh:
     @property
