@@ -35,10 +35,10 @@ WideSum six_volume_of(const Stuffing& stuffing, Material material, Context& cont
     const std::uint64_t first = stuffing.first_point(k);
     points.resize(stuffing.first_point(end) - first);
     tets.resize(stuffing.first_tet(k + 1) - stuffing.first_tet(k));
-    materials.resize(tets.size());
+    materials.assign(tets.size(), 1);  // all that a solid of one material has
     stuffing.emit_points(k, end, points, context);
     stuffing.emit_tets(k, k + 1, std::span(tets), context);
-    stuffing.emit_materials(k, k + 1, materials, context);
+    if (stuffing.has_interfaces()) stuffing.emit_materials(k, k + 1, materials, context);
     for (std::size_t t = 0; t < tets.size(); ++t)
       if (materials[t] == material)
         sum += six_volume(points[tets[t][0] - first], points[tets[t][1] - first],
