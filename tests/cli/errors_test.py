@@ -246,6 +246,15 @@ class Limits(ProgramTest):
         self.assert_fails(TOO_LARGE, ["a.nrrd", "bytes"], "mesh", "a.nrrd", "--max-memory",
                           "100K", "-o", "a.vtu")
 
+    def test_memory_of_a_polymesh(self):
+        """OpenFOAM's mesh is held whole, 120 bytes for each tetrahedron."""
+        streamed = self.mesh(*TORUS, "--dry-run", "-o", "a.vtu")
+        whole = self.mesh(*TORUS, "--dry-run", "-o", "polyMesh")
+        least = whole["memory"]["least"]
+        self.assertGreaterEqual(least - streamed["memory"]["least"], 120 * whole["mesh"]["tets"])
+        self.assert_fails(TOO_LARGE, ["memory"], "mesh", *TORUS, "-o", "polyMesh", "--max-memory",
+                          least - 1)
+
     def test_memory_of_slabs(self):
         least = self.mesh(*TORUS, "--dry-run")["memory"]["least"]
         self.assert_fails(TOO_LARGE, ["memory"], "mesh", *TORUS, "--max-memory", least - 1,

@@ -324,7 +324,7 @@ MeshReport run(const MeshOptions& options, Context& context) {
   if (report.axes) size.space = space(*report.axes);
   report.output_bytes = file_bytes(options.format, size);
   if (size.survey != nullptr) report.warnings = label_losses(options.format, *size.survey);
-  const Slabs slabs = plan(counted, size, report);
+  const Slabs slabs = plan(counted, size, options.format, report);
   RegionWatch watch(source, counted.source, context);
   if (!options.dry_run)
     write(options, shape, counted, slabs, size, points, context, progress, report);

@@ -73,9 +73,9 @@ void check_moving_memory(const Counted& counted, const std::string& what,
   if (!can_move(counted, report)) refuse_memory(what, bytes_to_move(counted), report.memory_limit);
 }
 
-Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report) {
+Slabs plan(const Counted& counted, const MeshSize& size, Format format, MeshReport& report) {
   const auto& [source, stuffing] = counted;
-  std::uint64_t held = source.bytes + stuffing.bytes();
+  std::uint64_t held = source.bytes + stuffing.bytes() + held_bytes(format, size);
   if (size.survey != nullptr)
     held += face_count(*size.survey) * sizeof(BoundaryFace) + size.survey->materials.bytes();
   if (report.moved()) held += stuffing.point_count() * sizeof(Coord3);

@@ -29,7 +29,7 @@ bool can_move(const Counted& counted, const MeshReport& report);
 void check_moving_memory(const Counted& counted, const std::string& what,
                          const MeshReport& report);
 
-/// Chooses the slabs by the memory that is left.  \throws Error `too_large`.
-Slabs plan(const Counted& counted, const MeshSize& size, MeshReport& report);
+/// Chooses the slabs by the memory that the writer of a format leaves.  \throws Error `too_large`.
+Slabs plan(const Counted& counted, const MeshSize& size, Format format, MeshReport& report);
 
 }  // namespace certet::command

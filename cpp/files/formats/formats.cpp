@@ -173,6 +173,10 @@ std::uint64_t file_bytes(Format format, const MeshSize& size) {
   return entry_of(format).bytes(size);
 }
 
+std::uint64_t held_bytes(Format format, const MeshSize& size) {
+  return format == Format::polymesh ? polymesh_bytes_of_tet * size.tets : 0;
+}
+
 std::vector<std::string> label_losses(Format format, const Survey& survey) {
   const Entry& entry = entry_of(format);
   return entry.losses == nullptr ? std::vector<std::string>() : entry.losses(survey);

@@ -63,7 +63,8 @@ bool can_compress();
 /// Whether `xdmf` and `vtkhdf` were built in.
 bool has_hdf5();
 
-/// Whether a format has tetrahedra of ten nodes: .vtu, .mesh, .meshb, .msh, .inp, .feb and TetGen.
+/// Whether a format has tetrahedra of ten nodes: .vtu, .mesh, .meshb, .msh, .inp, .feb, .bdf, .k,
+/// .xdmf, .vtkhdf and TetGen.
 bool holds_middle_nodes(Format format);
 
 /// Whether a format has the patches of the boundary apart: all but .vtu and .vtkhdf, which hold
@@ -119,6 +120,10 @@ std::unique_ptr<MeshWriter> open_writer(const std::filesystem::path& file, Forma
 
 /// The exact size in bytes for binary formats, an estimate for others.
 std::uint64_t file_bytes(Format format, const MeshSize& size);
+
+/// How much memory a writer takes that grows with the mesh: OpenFOAM's, whose faces are in the order
+/// of cells, holds it whole.
+std::uint64_t held_bytes(Format format, const MeshSize& size);
 
 /// What a format cannot hold of a mesh's labels and what became of it, a sentence each.
 /// Gmsh's groups, Nastran's properties, LS-DYNA's parts and MFEM's attributes have positive numbers,
