@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t fewest_voxels = 1000, most_voxels = 5000;
 constexpr double tolerated = 0.008;
-constexpr int rounds = 3;
+constexpr int rounds = 5;
 /// Cells around a region, which its mesh depends on.
 constexpr std::int32_t around = 4;
 
@@ -24,7 +24,19 @@ struct Region {
   Material material;
   double voxels;
   Lattice part;
-  bool is_open;  ///< not measured since something near has changed
+  double growth;                    ///< voxels that it gains if its constant grows by 1
+  bool is_open = true;              ///< not measured since something near has changed
+  double volume = 0, constant = 0;  ///< when it was last changed
+  bool has_changed = false;
+
+  /// Held and thin parts grow by less than areas tell: from the second time on by what was seen.
+  void learn(double measured, double now) {
+    if (has_changed && now != constant)
+      growth = std::clamp((measured - volume) / (now - constant), growth / 2, growth);
+    volume = measured;
+    constant = now;
+    has_changed = true;
+  }
 };
 
 /// Boxes around some materials, by material.
@@ -71,7 +83,8 @@ Lattice part_around(const Placement& placement, const VoxelBox& box) {
   return part;
 }
 
-std::vector<Region> regions_of(const MaterialImage& image, const Placement& placement) {
+std::vector<Region> regions_of(const MaterialImage& image, const Placement& placement,
+                               const std::vector<double>& growths) {
   std::vector<bool> asked(image.labels().size() + 1, false);
   for (std::size_t m = 1; m < asked.size(); ++m)
     asked[m] = image.voxels()[m - 1] >= fewest_voxels && image.voxels()[m - 1] <= most_voxels;
@@ -81,7 +94,7 @@ std::vector<Region> regions_of(const MaterialImage& image, const Placement& plac
   for (std::size_t m = 1; m < asked.size(); ++m)
     if (asked[m])
       regions.push_back({static_cast<Material>(m), static_cast<double>(image.voxels()[m - 1]),
-                         part_around(placement, boxes[m]), true});
+                         part_around(placement, boxes[m]), growths[m]});
   return regions;
 }
 
@@ -104,8 +117,8 @@ double voxels_of_cell(const Placement& placement) {
 
 /// The open regions, measured.  \returns those that are off; what is near them is open again.
 std::vector<Region> correct(std::vector<Region>& regions, const Domain& domain,
-                            double voxels_of_cell, const std::vector<double>& growths,
-                            Constants& constants, const Context& context) {
+                            double voxels_of_cell, Constants& constants,
+                            const Context& context) {
   std::vector<RegionPart> parts;
   for (const Region& region : regions)
     if (region.is_open) parts.push_back({region.material, region.part});
@@ -114,10 +127,12 @@ std::vector<Region> correct(std::vector<Region>& regions, const Domain& domain,
   auto volume = volumes.begin();
   for (Region& region : regions) {
     if (!std::exchange(region.is_open, false)) continue;
-    const double missing = region.voxels - *volume++ * voxels_of_cell;
-    const auto m = static_cast<std::size_t>(region.material);
+    const double found = *volume++ * voxels_of_cell, missing = region.voxels - found;
     if (std::abs(missing) <= tolerated * region.voxels) continue;
-    constants[m] = bounded_constant(constants[m] + field_one * missing / growths[m]);
+    std::int32_t& constant = constants[static_cast<std::size_t>(region.material)];
+    const double now = static_cast<double>(constant) / field_one;
+    region.learn(found, now);
+    constant = bounded_constant(field_one * (now + missing / region.growth));
     changed.push_back(region);
   }
   for (Region& region : regions)
@@ -134,15 +149,15 @@ std::shared_ptr<const NodeFields> corrected_by_mesh(std::shared_ptr<const LabelF
                                                     const Context& context) {
   std::shared_ptr<const NodeFields> nodes(fields, &fields->nodes);
   const double voxels = voxels_of_cell(placement);
-  if (!fields->rules.keep_volumes || voxels > 1.001) return nodes;
-  std::vector<Region> regions = regions_of(fields->image, placement);
+  const Rules& rules = fields->rules;
+  if (!rules.keep_volumes || !rules.correct_by_mesh || voxels > 1.001) return nodes;
+  std::vector<Region> regions = regions_of(fields->image, placement, nodes->growths());
   for (int round = 0; round < rounds && !regions.empty(); ++round) {
     Constants constants = nodes->constants();
-    const auto changed = correct(regions, *domain_of(nodes), voxels, nodes->growths(), constants,
-                                 context);
+    const auto changed = correct(regions, *domain_of(nodes), voxels, constants, context);
     if (changed.empty()) break;
     nodes = std::make_shared<const NodeFields>(
-        nodes->with(std::move(constants), fields->image, fields->rules, context));
+        nodes->with(std::move(constants), fields->image, rules, context));
   }
   return nodes;
 }
