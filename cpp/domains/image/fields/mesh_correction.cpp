@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t fewest_voxels = 1000, most_voxels = 5000;
 constexpr double tolerated = 0.008;
-constexpr int rounds = 5;
+constexpr int rounds = 6;
 /// Cells around a region, which its mesh depends on.
 constexpr std::int32_t around = 4;
 
@@ -28,6 +28,12 @@ struct Region {
   bool is_open = true;              ///< not measured since something near has changed
   double volume = 0, constant = 0;  ///< when it was last changed
   bool has_changed = false;
+  double missing = 0;  ///< voxels, when it was last measured
+
+  /// By how much of its volume it is off, beyond what is tolerated.
+  [[nodiscard]] double excess() const {
+    return std::max(0.0, std::abs(missing) / voxels - tolerated);
+  }
 
   /// Held and thin parts grow by less than areas tell: from the second time on by what was seen.
   void learn(double measured, double now) {
@@ -115,30 +121,32 @@ double voxels_of_cell(const Placement& placement) {
   return voxels;
 }
 
-/// The open regions, measured.  \returns those that are off; what is near them is open again.
-std::vector<Region> correct(std::vector<Region>& regions, const Domain& domain,
-                            double voxels_of_cell, Constants& constants,
-                            const Context& context) {
+void measure(std::vector<Region>& regions, const Domain& domain, double voxels_of_cell,
+             const Context& context) {
   std::vector<RegionPart> parts;
   for (const Region& region : regions)
     if (region.is_open) parts.push_back({region.material, region.part});
   const std::vector<double> volumes = mesh_volumes(domain, parts, context);
-  std::vector<Region> changed;
   auto volume = volumes.begin();
+  for (Region& region : regions)
+    if (std::exchange(region.is_open, false))
+      region.missing = region.voxels - *volume++ * voxels_of_cell;
+}
+
+/// Changes the constants of those that are off; what is near them is open again.
+void correct(std::vector<Region>& regions, Constants& constants) {
+  std::vector<Region> changed;
   for (Region& region : regions) {
-    if (!std::exchange(region.is_open, false)) continue;
-    const double found = *volume++ * voxels_of_cell, missing = region.voxels - found;
-    if (std::abs(missing) <= tolerated * region.voxels) continue;
+    if (region.excess() == 0) continue;
     std::int32_t& constant = constants[static_cast<std::size_t>(region.material)];
     const double now = static_cast<double>(constant) / field_one;
-    region.learn(found, now);
-    constant = bounded_constant(field_one * (now + missing / region.growth));
+    region.learn(region.voxels - region.missing, now);
+    constant = bounded_constant(field_one * (now + region.missing / region.growth));
     changed.push_back(region);
   }
   for (Region& region : regions)
     region.is_open = std::ranges::any_of(
         changed, [&](const Region& other) { return overlap(region.part, other.part); });
-  return changed;
 }
 
 }  // namespace
@@ -152,14 +160,24 @@ std::shared_ptr<const NodeFields> corrected_by_mesh(std::shared_ptr<const LabelF
   const Rules& rules = fields->rules;
   if (!rules.keep_volumes || !rules.correct_by_mesh || voxels > 1.001) return nodes;
   std::vector<Region> regions = regions_of(fields->image, placement, nodes->growths());
+  // Where voxels are held a region may become worse: of all rounds the best is taken.
+  std::shared_ptr<const NodeFields> best = nodes;
+  double least = std::numeric_limits<double>::infinity();
   for (int round = 0; round < rounds && !regions.empty(); ++round) {
+    measure(regions, *domain_of(nodes), voxels, context);
+    double excess = 0;
+    for (const Region& region : regions) excess += region.excess();
+    if (excess < least) {
+      least = excess;
+      best = nodes;
+    }
+    if (excess == 0 || round + 1 == rounds) break;
     Constants constants = nodes->constants();
-    const auto changed = correct(regions, *domain_of(nodes), voxels, constants, context);
-    if (changed.empty()) break;
+    correct(regions, constants);
     nodes = std::make_shared<const NodeFields>(
         nodes->with(std::move(constants), fields->image, rules, context));
   }
-  return nodes;
+  return best;
 }
 
 }  // namespace certet::fields
