@@ -72,7 +72,7 @@ class DynaWriter final : public StreamedWriter {
       if (nodes_.has_middles()) line << '\n';
       for (const std::uint64_t node : nodes) line << Padded{node + 1, dyna_field};
       for (std::size_t n = nodes.size(); n < 8; ++n) line << Padded{nodes.back() + 1, dyna_field};
-      append(line << '\n');
+      text_.append(line << '\n');
     }
   }
 

@@ -80,7 +80,7 @@ class NastranWriter final : public StreamedWriter {
         if (n == nodes_in_line) line << "\n+       ";
         line << Padded{nodes[n] + 1, nastran_field};
       }
-      append(line << '\n');
+      text_.append(line << '\n');
     }
   }
 

@@ -280,9 +280,9 @@ TEST(MeasureLattice, RefusesWhatItCannotMeasureExactly) {
   const auto tet = [](std::int32_t width) {
     return std::array<Coord3, 4>{{{0, 0, 0}, {width, 0, 0}, {0, width, 0}, {0, 0, width}}};
   };
-  constexpr std::int32_t limit = 1 << 19;
-  EXPECT_EQ(measure_one(tet(limit - 1)).tets, 1u);
-  for (const std::int32_t width : {limit, std::numeric_limits<std::int32_t>::max()})
+  constexpr std::int32_t limit = 1 << 20;
+  EXPECT_EQ(measure_one(tet(limit)).tets, 1u);
+  for (const std::int32_t width : {limit + 1, std::numeric_limits<std::int32_t>::max()})
     try {
       measure_one(tet(width));
       ADD_FAILURE() << "a tetrahedron of width " << width << " was measured";
