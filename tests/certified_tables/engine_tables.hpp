@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "lattice/cell_tables.hpp"
+#include "lattice/graded_tets.hpp"
 #include "certet/lattice/lattice_limits.hpp"
 #include "certet/lattice/material_stencil.hpp"
 #include "certet/method.hpp"
@@ -90,6 +91,11 @@ void for_each_constant(const Visit& visit) {
   CERTET_CONSTANT(core::interior_size);
   CERTET_CONSTANT(core::interior_vertices);
 
+  CERTET_CONSTANT(core::graded_kinds);
+  CERTET_CONSTANT(core::flag_count);
+  CERTET_CONSTANT(core::flags);
+  CERTET_CONSTANT(core::graded_tets);
+
   CERTET_CONSTANT(coordinate_limit);
   CERTET_CONSTANT(anchor_limit);
   CERTET_CONSTANT(cells_limit);
@@ -129,6 +135,13 @@ void for_each_function(const Visit& visit) {
       values<direction_count>([](int d) { return embedding_thresholds.in_steps(d); }),
       values<direction_count>([](int d) { return no_warp_thresholds.in_steps(d); })});
 
+  constexpr std::size_t last = core::graded_kinds.size() - 1;  // a pyramid's name asks for its parent
+  visit("core::names_tet", values<last>([](int kind) {
+    return values<core::flag_count>([&](int flag) {
+      return core::names_tet(static_cast<core::GradedKind>(kind),
+                             core::flags[static_cast<std::size_t>(flag)]);
+    });
+  }));
   visit("core::neighbor", values<core::grid_count>([](int grid) {
     return values<direction_count>([&](int d) {
       return core::neighbor(static_cast<core::Grid>(grid), static_cast<std::size_t>(d));

@@ -15,6 +15,7 @@
 #include "certet/lattice/stencil.hpp"
 #include "certet/lattice/tiling.hpp"
 #include "lattice/cell_tables.hpp"
+#include "lattice/graded_tets.hpp"
 #include "certet/lattice/warp.hpp"
 #include "certet/lattice/well_shaped.hpp"
 #include "engine/link.hpp"
@@ -33,7 +34,7 @@ concept Entry = std::is_arithmetic_v<T> || std::is_enum_v<T> || OneOf<T, std::st
 template <class T>
 concept OfTwo = OneOf<T, core::VertexRef, core::Family, core::EdgeEnds, StructuredTetId,
                       FaceNeighbor, StencilVertex, Stencil, MaterialTet, MaterialStencil,
-                      SquaredCotangent, Thresholds, core::LinkEdge, LatticeTiling::Edge>;
+                      SquaredCotangent, Thresholds, core::LinkEdge, core::Flag, LatticeTiling::Edge>;
 template <class T>
 concept OfThree = OneOf<T, Coord3, core::Shift, core::EdgeRef, core::CellTables,
                         StructuredTetShape, AngleBounds>;
