@@ -141,6 +141,38 @@ def _brain(bench, name, cuts, threads, rounds):
         between / engine, details=f"{seconds(between)} over {seconds(engine)}")
 
 
+def grading(bench, rounds=3):
+    """A torus with graded interior beside that of one size: the same surface, one thread."""
+    output = bench.folder / "graded.vtu"
+    solid = ["--shape", "torus:1,0.4", "--size", "0.0155", "--threads", 1, "-o", output]
+    uniform, graded = [], []
+    for _ in range(rounds):
+        uniform.append(bench.mesh(*solid))
+        graded.append(bench.mesh(*solid, "--grade", 3))
+    output.unlink()
+    tets = [runs[0]["mesh"]["tets"] for runs in (uniform, graded)]
+    # All but measuring the mesh and writing it.
+    one, other = (min(sum(run["seconds"][stage] for stage in ("sample", "cut", "warp", "count", "emit"))
+                      for run in runs) for runs in (uniform, graded))
+    yield Figure(
+        "tetrahedra of a graded torus / of one size", tets[1] / tets[0], bound=0.1465,
+        details=f"{tets[1]:,} over {tets[0]:,}, three levels")
+    yield Figure(
+        "engine of the graded torus / of one size", other / one, bound=0.6,
+        details=f"{seconds(other)} over {seconds(one)}, one thread, into a file")
+    yield Figure(
+        "the same for each tetrahedron", other / tets[1] * tets[0] / one, bound=2.5)
+
+
+def start_up(bench, rounds=9):
+    """How long a program takes that has nothing to do, and one with next to nothing."""
+    def least(*arguments):
+        return min(bench.command(*arguments) for _ in range(rounds))
+    ball = ("mesh", "--shape", "sphere:1", "--size", "0.4", "-o", "ball.vtu")
+    yield Figure("`certet --version`, in ms", 1e3 * least("--version"), bound=10)
+    yield Figure("a ball of a thousand tetrahedra to a file, in ms", 1e3 * least(*ball), bound=20)
+
+
 def memory_to_file(bench, tets):
     """Peak memory of a mesh on its way to a file."""
     name = f"peak memory of {count(tets)} tetrahedra to a .vtu"

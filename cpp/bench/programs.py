@@ -64,6 +64,11 @@ class Programs:
         report.unlink()
         return {**result, "wall": wall, "peak": peak}
 
+    def command(self, *arguments):
+        """Wall seconds of `certet`."""
+        _, wall, _ = run([self.bin / "certet", *arguments], self.folder)
+        return wall
+
     def check(self, file):
         """What `certet check` tells of a file, whether it finds defects or not."""
         out, _, _ = run([self.bin / "certet", "check", file, "--json", "-"], self.folder,

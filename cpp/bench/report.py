@@ -29,6 +29,8 @@ def of_the_whole(bench, large):
         ("the engine against memcpy", figures.engine_and_copy(bench)),
         ("1M against 100M", figures.growth(bench)),
         ("the brain atlas", figures.brain(bench)),
+        ("graded interiors", figures.grading(bench)),
+        ("the program's start", figures.start_up(bench)),
         ("a large file", figures.memory_to_file(bench, 3e8 if large else 3e7)),
         ("the extracted reference", figures.reference(bench)),
     ]

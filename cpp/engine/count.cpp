@@ -17,11 +17,13 @@ std::uint64_t count_tets(const SignPlanes& planes, const GradedCells* graded, in
   for (int w = 0; w < planes.words(); ++w) {
     const CellWord word(signs, w);
     if (word.any_plus == 0) continue;
+    OfCases structured;
+    if (graded != nullptr) structured = graded->structured(j, k, w);
     for (std::size_t c = 0; c < cell_tet_count; ++c) {
       const StencilCounts counts = word.counts(cell.corner[c]);
       // The surface is where no tetrahedron of the lattice is left out.
       const std::uint64_t one =
-          graded == nullptr ? counts.one : counts.one & graded->structured(c, j, k, w);
+          graded == nullptr ? counts.one : counts.one & structured[c];
       count += static_cast<std::uint64_t>(std::popcount(one) + std::popcount(counts.two) +
                                           std::popcount(counts.three));
     }
@@ -41,11 +43,12 @@ std::uint64_t count_material_tets(const SignPlanes& planes, const GradedCells* g
       for_each_bit(any & ~whole, [&](int b) { count += cells.count_tets(64 * w + b); });
       continue;
     }
-    for (std::size_t c = 0; c < cell_tet_count; ++c)
-      count += static_cast<std::uint64_t>(std::popcount(whole & graded->structured(c, j, k, w)));
+    const OfCases structured = graded->structured(j, k, w);
+    for (const std::uint64_t of_case : structured)
+      count += static_cast<std::uint64_t>(std::popcount(whole & of_case));
     for_each_bit(any & ~whole, [&](int b) {
       cells.for_each_tet(64 * w + b, [&](std::size_t c, auto...) {
-        if ((graded->structured(c, j, k, w) >> b & 1) != 0) ++count;
+        if ((structured[c] >> b & 1) != 0) ++count;
       });
     });
   }

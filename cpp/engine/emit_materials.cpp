@@ -32,8 +32,7 @@ Material* emit_structured_materials(const SignPlanes& planes, const GradedCells&
                                     int k, Material* out) {
   const MaterialCells cells(planes, j, k);
   for (int w = 0; w < planes.words(); ++w) {
-    std::array<std::uint64_t, cell_tet_count> structured;
-    for (std::size_t c = 0; c < cell_tet_count; ++c) structured[c] = graded.structured(c, j, k, w);
+    const OfCases structured = graded.structured(j, k, w);
     for_each_bit(cells.kinds(w).any, [&](int b) {
       cells.for_each_tet(64 * w + b, [&](std::size_t c, const UnstructuredTet&, Material material) {
         if ((structured[c] >> b & 1) != 0) *out++ = material;

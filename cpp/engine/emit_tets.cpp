@@ -62,7 +62,7 @@ class TetEmitter {
   /// are the cells around the surface.
   template <class EmitOne>
   void emit_cells(std::uint64_t any, std::uint64_t whole, int w, const EmitOne& emit_one) {
-    if (graded_ != nullptr) keep_structured(w, any, whole);
+    if (graded_ != nullptr && any != 0) keep_structured(w, any, whole);
     while (any != 0) {
       const int b = std::countr_zero(any);
       if ((whole >> b & 1) != 0) {
@@ -79,11 +79,11 @@ class TetEmitter {
   /// Finds which tetrahedra of word w a graded mesh has from the lattice; `any` loses the cells
   /// that have none left, `whole` those that have not all.
   void keep_structured(int w, std::uint64_t& any, std::uint64_t& whole) {
+    structured_ = graded_->structured(j_, k_, w);
     std::uint64_t some = 0;
-    for (std::size_t c = 0; c < cell_tet_count; ++c) {
-      structured_[c] = graded_->structured(c, j_, k_, w);
-      some |= structured_[c];
-      whole &= structured_[c];
+    for (const std::uint64_t of_case : structured_) {
+      some |= of_case;
+      whole &= of_case;
     }
     any &= some;
   }
@@ -185,7 +185,7 @@ class TetEmitter {
   const SignPlanes& planes_;
   const RowNumbers& numbers_;
   const GradedCells* graded_;  ///< or none: every tetrahedron of the lattice is there
-  std::array<std::uint64_t, cell_tet_count> structured_;  ///< of the word that is emitted
+  OfCases structured_;  ///< of the word that is emitted
   int j_, k_;
   RowWindow window_;  ///< rows j..j+1 of layers k..k+1
   std::array<std::array<Index, 2>, 2> first_point_{};

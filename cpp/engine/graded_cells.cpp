@@ -58,11 +58,17 @@ void GradedCells::find_even(const SignPlanes& planes, int j, int k) {
   }
 }
 
-std::uint64_t GradedCells::structured(std::size_t c, int j, int k, int w) const {
-  std::uint64_t both = ~std::uint64_t{0};
-  for (const std::uint8_t corner : cell.corner[c]) {
-    const auto& [grid, shift] = cell.vertices[corner];
-    if (grid == odd) both &= octree_.cells(0, j + shift.y, k + shift.z).shifted(w, shift.x);
+OfCases GradedCells::structured(int j, int k, int w) const {
+  std::array<std::uint64_t, cell_vertex_count> exists;
+  for (std::size_t v = 0; v < cell_vertex_count; ++v) {
+    const auto& [grid, shift] = cell.vertices[v];
+    exists[v] = grid == odd ? octree_.cells(0, j + shift.y, k + shift.z).shifted(w, shift.x)
+                            : ~std::uint64_t{0};
+  }
+  OfCases both;
+  for (std::size_t c = 0; c < cell_tet_count; ++c) {
+    both[c] = ~std::uint64_t{0};
+    for (const std::uint8_t corner : cell.corner[c]) both[c] &= exists[corner];
   }
   return both;
 }

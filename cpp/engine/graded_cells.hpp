@@ -2,16 +2,21 @@
 /// \file
 /// What a graded mesh has of the lattice.
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <vector>
 
 #include "certet/context.hpp"
+#include "lattice/cell_tables.hpp"
 #include "octree.hpp"
 #include "plane_layout.hpp"
 #include "sign_planes.hpp"
 
 namespace certet::core {
+
+/// A word for each case of structured tetrahedra.
+using OfCases = std::array<std::uint64_t, cell_tet_count>;
 
 /// The octree of a mesh, and which vertices of the lattice it uses.
 class GradedCells {
@@ -26,9 +31,9 @@ class GradedCells {
   [[nodiscard]] std::uint64_t used(Grid grid, int j, int k, int w) const {
     return grid == odd ? octree_.cells(0, j, k)[w] : even_.row(j, k)[w];
   }
-  /// Of the structured tetrahedra of a case, those of word w that the mesh has: both cells in
+  /// Of the structured tetrahedra of each case, those of word w that the mesh has: both cells in
   /// which one lies exist.
-  [[nodiscard]] std::uint64_t structured(std::size_t c, int j, int k, int w) const;
+  [[nodiscard]] OfCases structured(int j, int k, int w) const;
 
   /// Of a row of the lattice: how many points come before an even vertex that is used.
   class EvenRanks {

@@ -44,7 +44,7 @@ class GradedRow {
   template <class Visit>
   void for_each(int w, const Visit& visit) const {
     const Beside beside = look(w);
-    if (beside.filled == 0) return;
+    if (beside.filled == 0 || (level_ == 0 && has_all_across(beside))) return;
     for (std::size_t n = 0; n < flag_count; ++n) {
       const std::uint64_t present = beside.exists & ~beside.at[flag_places[n].child];
       if (present == 0) continue;
@@ -75,6 +75,12 @@ class GradedRow {
     std::array<std::uint64_t, 27> at{};      ///< a child at a corner; at middles: is used
   };
   [[nodiscard]] Beside look(int w) const;
+  /// Then no pyramid stands on any cell.
+  [[nodiscard]] static bool has_all_across(const Beside& beside) {
+    std::uint64_t all = beside.exists;
+    for (const std::uint64_t across : beside.across) all &= across;
+    return all == beside.exists;
+  }
   void look_at_children(int w, Beside& beside) const;
   void look_at_middles(int w, Beside& beside) const;
 
