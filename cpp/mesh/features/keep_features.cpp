@@ -32,7 +32,7 @@ struct Pending {
 constexpr AngleLimits first_limits{{138, 10}, {46, 10}};  // about 15 and 155 degrees
 constexpr int first_rounds = 6, most_rounds = 40;
 constexpr double aim = 25, last_aim = 20;  ///< degrees
-constexpr int tries_of_corners = 3, tries_of_chains = 6, tries_of_all = 8;
+constexpr int tries_of_corners = 3, tries_of_chains = 6, tries_of_all = 8, tries_in_vain = 3;
 constexpr double corner_reach = 1.6;  ///< long edges
 
 class Keeper {
@@ -377,17 +377,26 @@ bool is_better(const FeatureFigures& one, const FeatureFigures& other) {
          std::tie(other.kept_corners, other.followed_length);
 }
 
-/// Begins anew where something is lost, and has the best.
+/// Whether the size is too large for the shape, so that no try helps.
+bool is_hopeless(const FeatureFigures& figures) {
+  return figures.kept_corners < figures.corners && 2 * figures.followed_length < figures.length;
+}
+
+/// Begins anew where something is lost, as long as that helps, and has the best.
 FeatureFigures keep(Mesh& mesh, const Features& features, Context& context) {
   std::unique_ptr<Keeper> best;
   FeatureFigures figures;
   std::vector<double> dislike;
-  for (int turn = 0; turn < tries_of_all; ++turn) {
+  int in_vain = 0;
+  for (int turn = 0; turn < tries_of_all && in_vain < tries_in_vain; ++turn) {
     auto keeper = std::make_unique<Keeper>(mesh, features, dislike, context);
     const FeatureFigures found = keeper->run();
     dislike = keeper->lessons();
-    if (!best || is_better(found, figures)) best = std::move(keeper), figures = found;
-    if (figures.all_followed()) break;
+    if (!best || is_better(found, figures))
+      best = std::move(keeper), figures = found, in_vain = 0;
+    else
+      ++in_vain;
+    if (figures.all_followed() || is_hopeless(figures)) break;
   }
   best->store(mesh);
   return figures;
