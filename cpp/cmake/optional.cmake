@@ -30,7 +30,9 @@ function(certet_optional target part)
   target_link_libraries(${target} PRIVATE ${arg_LIBRARIES})
   string(TOLOWER ${target}_${part} objects)
   add_library(${objects} OBJECT ${arg_SOURCES})
-  set_target_properties(${objects} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(${objects} PROPERTIES
+    POSITION_INDEPENDENT_CODE ON
+    UNITY_BUILD_BATCH_SIZE 16)  # headers of such parts take longer than the sources
   target_compile_features(${objects} PRIVATE cxx_std_20)
   target_link_libraries(${objects} PRIVATE ${arg_LIBRARIES})
   foreach(what INCLUDE_DIRECTORIES COMPILE_DEFINITIONS COMPILE_OPTIONS)

@@ -25,7 +25,7 @@ bool is_file(const std::string& text) {
   return is_solid_file(text) || ends_like_image(text) || std::filesystem::exists(text, ignored);
 }
 
-void check(const SolidChoice& solid) {
+void refuse_misplaced_choice(const SolidChoice& solid) {
   if (!solid.labels.empty() && !solid.is_image())
     refuse("@labels=LIST goes with an image, unlike '" + solid.file.string() + "'");
   if (solid.iso && is_surface_file(solid.file))
@@ -44,7 +44,7 @@ std::optional<SolidChoice> with_choice(const std::string& text) {
   if (choice.starts_with(labels)) solid.labels = parse_labels(choice.substr(labels.size()));
   else if (choice.starts_with(iso)) solid.iso = parse_levels(choice.substr(iso.size()));
   else return std::nullopt;
-  check(solid);
+  refuse_misplaced_choice(solid);
   return solid;
 }
 
