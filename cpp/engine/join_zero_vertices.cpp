@@ -10,7 +10,6 @@ namespace certet::core {
 namespace {
 
 bool has_all(LinkSet set, LinkSet some) { return (set & some) == some; }
-LinkSet bit(std::size_t d) { return LinkSet{1} << d; }
 
 /// The signs around the zero vertices of a word, read 64 at once, as most have others near.
 class WordLinks {
@@ -80,7 +79,7 @@ class ZeroVertex {
   void find_materials() {
     for_each_bit(link_.plus, [&](int d) {
       const VertexIndex u = next(d);
-      sets_.add(runs_.planes().materials()->at(u.grid, u.i, u.j, u.k), LinkSet{1} << d);
+      sets_.add(runs_.planes().materials()->at(u.grid, u.i, u.j, u.k), only(d));
     });
   }
 
@@ -88,7 +87,7 @@ class ZeroVertex {
     if (zero_tets_.size() == 0 || std::popcount(link_.zero) < 3) return;
     for (std::size_t t = 0; t < link_triangles.size(); ++t) {
       const auto [a, b, c] = link_triangles[t];
-      if (has_all(link_.zero, bit(a) | bit(b) | bit(c)) && zero_tets_.find(case_at(v_, t)))
+      if (has_all(link_.zero, only(a) | only(b) | only(c)) && zero_tets_.find(case_at(v_, t)))
         link_.filled |= std::uint32_t{1} << t;
     }
   }
@@ -96,8 +95,8 @@ class ZeroVertex {
   void find_bare() {
     for (std::size_t e = 0; e < long_link_edges.size(); ++e) {
       const auto& [ends, sides] = long_link_edges[e];
-      const LinkSet both = bit(ends[0]) | bit(ends[1]);
-      const LinkSet beside = bit(sides[0]) | bit(sides[1]);
+      const LinkSet both = only(ends[0]) | only(ends[1]);
+      const LinkSet beside = only(sides[0]) | only(sides[1]);
       if (!has_all(link_.plus, both) || (link_.plus & beside) != 0) continue;
       const bool alike = std::ranges::any_of(
           sets_.entries(), [both](const auto& entry) { return has_all(entry.set, both); });
@@ -112,7 +111,7 @@ class ZeroVertex {
 
   [[nodiscard]] Material material(LinkMember member) const {
     for (const auto& [material, set] : sets_.entries())
-      if (member < direction_count && has_all(set, bit(member))) return material;
+      if (member < direction_count && has_all(set, only(member))) return material;
     return runs_.have_materials() ? runs_.planes().materials()->at(v_.grid, v_.i, v_.j, v_.k) : 0;
   }
 

@@ -14,6 +14,8 @@ namespace certet::core {
 
 /// Some of the neighbours: a bit for each direction.
 using LinkSet = std::uint32_t;
+/// Of one of them.
+constexpr LinkSet only(std::size_t one) { return LinkSet{1} << one; }
 inline constexpr LinkSet whole_link = (LinkSet{1} << direction_count) - 1;
 
 /// The neighbours that are next to neighbour d: the ring around the edge to it, of

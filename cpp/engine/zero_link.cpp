@@ -11,12 +11,11 @@ namespace certet::core {
 namespace {
 
 LinkSet ring(int d) { return link_ring[static_cast<std::size_t>(d)]; }
-LinkSet bit(int d) { return LinkSet{1} << d; }
 
 template <std::size_t count>
 LinkSet set_of(const std::array<std::uint8_t, count>& neighbours) {
   LinkSet set = 0;
-  for (const std::uint8_t d : neighbours) set |= LinkSet{1} << d;
+  for (const std::uint8_t d : neighbours) set |= only(d);
   return set;
 }
 
@@ -90,7 +89,7 @@ class LinkSurface {
     found_.one_fan = curves_.are_one();
     if (!found_.one_fan)
       for_each_bit(link_.zero, [&](int d) {
-        if (curves_.arcs_at(LinkCurves::node(d, d)) > 2) found_.overfull_edges |= bit(d);
+        if (curves_.arcs_at(LinkCurves::node(d, d)) > 2) found_.overfull_edges |= only(d);
       });
     return std::move(found_);
   }
@@ -117,8 +116,8 @@ class LinkSurface {
     for (std::size_t n = 0; n < 3; ++n) {
       const int a = triangle[n];
       const int b = triangle[(n + 1) % 3];
-      if ((link_.zero & bit(a)) != 0) ends[found++] = LinkCurves::node(a, a);
-      const LinkSet edge = bit(a) | bit(b);
+      if ((link_.zero & only(a)) != 0) ends[found++] = LinkCurves::node(a, a);
+      const LinkSet edge = only(a) | only(b);
       if ((link_.plus & edge) != 0 && (link_.minus() & edge) != 0)
         ends[found++] = LinkCurves::node(a, b);
     }
@@ -139,7 +138,7 @@ class LinkSurface {
     for_each_bit(ring(a) & ring(b) & link_.plus,
                  [&](int d) { members[count++] = static_cast<LinkMember>(d); });
     for_each_bit(link_.filled, [&](int t) {
-      const LinkSet edge = bit(a) | bit(b);
+      const LinkSet edge = only(a) | only(b);
       if ((set_of(link_triangles[static_cast<std::size_t>(t)]) & edge) == edge)
         members[count++] = static_cast<LinkMember>(direction_count + t);
     });
