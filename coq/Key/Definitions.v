@@ -1,0 +1,4 @@
+(** * What [Key/] defines: diagonals that follow the cuts *)
+
+From Certet Require Export Embedding.Definitions.
+From Certet Require Export Lattice.EdgeRank Key.KeyTet Key.KeyStuffing Key.KeySpec.
