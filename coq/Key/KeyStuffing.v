@@ -15,9 +15,10 @@ Open Scope Z_scope.
 Definition CutKey (cut : CutField) (plus minus : Coord3) : Z :=
   3 * cut plus minus + EdgeRank plus minus.
 
-Definition MeshKey (cut : CutField) (a b : MeshVertex) : Z :=
+(** The key of a cut of the mesh, by a key for each edge. *)
+Definition MeshKey (key : Coord3 -> Coord3 -> Z) (a b : MeshVertex) : Z :=
   match a, b with
-  | Corner plus, Corner minus => CutKey cut plus minus
+  | Corner plus, Corner minus => key plus minus
   | _, _ => 0
   end.
 
@@ -28,22 +29,28 @@ Definition KeyThresholds : Thresholds := TH 64 95.
 Definition KeyAngles : AngleBounds := AB (CotSq 179 7) (CotSq 73 13).
 
 (** The tetrahedra put in place of one structured tetrahedron after any warp, by
-    the names of their vertices; the cuts are those that the mesh has. *)
-Definition KeyNames (before : SignField) (warping : Coord3 -> Warping)
-  (cut : CutField) (tid : StructuredTetId) : list (UnstructuredTet MeshVertex) :=
+    the names of their vertices, in any order of the cuts; *)
+Definition OrderedNames (key : Coord3 -> Coord3 -> Z) (before : SignField)
+  (warping : Coord3 -> Warping) (tid : StructuredTetId)
+  : list (UnstructuredTet MeshVertex) :=
   match tid, GetStructuredTet tid with
   | STId _ case, ST v1 v2 v3 v4 _ _ _ _ =>
       map (Orient (CaseHandedness case))
           (GetKeyTets MeshVertex (PlacedSign before warping) MeshIntersection
-             (MeshKey cut) (Corner v1) (Corner v2) (Corner v3) (Corner v4))
+             (MeshKey key) (Corner v1) (Corner v2) (Corner v3) (Corner v4))
   end.
 
-(** These at their positions, in steps. *)
+(** in that of the cuts that the mesh has; *)
+Definition KeyNames (before : SignField) (warping : Coord3 -> Warping)
+  (cut : CutField) : StructuredTetId -> list (UnstructuredTet MeshVertex) :=
+  OrderedNames (CutKey cut) before warping.
+
+(** these at their positions, in steps; *)
 Definition KeyTets (before : SignField) (warping : Coord3 -> Warping)
   (cut : CutField) (tid : StructuredTetId) : list (UnstructuredTet Coord3) :=
   map (MapTet (PlacedPosition warping cut)) (KeyNames before warping cut tid).
 
-(** After the paper's warp. *)
+(** and after the paper's warp. *)
 Definition KeyStuffTet (th : Thresholds) (sign : SignField) (cut : CutField)
-  (tid : StructuredTetId) : list (UnstructuredTet MeshVertex) :=
-  KeyNames sign (WarpVertex th sign cut) cut tid.
+  : StructuredTetId -> list (UnstructuredTet MeshVertex) :=
+  KeyNames sign (WarpVertex th sign cut) cut.
