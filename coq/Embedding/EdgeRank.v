@@ -1,28 +1,18 @@
 (** * The stencils are one greedy rule
 
-    Rank the edges of the lattice: long ones first, then the short ones that
-    lead along a diagonal from their even end, then the others.  In every
-    structured tetrahedron opposite edges have the same rank, and the three
-    edges at a corner have three.  All diagonals of the 81 stencils follow this
-    order: a + corner is not joined to a cut while an edge of its own to the
-    same outer corner comes earlier; nor are two cuts of opposite edges while
-    the inner end of one has an earlier edge to the outer end of the other.
-    Since a rank is a matter of the edge alone, the two sides of a face agree
-    without looking at each other.  The Parity Rule is the second rank before
-    the third. *)
+    All diagonals of the 81 stencils follow the order of [EdgeRank]: a + corner
+    is not joined to a cut while an edge of its own to the same outer corner
+    comes earlier; nor are two cuts of opposite edges while the inner end of one
+    has an earlier edge to the outer end of the other.  Since a rank is a matter
+    of the edge alone, the two sides of a face agree without looking at each
+    other. *)
 
 From Certet Require Import Embedding.Definitions.
+From Certet Require Export Lattice.EdgeRank.
 From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Stencil.CompatibilityChecker Stuffing.NameProof.
 From Certet Require Angles.Cases.SymmetryProof.
 Open Scope Z_scope.
-
-Definition EdgeRank (a b : Coord3) : Z :=
-  match Difference a b, a with
-    C3 dx dy dz, C3 x _ _ =>
-      if Z.even dx then 0
-      else if Bool.eqb (Z.even x) (dx * dy * dz =? 1) then 1 else 2
-  end.
 
 (** The vertex lies in the structured tetrahedron with these corners; a corner
     of the output is not outside, and a cut leads from inside to outside. *)

@@ -1,0 +1,31 @@
+(** * What is said of stencils whose diagonals follow an order of the cuts *)
+
+From Certet Require Import Angles.Definitions.
+From Certet Require Import Key.KeyStuffing Key.FaceRule.
+Open Scope Z_scope.
+
+(** The order of the Parity Rule: opposite edges are alike, and the long ones
+    come first, then [v1 v4] and [v2 v3], then [v1 v3] and [v2 v4]. *)
+Definition KeepsParity {Vertex : Type} (GetKey : Vertex -> Vertex -> Z)
+    (v1 v2 v3 v4 : Vertex) : Prop :=
+  exists long first second, long < first < second /\
+    (forall a b, In (a, b) [(v1, v2); (v2, v1); (v3, v4); (v4, v3)] ->
+       GetKey a b = long) /\
+    (forall a b, In (a, b) [(v1, v4); (v4, v1); (v2, v3); (v3, v2)] ->
+       GetKey a b = first) /\
+    (forall a b, In (a, b) [(v1, v3); (v3, v1); (v2, v4); (v4, v2)] ->
+       GetKey a b = second).
+
+(** Of the cuts between these points those that share an end have different
+    keys. *)
+Definition KeysApart (key : Coord3 -> Coord3 -> Z) (corners : list Coord3) : Prop :=
+  forall a b m, In a corners -> In b corners -> In m corners ->
+    a <> b -> a <> m -> b <> m -> key a m <> key b m /\ key m a <> key m b.
+
+(** What lies on the face with these corners, by the face alone. *)
+Definition OnFace (key : Coord3 -> Coord3 -> Z) (before : SignField)
+  (warping : Coord3 -> Warping) (f1 f2 f3 : Coord3) : MeshVertex -> MeshVertex ->
+  MeshVertex -> Prop :=
+  AmongFaceTriangles
+    (FaceTriangles MeshVertex (PlacedSign before warping) MeshIntersection
+       (MeshKey key) (Corner f1) (Corner f2) (Corner f3)).
