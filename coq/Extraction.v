@@ -10,6 +10,7 @@ From Coq Require Import Extraction ExtrOcamlBasic.
 From Certet Require Import Topology.Definitions Material.Definitions.
 From Certet Require Import Grading.Octree Grading.Flag Grading.GradedTet
   Grading.Surface.
+From Certet Require Import Key.Definitions.
 From Certet Require Import Embedding.DiskTables Material.MaterialShape
   Material.SettleMaterials.
 
@@ -36,6 +37,8 @@ Extraction "certified.ml"
   OpenSigns OpenCuts Turn Turns InTurn LevelGap StrictGap
   Embedding.Settle.Settle PlaceIn ClampedCut SettledTets SettledMesh
   PlacedNames PlacedPosition
+  (* diagonals that follow the cuts *)
+  GetKeyTets KeyThresholds CutKey KeyNames
   (* the samples of a label image *)
   CubeParted VoxelSigns
   (* several materials *)

@@ -46,7 +46,7 @@ struct Representative {
 
 inline constexpr std::array<Representative, 4> representatives{{
     {{"++0-", "2 1 14 3 | 2 14 24 3"}, "14<24"},
-    {{"+++-", "2 1 34 3 | 2 1 14 34 | 2 14 24 34"}, "34<14 14<24 34<24"},
+    {{"+++-", "2 1 34 3 | 2 1 14 34 | 2 14 24 34"}, "34<14 14<24"},
     {{"++--", "1 2 23 14 | 1 23 13 14 | 2 23 14 24"}, "23<13 14<24"},
     // Where both faces' diagonals end at one corner, the quadrilateral within the
     // tetrahedron is free to choose: its diagonal ends at the greater of that corner's cuts.
@@ -117,6 +117,21 @@ constexpr bool is_lesser(const CutOrders& orders, std::size_t order, StencilVert
   return false;
 }
 
+/// Whether some cuts have this order.  The pairs go round in a circle, if there are more than
+/// one: just where each cut is the greater of one of its pairs there is no least.
+constexpr bool is_possible(const CutOrders& orders, std::size_t order) {
+  for (std::size_t n = 0; n < orders.pair_count; ++n) {
+    const auto& [first, second] = orders.pairs[n];
+    const StencilVertex lesser = (order >> n & 1) != 0 ? second : first;
+    bool is_least = true;
+    for (std::size_t m = 0; m < orders.pair_count; ++m)
+      is_least = is_least && lesser != ((order >> m & 1) != 0 ? orders.pairs[m].first
+                                                              : orders.pairs[m].second);
+    if (is_least) return true;
+  }
+  return false;
+}
+
 /// Whether a permutation carries the representative to these signs and this order.
 constexpr bool carries(const Representative& r, const Corners& g, const CornerSigns& signs,
                        const CutOrders& orders, std::size_t order) {
@@ -134,6 +149,7 @@ constexpr bool carries(const Representative& r, const Corners& g, const CornerSi
 constexpr Stencil make_stencil(const CornerSigns& signs, const CutOrders& orders,
                                std::size_t order) {
   if (orders.pair_count == 0) return stencil_detail::make_stencil(signs);
+  if (!is_possible(orders, order)) return {};
   for (const Corners& g : permutations)
     for (const Representative& r : representatives)
       if (carries(r, g, signs, orders, order)) {
