@@ -3,7 +3,7 @@
 From Certet Require Import Key.Definitions.
 From Certet Require Import Angles.Forms.CheckerProof Angles.Cases.Configurations
   Angles.Cases.SymmetryProof Angles.Cases.ReductionProof
-  Angles.Cases.AdmissibleProof Angles.AngleTheorems Embedding.WarpOrClampProof
+  Angles.Cases.AdmissibleProof Angles.AngleTheorems Angles.LatticeProof Embedding.WarpOrClampProof
   Key.KeyConfigurations Key.KeyReductionProof Key.Jobs.KeyFewSurface
   Key.Jobs.KeyManySurface.
 Open Scope Z_scope.
@@ -54,3 +54,9 @@ Proof.
   intros C. apply KeyDihedralBounds.
   apply AnySubsetStays; [exact KeyThresholdsAtMostHalf|exact C].
 Qed.
+
+(** ** The lattice itself *)
+
+Theorem KeyLatticePositive sign cut tid : CutsOnEdges sign cut ->
+  Positive (WarpedTet KeyThresholds sign cut tid).
+Proof. apply LatticePositive. intros []; cbn; lia. Qed.

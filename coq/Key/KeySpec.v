@@ -16,12 +16,6 @@ Definition KeepsParity {Vertex : Type} (GetKey : Vertex -> Vertex -> Z)
     (forall a b, In (a, b) [(v1, v3); (v3, v1); (v2, v4); (v4, v2)] ->
        GetKey a b = second).
 
-(** Of the cuts between these points those that share an end have different
-    keys. *)
-Definition KeysApart (key : Coord3 -> Coord3 -> Z) (corners : list Coord3) : Prop :=
-  forall a b m, In a corners -> In b corners -> In m corners ->
-    a <> b -> a <> m -> b <> m -> key a m <> key b m /\ key m a <> key m b.
-
 (** What lies on the face with these corners, by the face alone. *)
 Definition OnFace (key : Coord3 -> Coord3 -> Z) (before : SignField)
   (warping : Coord3 -> Warping) (f1 f2 f3 : Coord3) : MeshVertex -> MeshVertex ->
