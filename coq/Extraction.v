@@ -10,7 +10,7 @@ From Coq Require Import Extraction ExtrOcamlBasic.
 From Certet Require Import Topology.Definitions Material.Definitions.
 From Certet Require Import Grading.Octree Grading.Flag Grading.GradedTet
   Grading.Surface.
-From Certet Require Import Key.Definitions.
+From Certet Require Import Key.KeyTet Key.KeyStuffing Key.FaceRule.
 From Certet Require Import Embedding.DiskTables Material.MaterialShape
   Material.SettleMaterials.
 
@@ -37,14 +37,15 @@ Extraction "certified.ml"
   OpenSigns OpenCuts Turn Turns InTurn LevelGap StrictGap
   Embedding.Settle.Settle PlaceIn ClampedCut SettledTets SettledMesh
   PlacedNames PlacedPosition
-  (* diagonals that follow the cuts *)
-  GetKeyTets KeyThresholds CutKey KeyNames
   (* the samples of a label image *)
   CubeParted VoxelSigns
   (* several materials *)
   Outside GetMaterialTets WarpMaterialVertex PlacedMaterial PlacedMaterialTets
   WidestAngles IsWellShaped AreDisks FillsWouldTouch MaterialsInTurn
   Material.SettleMaterials.SettleMaterials SettledMaterialTets
+  (* diagonals by key *)
+  KeyThresholds EdgeRank CutKey MeshKey GetKeyTets KeyNames KeyTets KeyStuffTet
+  FaceTriangles
   (* graded interiors *)
   IsNearSurface OctreeAround GradedOctree HalfSide CentreInHalfSides
   PointSeen CellSeen ChildSeen OtherCorner OtherEdge OtherFace OtherCell

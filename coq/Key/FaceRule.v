@@ -13,7 +13,7 @@ Section FaceRule.
   Variable GetIntersection : Vertex -> Vertex -> Vertex.
   Variable GetKey : Vertex -> Vertex -> Z.
 
-  Local Notation cut := GetIntersection.
+  Local Notation cut := (GetIntersection).
 
   Definition Triangle : Type := Vertex * Vertex * Vertex.
 

@@ -7,7 +7,7 @@ From Certet Require Import Key.Definitions.
 From Certet Require Import Lattice.StructuredTetProof Lattice.ArrangementProof
   Stencil.Symbol Stencil.SymbolProof Stencil.TriangleChecker
   Stencil.TriangleCheckerProof Stuffing.NameProof Stuffing.MeshProof
-  Key.OrderProof Key.KeyChecker Key.KeysApartProof.
+  Key.Orders Key.OrderProof Key.KeyChecker Key.KeysApartProof.
 Open Scope Z_scope.
 
 Lemma OrdersFit : ForAllCornerSigns (fun sign =>

@@ -3,8 +3,9 @@
     On symbols, as in [TriangleChecker]: the stencils of a structured
     tetrahedron whose corners are the labels [F1 F2 F3 P]. *)
 
-From Certet Require Import Key.Definitions.
-From Certet Require Import Stencil.Symbol Stencil.TriangleChecker Key.OrderProof.
+From Certet Require Import Stencil.Definitions.
+From Certet Require Import Stencil.Symbol Stencil.TriangleChecker
+  Key.KeyTet Key.FaceRule Key.Orders.
 Open Scope Z_scope.
 Open Scope bool_scope.
 

@@ -42,7 +42,7 @@ Section KeyTet.
   (** The key of the cut of an edge, from its + to its - end. *)
   Variable GetKey : Vertex -> Vertex -> Z.
 
-  Local Notation cut := GetIntersection.
+  Local Notation cut := (GetIntersection).
 
   (** The cut of the edge from [a] to [e] comes before that from [b] to [f]. *)
   Definition Before (a e b f : Vertex) : bool := GetKey a e <? GetKey b f.

@@ -3,9 +3,9 @@
     The stencils look at keys only to compare cuts that share an end, so that
     the ranks of the cuts in some order do as well. *)
 
-From Coq Require Import Sorted.
-From Certet Require Import Key.Definitions.
-From Certet Require Import Stencil.SymbolProof.
+From Certet Require Import Stencil.Definitions.
+From Certet Require Import Key.KeyTet.
+From Certet Require Import Stencil.SymbolProof Key.Orders.
 Open Scope Z_scope.
 
 (** ** Keys that compare alike give the same tetrahedra *)
@@ -118,28 +118,10 @@ Qed.
 
 (** ** Ranks instead of keys *)
 
-Fixpoint Insertions {T} (x : T) (l : list T) : list (list T) :=
-  match l with
-  | [] => [[x]]
-  | y :: r => (x :: l) :: map (cons y) (Insertions x r)
-  end.
-
-Fixpoint Orders {T} (l : list T) : list (list T) :=
-  match l with
-  | [] => [[]]
-  | x :: r => flat_map (Insertions x) (Orders r)
-  end.
-
 Section Ranks.
   Context {T : Type}.
   Variable same : T -> T -> bool.
   Hypothesis Same : forall x y, same x y = true <-> x = y.
-
-  Fixpoint RankIn (order : list T) (x : T) : Z :=
-    match order with
-    | [] => 0
-    | y :: r => if same x y then 0 else 1 + RankIn r x
-    end.
 
   Variable key : T -> Z.
 
@@ -193,11 +175,11 @@ Section Ranks.
   Lemma SortInOrder l : InOrder (SortByKey l).
   Proof. induction l; cbn; [exact I|]. apply InsertInOrder, IHl. Qed.
 
-  Lemma RankNonNegative l x : 0 <= RankIn l x.
+  Lemma RankNonNegative l x : 0 <= RankIn same l x.
   Proof. induction l as [|y r IH]; cbn -[Z.add]; [lia|]. destruct (same x y); lia. Qed.
 
   Lemma RankOrders l x y : InOrder l -> In x l -> In y l ->
-    RankIn l x <= RankIn l y -> key x <= key y.
+    RankIn same l x <= RankIn same l y -> key x <= key y.
   Proof.
     induction l as [|z r IH]; cbn -[Z.add]; [tauto|]. intros [first rest] Ix Iy.
     destruct (same x z) eqn:Ex.
@@ -211,12 +193,12 @@ Section Ranks.
 
   (** Cuts of different keys compare by rank as by key. *)
   Lemma RankCompares l x y : In x l -> In y l -> key x <> key y ->
-    (RankIn (SortByKey l) x <? RankIn (SortByKey l) y) = (key x <? key y).
+    (RankIn same (SortByKey l) x <? RankIn same (SortByKey l) y) = (key x <? key y).
   Proof.
     intros Ix Iy N. rewrite <- InSorted in Ix, Iy.
     pose proof (RankOrders _ x y (SortInOrder l) Ix Iy).
     pose proof (RankOrders _ y x (SortInOrder l) Iy Ix).
-    destruct (Z.ltb_spec (key x) (key y)), (Z.ltb_spec (RankIn (SortByKey l) x)
-      (RankIn (SortByKey l) y)); lia || reflexivity.
+    destruct (Z.ltb_spec (key x) (key y)), (Z.ltb_spec (RankIn same (SortByKey l) x)
+      (RankIn same (SortByKey l) y)); lia || reflexivity.
   Qed.
 End Ranks.

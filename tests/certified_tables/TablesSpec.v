@@ -398,7 +398,7 @@ Definition Methods : list NamedMethod :=
    Named "midpoint" MidpointMethod "MidpointBounds";
    {| called := "key"; cuts := OnTheSurface; alpha := KeyThresholds; settles := true;
       follows_cuts := true; least := 1118; greatest := 15713;
-      theorem := "KeyBoundsInDegrees" |}]%string.
+      theorem := "CertifiedKeySweptMesh" |}]%string.
 
 (** The number of 53 bits, written in full, that is nearest to so many hundredths. *)
 Definition IsNearest (hundredths : Z) (t : Table) : bool :=

@@ -13,7 +13,7 @@ class Key(ProgramTest):
         report = self.mesh(*TORUS, "-o", "a.vtu", "--method", "key")
         self.assertEqual(report["method"]["name"], "key")
         self.assertEqual(report["method"]["shortened"], 0)
-        self.assertEqual(report["theorem"], "KeyBoundsInDegrees")
+        self.assertEqual(report["theorem"], "CertifiedKeySweptMesh")
         guarantee = report["guarantee"]
         self.assertEqual((guarantee["asked"], guarantee["used"]), ("key", "key"))
         self.assertEqual((guarantee["min_dihedral"], guarantee["max_dihedral"]), (11.18, 157.13))
@@ -23,7 +23,7 @@ class Key(ProgramTest):
         self.run_certet("mesh", *TORUS, "-o", "b.vtu", "--method", "key", "--json", "b.json")
         run = self.run_certet("check", "b.vtu", "--run", "b.json")
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
-        self.assertIn("KeyBoundsInDegrees", run.stdout)
+        self.assertIn("CertifiedKeySweptMesh", run.stdout)
 
     def test_the_mesh_is_another_and_the_same_for_threads_memory_and_grading(self):
         boundary = []
@@ -39,7 +39,7 @@ class Key(ProgramTest):
 
     def test_the_table_names_it(self):
         told = self.run_certet("mesh", *TORUS, "-o", "a.vtu", "--method", "key").stdout
-        self.assertIn("11.180° to 157.130°, theorem KeyBoundsInDegrees", told)
+        self.assertIn("11.180° to 157.130°, theorem CertifiedKeySweptMesh", told)
         self.assertRegex(told, "method +key: diagonals follow the cuts")
         self.assertIn("vertices too close to the surface stayed, 0 moves shortened", told)
 

@@ -388,7 +388,7 @@ class Images(unittest.TestCase):
 
     def test_methods(self):
         theorems = {"embedded": "SettledBoundsInDegrees", "angles": "DihedralBounds", "embedding": "DihedralBoundsEmbedding",
-                    "midpoint": "MidpointBounds", "key": "KeyBoundsInDegrees"}
+                    "midpoint": "MidpointBounds", "key": "CertifiedKeySweptMesh"}
         for method, theorem in theorems.items():
             mesh = certet.mesh_function(lambda p: (p**2).sum(1) - 1, ((-1.5,) * 3, (1.5,) * 3),
                                         0.25, method=method)

@@ -69,7 +69,7 @@ inline constexpr std::array<MethodFacts, 5> methods{{
      {30, 135, "MidpointBounds"},
      "cuts in the middle of edges, no vertex is warped"},
     {Method::key, "key", Cuts::bisect, key_thresholds, true, true, true,
-     {11.18, 157.13, "KeyBoundsInDegrees"},
+     {11.18, 157.13, "CertifiedKeySweptMesh"},
      "diagonals follow the cuts; no tetrahedra overlap, the surface is a manifold, pieces are kept"},
 }};
 

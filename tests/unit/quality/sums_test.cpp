@@ -76,7 +76,7 @@ TEST(Methods, PromiseWhatTheirTheoremsDo) {
   promises(Method::angles, "DihedralBounds", 10.77, 164.76);
   promises(Method::embedding, "DihedralBoundsEmbedding", 9.27, 161.46);
   promises(Method::midpoint, "MidpointBounds", 30.0, 135.0);
-  promises(Method::key, "KeyBoundsInDegrees", 11.18, 157.13);
+  promises(Method::key, "CertifiedKeySweptMesh", 11.18, 157.13);
 }
 
 TEST(Methods, AreFoundByTheirNames) {
