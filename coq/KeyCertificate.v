@@ -15,17 +15,17 @@ From Coq Require Import ZArith Reals List.
 
 (** What is meant to run. *)
 From Certet Require Export Lattice.Coord3 Lattice.StructuredTet Lattice.EdgeRank.
-From Certet Require Export Stencil.UnstructuredTet.
+From Certet Require Export Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Export Warp.Cut Warp.Warp.
 From Certet Require Export Stuffing.Stuffing Stuffing.Domain.
 From Certet Require Export Embedding.WarpOrClamp Embedding.Settle.
 From Certet Require Export Key.KeyTet Key.KeyStuffing Key.KeyMesh.
 
 (** What is meant. *)
-From Certet Require Export Stencil.TriangleSpec Stuffing.MeshSpec.
+From Certet Require Export Lattice.NeighborSpec Stencil.TriangleSpec Stuffing.MeshSpec.
 From Certet Require Export Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
 From Certet Require Export Embedding.EmbeddingSpec.
-From Certet Require Export Mesh.CertifiedSpec.
+From Certet Require Export Mesh.Method Mesh.CertifiedSpec.
 From Certet Require Export Key.FaceRule Key.KeySpec.
 
 (** Why it holds. *)
@@ -127,11 +127,10 @@ Proof. exact KeysApartProof.CutKeysApart. Qed.
     its corners and the keys of its cuts alone. *)
 Theorem StencilFaceIsFaceRule :
   forall key before warping tid f1 f2 f3,
-    NoDup [f1; f2; f3] -> incl [f1; f2; f3] (Corners tid) ->
-    KeysApart key (Corners tid) ->
-    (exists f, In f [f1; f2; f3] /\ PlacedSign before warping (Corner f) = Plus) ->
-    forall a b c, LiesIn [f1; f2; f3] a -> LiesIn [f1; f2; f3] b ->
-      LiesIn [f1; f2; f3] c ->
+    let face := (f1 :: f2 :: f3 :: nil)%list in
+    NoDup face -> incl face (Corners tid) -> KeysApart key (Corners tid) ->
+    (exists f, In f face /\ PlacedSign before warping (Corner f) = Plus) ->
+    forall a b c, LiesIn face a -> LiesIn face b -> LiesIn face c ->
       AmongTriangles (OrderedNames key before warping tid) a b c <->
       OnFace key before warping f1 f2 f3 a b c.
 Proof. exact FaceRuleProof.StencilFaceIsFaceRule. Qed.

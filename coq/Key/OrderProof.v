@@ -52,7 +52,7 @@ Qed.
 (** ** Renaming the vertices *)
 
 Section Natural.
-  Context {A B : Type}.
+  Variables A B : Type.
   Variables (f : A -> B) (CutA : A -> A -> A) (CutB : B -> B -> B).
   Variables (KeyA : A -> A -> Z) (KeyB : B -> B -> Z).
   Variable corners : list A.
@@ -107,9 +107,9 @@ Proof.
   assert (I4 : In v4 corners) by (cbn; tauto).
   assert (paper := GetUnstructuredTetsNatural A B f SignA SignB CutA CutB v1 v2 v3 v4
     SameSign SameCut).
-  pose proof (PrismNatural f CutA CutB KeyA KeyB corners SameCut SameKey) as prism.
-  pose proof (PyramidNatural f CutA CutB KeyA KeyB corners SameCut SameKey) as pyramid.
-  pose proof (WedgeNatural f CutA CutB KeyA KeyB corners SameCut SameKey) as wedge.
+  pose proof (PrismNatural A B f CutA CutB KeyA KeyB corners SameCut SameKey) as prism.
+  pose proof (PyramidNatural A B f CutA CutB KeyA KeyB corners SameCut SameKey) as pyramid.
+  pose proof (WedgeNatural A B f CutA CutB KeyA KeyB corners SameCut SameKey) as wedge.
   unfold GetKeyTets. rewrite !SameSign by assumption.
   destruct (SignA v1), (SignA v2), (SignA v3), (SignA v4);
     first [exact paper | apply prism; assumption | apply pyramid; assumption
@@ -119,7 +119,7 @@ Qed.
 (** ** Ranks instead of keys *)
 
 Section Ranks.
-  Context {T : Type}.
+  Variable T : Type.
   Variable same : T -> T -> bool.
   Hypothesis Same : forall x y, same x y = true <-> x = y.
 
@@ -202,3 +202,11 @@ Section Ranks.
       (RankIn same (SortByKey l) y)); lia || reflexivity.
   Qed.
 End Ranks.
+
+Arguments InsertByKey {T}.
+Arguments SortByKey {T}.
+Arguments InOrder {T}.
+Arguments SortListed {T}.
+Arguments InSorted {T}.
+Arguments SortInOrder {T}.
+Arguments RankCompares {T}.

@@ -161,16 +161,22 @@ Section Fitting.
     CheckRanged bounds r moves t halvings ranges = true ->
     WellShaped bounds (MapTet place t).
   Proof.
-    revert ranges. induction halvings as [|n IH]; intros ranges E F C;
-      cbn [CheckRanged] in C; rewrite (NotEmpty ranges F) in C;
-      destruct (CheckTet bounds (MapTet (RangedSegment r moves ranges) t)) eqn:T.
-    1,3: clear C; pose proof (fun v => Segments ranges v E F) as S;
-      destruct t as [a b c d]; cbn [MapTet TetCorners In] in *;
+    assert (whole : forall ranges, map CutIn ranges = cuts -> Fitting ranges ->
+      CheckTet bounds (MapTet (RangedSegment r moves ranges) t) = true ->
+      WellShaped bounds (MapTet place t)).
+    { clear ranges. intros ranges E F T.
+      pose proof (fun v => Segments ranges v E F) as S.
+      destruct t as [a b c d]. cbn [MapTet TetCorners In] in *.
       apply (CheckTetSound 256 ltac:(lia)
         bounds (RangedSegment r moves ranges a) (RangedSegment r moves ranges b)
         (RangedSegment r moves ranges c) (RangedSegment r moves ranges d));
-      auto 6.
+        auto 6. }
+    revert ranges. induction halvings as [|n IH]; intros ranges E F C;
+      cbn [CheckRanged] in C; rewrite (NotEmpty ranges F) in C;
+      destruct (CheckTet bounds (MapTet (RangedSegment r moves ranges) t)) eqn:T.
+    - exact (whole ranges E F T).
     - discriminate C.
+    - exact (whole ranges E F T).
     - destruct (Widest ranges t) as [[[c lo] hi]|]; [|discriminate C].
       set (middle := (lo + hi) / 2) in C.
       destruct (CheckRanged bounds r moves t n (Tightened (Narrowed c
