@@ -196,6 +196,7 @@ soak: everything
 	mkdir -p $(BUILD)/soak
 	$(BUILD)/bin/certet_soak --count $(SOAK_COUNT) $(if $(SOAK_SEED),--seed $(SOAK_SEED)) --report $(BUILD)/soak/soak
 	$(BUILD)/bin/certet_thin_soak --images $(SOAK_COUNT) --fields $(SOAK_COUNT) $(if $(SOAK_SEED),--seed $(SOAK_SEED)) --report $(BUILD)/soak/thin.md
+	$(BUILD)/bin/certet_thin_soak --method key --images $(SOAK_COUNT) --fields $(SOAK_COUNT) $(if $(SOAK_SEED),--seed $(SOAK_SEED)) --report $(BUILD)/soak/key.md
 	$(BUILD)/bin/certet_label_soak --count $(SOAK_COUNT) $(if $(SOAK_SEED),--seed $(SOAK_SEED)) --report $(BUILD)/soak/labels.md
 
 # A minute for each target; findings in build-fuzz/findings, the seed may be given.

@@ -62,6 +62,7 @@ Constants constants() {
   c.angle = reader.thresholds();
   c.embedding = reader.thresholds();
   c.no_warp = reader.thresholds();
+  c.key = reader.thresholds();
   for (Direction& d : c.directions) {
     d.offset = reader.coord3();
     d.is_long = reader.number() != 0;
@@ -101,17 +102,32 @@ certet::StructuredTet structured_tet(const certet::StructuredTetId& id) {
   return tet;
 }
 
-std::vector<std::array<Handle, 4>> unstructured_tets(
-    const GetSign& get_sign, const GetIntersection& get_intersection,
-    const std::array<Handle, 4>& v) {
-  const closures::Stencil closures{get_sign, get_intersection};
+namespace {
+
+std::vector<std::array<Handle, 4>> tets_by(const char* function,
+                                           const closures::Stencil& closures,
+                                           const std::array<Handle, 4>& v) {
   Frame frame(&closures);
-  Reader reader(call_ints("certified.unstructured_tets",
-                          {frame.handle(), v[0], v[1], v[2], v[3]}, &frame));
+  Reader reader(call_ints(function, {frame.handle(), v[0], v[1], v[2], v[3]}, &frame));
   std::vector<std::array<Handle, 4>> tets;
   while (!reader.done())
     for (Handle& vertex : tets.emplace_back()) vertex = reader.number();
   return tets;
+}
+
+}  // namespace
+
+std::vector<std::array<Handle, 4>> unstructured_tets(
+    const GetSign& get_sign, const GetIntersection& get_intersection,
+    const std::array<Handle, 4>& vertices) {
+  return tets_by("certified.unstructured_tets", {get_sign, get_intersection}, vertices);
+}
+
+std::vector<std::array<Handle, 4>> key_tets(const GetSign& get_sign,
+                                            const GetIntersection& get_intersection,
+                                            const GetKey& get_key,
+                                            const std::array<Handle, 4>& vertices) {
+  return tets_by("certified.key_tets", {get_sign, get_intersection, &get_key}, vertices);
 }
 
 std::vector<OfMaterial<Handle>> material_tets(const GetMaterial& get_material,
@@ -209,22 +225,24 @@ Sign voxel_sign(const VoxelGrid& grid, const std::function<bool(Coord3)>& holds,
 }
 
 std::vector<PlacedTet> settle(Thresholds t, Gap gap, const certet::Lattice& lattice,
-                              const Domain& domain) {
+                              const Domain& domain, Diagonals diagonals) {
   const auto& [o, cells] = lattice;
   return placed_by<closures::Stuffing>("certified.settle", domain, t.long_edge, t.short_edge,
-                                       gap == Gap::strict, o.x, o.y, o.z, cells[0], cells[1],
-                                       cells[2]);
+                                       gap == Gap::strict, diagonals == Diagonals::by_key, o.x,
+                                       o.y, o.z, cells[0], cells[1], cells[2]);
 }
 
 std::vector<PlacedTet> grade(Thresholds t, bool settles, int levels,
-                             const certet::Lattice& lattice, const Domain& domain) {
+                             const certet::Lattice& lattice, const Domain& domain,
+                             Diagonals diagonals) {
   std::vector<PlacedTet> tets;
   const closures::Stuffing closures{domain, tets};
   Frame frame(&closures);
   const auto& [origin, cells] = lattice;
   runtime::call("certified.grade",
-                {frame.handle(), t.long_edge, t.short_edge, settles ? 1 : 0, levels, origin.x,
-                 origin.y, origin.z, cells[0], cells[1], cells[2]},
+                {frame.handle(), t.long_edge, t.short_edge, settles ? 1 : 0,
+                 diagonals == Diagonals::by_key ? 1 : 0, levels, origin.x, origin.y, origin.z,
+                 cells[0], cells[1], cells[2]},
                 &frame);
   return tets;
 }

@@ -52,7 +52,7 @@ struct Direction {
 /// The numbers that the certificate fixes.
 struct Constants {
   std::int64_t step_bits, steps, midpoint_cut;
-  Thresholds angle, embedding, no_warp;
+  Thresholds angle, embedding, no_warp, key;
   std::array<Direction, certet::direction_count> directions;
 };
 Constants constants();
@@ -78,6 +78,15 @@ using GetIntersection = std::function<Handle(Handle, Handle)>;
 std::vector<std::array<Handle, 4>> unstructured_tets(
     const GetSign& get_sign, const GetIntersection& get_intersection,
     const std::array<Handle, 4>& vertices);
+
+/// The key of the cut of an edge, from its + to its - end.
+using GetKey = std::function<std::int64_t(Handle, Handle)>;
+
+/// `GetKeyTets`.
+std::vector<std::array<Handle, 4>> key_tets(const GetSign& get_sign,
+                                            const GetIntersection& get_intersection,
+                                            const GetKey& get_key,
+                                            const std::array<Handle, 4>& vertices);
 
 /// A material: a number, 0 for the outside.
 using Material = std::int64_t;
@@ -173,17 +182,24 @@ enum class Gap {
   strict,  ///< `StrictGap`
 };
 
+/// Where the diagonals of quadrilaterals end.
+enum class Diagonals {
+  by_parity,  ///< as the Parity Rule says: `PlacedNames`
+  by_key,     ///< at the lesser of the mesh's cuts: `KeyNames`
+};
+
 /// The whole mesh by the warp that keeps the shape: `Settle` over all points of the
-/// lattice `InTurn`, and `PlacedNames` with `PlacedPosition`; in the order of `stuff`.
+/// lattice `InTurn`, and the diagonals' names with `PlacedPosition`; in the order of `stuff`.
 /// The lattice's outermost points count as outside, and so does what is sampled on the
 /// surface: `OpenSigns` and `OpenCuts`.
 std::vector<PlacedTet> settle(Thresholds thresholds, Gap gap, const certet::Lattice& lattice,
-                              const Domain& domain);
+                              const Domain& domain, Diagonals diagonals = Diagonals::by_parity);
 
 /// The whole mesh, graded by so many levels: `GradedOctree` and `GradedTetsWithin` of the
 /// mesh that `settle` (with `Gap::level`) or `stuff` makes; in an order of its own.
 std::vector<PlacedTet> grade(Thresholds thresholds, bool settles, int levels,
-                             const certet::Lattice& lattice, const Domain& domain);
+                             const certet::Lattice& lattice, const Domain& domain,
+                             Diagonals diagonals = Diagonals::by_parity);
 
 /// A domain of several materials: that of each lattice point, and the cut of each edge in
 /// steps from the end of the higher one, given first.

@@ -12,6 +12,7 @@ open Certified
 
 external get_sign : int -> int -> int = "certified_get_sign"
 external get_intersection : int -> int -> int -> int = "certified_get_intersection"
+external get_key : int -> int -> int -> int = "certified_get_key"
 external neighbor_sign : int -> int -> int = "certified_neighbor_sign"
 external neighbor_cut : int -> int -> int = "certified_neighbor_cut"
 external sign_at_step : int -> int -> int = "certified_sign_at_step"
@@ -68,6 +69,7 @@ let constants () =
     @ ints_of_thresholds angleThresholds
     @ ints_of_thresholds embeddingThresholds
     @ ints_of_thresholds noWarpThresholds
+    @ ints_of_thresholds keyThresholds
     @ List.concat_map direction allDirections)
 
 let threshold_steps long short is_long =
@@ -96,12 +98,17 @@ let structured_tet x y z case =
 
 (* {1 The stencils} *)
 
+let vertices tets =
+  Array.of_list (List.concat_map (fun (UT (a, b, c, d)) -> [ a; b; c; d ]) tets)
+
+let sign_of frame v = sign_of_int (get_sign frame v)
+
 let unstructured_tets frame v1 v2 v3 v4 =
-  let sign v = sign_of_int (get_sign frame v) in
-  let intersection = get_intersection frame in
-  getUnstructuredTets sign intersection v1 v2 v3 v4
-  |> List.concat_map (fun (UT (a, b, c, d)) -> [ a; b; c; d ])
-  |> Array.of_list
+  vertices (getUnstructuredTets (sign_of frame) (get_intersection frame) v1 v2 v3 v4)
+
+let key_tets frame v1 v2 v3 v4 =
+  let key a b = z (get_key frame a b) in
+  vertices (getKeyTets (sign_of frame) (get_intersection frame) key v1 v2 v3 v4)
 
 let material_tets frame v1 v2 v3 v4 shared =
   let material v = match get_material frame v with -1 -> None | m -> Some (z m) in
@@ -202,20 +209,26 @@ let stuff_all frame long short ox oy oz nx ny nz =
   let domain = Domain.within lattice (domain frame) in
   Mesher.iter_tets thresholds lattice domain (emit_tet frame thresholds domain)
 
-let settle_all frame long short strict ox oy oz nx ny nz =
+let diagonals by_key = if by_key <> 0 then Settler.By_key else Settler.By_parity
+
+let settle_all frame long short strict by_key ox oy oz nx ny nz =
   let lattice = lattice ox oy oz nx ny nz in
   let gap = if strict <> 0 then strictGap else levelGap in
   let domain = Domain.within lattice (domain frame) in
-  let settled = Settler.settle gap (thresholds long short) lattice domain in
+  let settled =
+    Settler.settle ~diagonals:(diagonals by_key) gap (thresholds long short) lattice domain
+  in
   Settler.iter_tets settled (emit_placed frame (Settler.position settled))
 
 (* Of a mesh whose vertices settle, or are all moved. *)
-let grade_all frame long short settles levels ox oy oz nx ny nz =
+let grade_all frame long short settles by_key levels ox oy oz nx ny nz =
   let lattice = lattice ox oy oz nx ny nz in
   let domain = Domain.within lattice (domain frame) in
   let thresholds = thresholds long short in
   let mesh =
-    if settles <> 0 then Settler.mesh (Settler.settle levelGap thresholds lattice domain)
+    if settles <> 0 then
+      Settler.mesh
+        (Settler.settle ~diagonals:(diagonals by_key) levelGap thresholds lattice domain)
     else Mesher.mesh thresholds domain
   in
   Grader.iter_tets mesh levels lattice
@@ -258,6 +271,7 @@ let () =
   Callback.register "certified.right_handed" is_right_handed;
   Callback.register "certified.structured_tet" structured_tet;
   Callback.register "certified.unstructured_tets" unstructured_tets;
+  Callback.register "certified.key_tets" key_tets;
   Callback.register "certified.warp" warp_vertex;
   Callback.register "certified.warped_sign" warped_sign;
   Callback.register "certified.warped_position" warped_position;

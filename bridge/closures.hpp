@@ -9,6 +9,7 @@ namespace certified::closures {
 struct Stencil {
   const GetSign& get_sign;
   const GetIntersection& get_intersection;
+  const GetKey* get_key = nullptr;  ///< where diagonals follow the cuts
 };
 
 struct Warp {

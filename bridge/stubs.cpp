@@ -67,6 +67,15 @@ value certified_get_intersection(value frame, value a, value b) {
   CAMLreturn(to_ocaml(done, result));
 }
 
+value certified_get_key(value frame, value a, value b) {
+  CAMLparam3(frame, a, b);
+  std::int64_t result = 0;
+  const bool done = run<closures::Stencil>(frame, result, [&](const closures::Stencil& c) {
+    return (*c.get_key)(Long_val(a), Long_val(b));
+  });
+  CAMLreturn(to_ocaml(done, result));
+}
+
 value certified_get_material(value frame, value vertex) {
   CAMLparam2(frame, vertex);
   std::int64_t result = 0;

@@ -16,8 +16,9 @@
     mesh embeds, is a manifold and keeps the pieces is in [WholeMeshCertificate.v]:
     no two tetrahedra of it share a point but in the hull of the vertices that they
     share.  What is proved of meshes of several materials is in
-    [MaterialCertificate.v], and of meshes whose interior is graded in
-    [GradingCertificate.v]. *)
+    [MaterialCertificate.v], of meshes whose interior is graded in
+    [GradingCertificate.v], and of diagonals that follow the cuts in
+    [KeyCertificate.v]. *)
 
 (** Read [Mesh/Method.v], the product's methods and the mesh that each makes of a
     domain, and [Mesh/CertifiedSpec.v], a definition for each line below. *)
@@ -44,10 +45,11 @@ Proof. exact CertifiedMeshProof.CertifiedMesh. Qed.
 
 From Coq Require Import ZArith Reals List Permutation.
 
-(** The paper's own statements, those on whole meshes, on several materials, and
-    on graded interiors. *)
+(** The paper's own statements, those on whole meshes, on several materials, on
+    graded interiors, and on diagonals by key. *)
 From Certet Require Export PaperCertificate WholeMeshCertificate.
 From Certet Require Export MaterialCertificate GradingCertificate.
+From Certet Require Export KeyCertificate.
 
 (** What runs, besides [Stuffing]. *)
 From Certet Require Export Lattice.Direction.

@@ -10,6 +10,7 @@ From Coq Require Import Extraction ExtrOcamlBasic.
 From Certet Require Import Topology.Definitions Material.Definitions.
 From Certet Require Import Grading.Octree Grading.Flag Grading.GradedTet
   Grading.Surface.
+From Certet Require Import Key.KeyTet Key.KeyStuffing Key.FaceRule.
 From Certet Require Import Embedding.DiskTables Material.MaterialShape
   Material.SettleMaterials.
 
@@ -42,6 +43,9 @@ Extraction "certified.ml"
   Outside GetMaterialTets WarpMaterialVertex PlacedMaterial PlacedMaterialTets
   WidestAngles IsWellShaped AreDisks FillsWouldTouch MaterialsInTurn
   Material.SettleMaterials.SettleMaterials SettledMaterialTets
+  (* diagonals by key *)
+  KeyThresholds Lattice.EdgeRank.EdgeRank CutKey MeshKey GetKeyTets KeyNames KeyTets KeyStuffTet
+  FaceTriangles
   (* graded interiors *)
   IsNearSurface OctreeAround GradedOctree HalfSide CentreInHalfSides
   PointSeen CellSeen ChildSeen OtherCorner OtherEdge OtherFace OtherCell

@@ -16,7 +16,7 @@ let usage =
 exception Usage of string
 
 (* Which theorems shall cover the mesh. *)
-type guarantee = Pieces | Angles | Embedding
+type guarantee = Pieces | Key | Angles | Embedding
 
 type request = {
   mutable solid : string option;
@@ -49,6 +49,7 @@ let read_request () =
   let set_guarantee = function
     | "embedding" -> r.guarantee <- Embedding
     | "angles" -> r.guarantee <- Angles
+    | "key" -> r.guarantee <- Key
     | _ -> r.guarantee <- Pieces
   in
   let options =
@@ -60,7 +61,7 @@ let read_request () =
         Arg.String (fun s -> r.materials <- Some s),
         "FILE a sampled domain of several materials" );
       ( "--guarantee",
-        Arg.Symbol ([ "pieces"; "angles"; "embedding" ], set_guarantee),
+        Arg.Symbol ([ "pieces"; "key"; "angles"; "embedding" ], set_guarantee),
         " default pieces" );
       ( "--midpoint",
         Arg.Unit (fun () -> r.midpoint <- true),
@@ -137,13 +138,16 @@ let mesh_of_one request =
   let by_the_paper thresholds =
     made (Mesher.iter_tets thresholds lattice domain) (Mesher.position thresholds domain)
   in
+  let settled diagonals thresholds =
+    let settled = Settler.settle ~diagonals levelGap thresholds lattice domain in
+    made (Settler.iter_tets settled) (Settler.position settled)
+  in
   match request.guarantee with
   | _ when request.midpoint -> by_the_paper noWarpThresholds
   | Angles -> by_the_paper angleThresholds
   | Embedding -> by_the_paper embeddingThresholds
-  | Pieces ->
-      let settled = Settler.settle levelGap angleThresholds lattice domain in
-      made (Settler.iter_tets settled) (Settler.position settled)
+  | Pieces -> settled Settler.By_parity angleThresholds
+  | Key -> settled Settler.By_key keyThresholds
 
 (* Vertices lie in different places, so their places are their names. *)
 let mesh_of_several request file =

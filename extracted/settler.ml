@@ -1,6 +1,9 @@
 open Certified
 
+type diagonals = By_parity | By_key
+
 type t = {
+  diagonals : diagonals;
   thresholds : thresholds;
   lattice : Lattice.t;
   sign : signField;
@@ -8,25 +11,29 @@ type t = {
   zeros : zeros;
 }
 
-let settle gap thresholds lattice { Domain.sign = sample; cut } =
+let settle ?(diagonals = By_parity) gap thresholds lattice { Domain.sign = sample; cut } =
   let sign = openSigns sample in
   let cut = openCuts sample cut in
   let order = inTurn thresholds sign cut (Lattice.points lattice) in
-  { thresholds; lattice; sign; cut; zeros = settle thresholds sign cut gap order }
+  { diagonals; thresholds; lattice; sign; cut; zeros = settle thresholds sign cut gap order }
 
 let place { zeros; _ } = placeIn zeros
 
-let iter_tets { lattice; sign; zeros; _ } visit =
-  Lattice.iter_tets lattice (fun id ->
-      List.iter visit (placedNames sign (placeIn zeros) id))
+let names { diagonals; thresholds; sign; cut; zeros; _ } =
+  match diagonals with
+  | By_parity -> placedNames sign (placeIn zeros)
+  | By_key -> keyNames sign (placeIn zeros) (clampedCut thresholds cut)
+
+let iter_tets settled visit =
+  Lattice.iter_tets settled.lattice (fun id -> List.iter visit (names settled id))
 
 let position { thresholds; cut; zeros; _ } v =
   Convert.point_of_coord3
     (placedPosition (placeIn zeros) (clampedCut thresholds cut) v)
 
-let mesh { thresholds; sign; cut; zeros; _ } =
+let mesh ({ thresholds; sign; cut; zeros; _ } as settled) =
   {
-    tetsWithin = placedNames sign (placeIn zeros);
+    tetsWithin = names settled;
     signIn = placedSign sign (placeIn zeros);
     positionIn = placedPosition (placeIn zeros) (clampedCut thresholds cut);
   }

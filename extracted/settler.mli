@@ -3,8 +3,12 @@
 
 type t
 
-val settle : Certified.gap -> Certified.thresholds -> Lattice.t -> Domain.t -> t
-(** Every point of the lattice that is violated has its turn, in the certificate's
+(** The certificate's [PlacedNames], or its [KeyNames], of the cuts that the mesh has. *)
+type diagonals = By_parity | By_key
+
+val settle :
+  ?diagonals:diagonals -> Certified.gap -> Certified.thresholds -> Lattice.t -> Domain.t -> t
+(** By the Parity Rule, if nothing else is said.  Every point of the lattice that is violated has its turn, in the certificate's
     order; samples on the surface count as outside.  The domain is used as it is
     given: see {!Domain.within}. *)
 

@@ -121,7 +121,9 @@ Proof.
 Qed.
 
 Section Lattice.
-  Variables (th : Thresholds) (sign : SignField) (cut : CutField).
+  (** The places are those of thresholds that are as wide at least. *)
+  Variables (wide th : Thresholds) (sign : SignField) (cut : CutField).
+  Hypothesis Hwide : forall k, Alpha th k <= Alpha wide k.
   Hypothesis Hcut : CutsOnEdges sign cut.
   Variables (anchor : Coord3) (case : StructuredTetCase) (m : Linear).
   Hypothesis Hm : In m AllIsometries.
@@ -130,7 +132,7 @@ Section Lattice.
     = Difference (Of Canonical V1) (Of Canonical l).
 
   Lemma WarpedAmong l :
-    Among th l (Move m (Shift anchor case Turn1234 m)
+    Among wide l (Move m (Shift anchor case Turn1234 m)
                   (MeshPosition th sign cut (Corner (Of w l)))).
   Proof.
     cbn [MeshPosition].
@@ -149,12 +151,13 @@ Section Lattice.
       pose proof (CutFromInRange sign cut Hcut _ _ O) as R. rewrite <- Et in R.
       destruct (ImageOfDirection m d Hm) as (e & Ee & Ke).
       rewrite ThresholdIsAlpha, Ke in L.
-      exists (256 * Alpha th (DirectionKind e) - t), t,
-        (Along (Of Canonical l) (Offset e) (Alpha th (DirectionKind e))).
+      specialize (Hwide (DirectionKind e)).
+      exists (256 * Alpha wide (DirectionKind e) - t), t,
+        (Along (Of Canonical l) (Offset e) (Alpha wide (DirectionKind e))).
       split; [lia|]. split; [lia|].
       split.
       { right. apply (in_map (fun d => Along (Of Canonical l) (Offset d)
-          (Alpha th (DirectionKind d)))). apply InAllDirections. }
+          (Alpha wide (DirectionKind d)))). apply InAllDirections. }
       unfold w. rewrite (MoveLattice anchor case Turn1234 m Hw), ApplyScale, Ee.
       change Steps with 65536. unfold Along.
       destruct (Of Canonical l), (Offset e).
@@ -162,17 +165,18 @@ Section Lattice.
   Qed.
 End Lattice.
 
-Theorem WarpedLatticePositive sign cut tid : CutsOnEdges sign cut ->
-  Positive (WarpedTet EmbeddingThresholds sign cut tid).
+Lemma LatticePositive th sign cut tid :
+  (forall k, Alpha th k <= Alpha EmbeddingThresholds k) -> CutsOnEdges sign cut ->
+  Positive (WarpedTet th sign cut tid).
 Proof.
-  intros C. destruct tid as [anchor case].
+  intros L C. destruct tid as [anchor case].
   destruct (IsometryOf anchor case Turn1234) as (m & Hm & D & Hw).
-  pose proof (WarpedAmong EmbeddingThresholds sign cut C anchor case m Hm Hw) as A.
+  pose proof (WarpedAmong EmbeddingThresholds th sign cut L C anchor case m Hm Hw) as A.
   pose proof (AmongVolume _ LatticeKeepsVolume _ _ _ _ (A V1) (A V2) (A V3) (A V4))
     as V.
   rewrite MoveVolume, D in V. clear A Hw D Hm.
-  set (f := MeshPosition EmbeddingThresholds sign cut) in *.
-  assert (E : WarpedTet EmbeddingThresholds sign cut (STId anchor case)
+  set (f := MeshPosition th sign cut) in *.
+  assert (E : WarpedTet th sign cut (STId anchor case)
     = MapTet f (Orient (CaseHandedness case)
         (UT _ (Corner (Of (CornersOf (STId anchor case)) V1))
               (Corner (Of (CornersOf (STId anchor case)) V2))
@@ -188,3 +192,7 @@ Proof.
       destruct a, b, c, d end.
     unfold SixVolume, Normal. cbn [Difference Dot Cross]. ring.
 Qed.
+
+Theorem WarpedLatticePositive sign cut tid : CutsOnEdges sign cut ->
+  Positive (WarpedTet EmbeddingThresholds sign cut tid).
+Proof. apply LatticePositive. intros k. apply Z.le_refl. Qed.

@@ -1,28 +1,18 @@
 (** * The stencils are one greedy rule
 
-    Rank the edges of the lattice: long ones first, then the short ones that
-    lead along a diagonal from their even end, then the others.  In every
-    structured tetrahedron opposite edges have the same rank, and the three
-    edges at a corner have three.  All diagonals of the 81 stencils follow this
-    order: a + corner is not joined to a cut while an edge of its own to the
-    same outer corner comes earlier; nor are two cuts of opposite edges while
-    the inner end of one has an earlier edge to the outer end of the other.
-    Since a rank is a matter of the edge alone, the two sides of a face agree
-    without looking at each other.  The Parity Rule is the second rank before
-    the third. *)
+    All diagonals of the 81 stencils follow the order of [EdgeRank]: a + corner
+    is not joined to a cut while an edge of its own to the same outer corner
+    comes earlier; nor are two cuts of opposite edges while the inner end of one
+    has an earlier edge to the outer end of the other.  Since a rank is a matter
+    of the edge alone, the two sides of a face agree without looking at each
+    other. *)
 
 From Certet Require Import Embedding.Definitions.
+From Certet Require Export Lattice.EdgeRank.
 From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Stencil.CompatibilityChecker Stuffing.NameProof.
 From Certet Require Angles.Cases.SymmetryProof.
 Open Scope Z_scope.
-
-Definition EdgeRank (a b : Coord3) : Z :=
-  match Difference a b, a with
-    C3 dx dy dz, C3 x _ _ =>
-      if Z.even dx then 0
-      else if Bool.eqb (Z.even x) (dx * dy * dz =? 1) then 1 else 2
-  end.
 
 (** The vertex lies in the structured tetrahedron with these corners; a corner
     of the output is not outside, and a cut leads from inside to outside. *)
@@ -45,6 +35,26 @@ Definition Follows (after : Coord3 -> Sign) (corners : list Coord3)
   (t : UnstructuredTet MeshVertex) : Prop :=
   (forall v, In v (TetCorners t) -> Belongs after corners v) /\
   (forall u v, In u (TetCorners t) -> In v (TetCorners t) -> MayJoin after u v).
+
+(** The rule in any order of the cuts, told by a key for each edge.  A + corner is
+    not joined to a cut while its own cut of the edge to the same outer corner
+    comes earlier.  Two cuts of opposite edges are not joined while both that
+    could be joined instead come earlier; and while one corner has the earlier
+    cuts to both outer corners, only the later of these is joined. *)
+Definition MayJoinBy (key : Coord3 -> Coord3 -> Z) (after : Coord3 -> Sign)
+  (u v : MeshVertex) : Prop :=
+  match u, v with
+  | Corner a, Cut b m => after a = Plus -> key b m <= key a m
+  | Cut a m, Cut b n => a <> b -> m <> n ->
+      (key a m <= key b m \/ key b n <= key a n) /\
+      (key a m <= key b m -> key a n <= key b n -> key a n <= key a m)
+  | _, _ => True
+  end.
+
+Definition FollowsBy (key : Coord3 -> Coord3 -> Z) (after : Coord3 -> Sign)
+  (corners : list Coord3) (t : UnstructuredTet MeshVertex) : Prop :=
+  (forall v, In v (TetCorners t) -> Belongs after corners v) /\
+  (forall u v, In u (TetCorners t) -> In v (TetCorners t) -> MayJoinBy key after u v).
 
 (** ** Ranks within a structured tetrahedron *)
 
@@ -278,4 +288,30 @@ Proof.
   cbv beta in C. rewrite forallb_forall in C.
   refine (FollowsSound after tid Even _ _ h s (C s I)).
   intros []; reflexivity.
+Qed.
+
+(** ** The rule of ranks is that of an order *)
+
+Lemma RanksAreKeys tid : InLattice tid -> KeysApart EdgeRank (Corners tid).
+Proof.
+  intros Even a b m A B M. apply PlaceOf in A, B, M.
+  destruct A as [i ->], B as [j ->], M as [k ->]. rewrite !RankAt by exact Even.
+  destruct i, j, k; cbn; intuition congruence.
+Qed.
+
+Lemma FollowsByRank tid after t : InLattice tid ->
+  Follows after (Corners tid) t -> FollowsBy EdgeRank after (Corners tid) t.
+Proof.
+  intros Even [B J]. split; [exact B|]. intros u v U V.
+  pose proof (J u v U V) as uv. pose proof (J v u V U) as vu.
+  pose proof (B u U) as Bu. pose proof (B v V) as Bv.
+  destruct u as [a|a m], v as [b|b n]; cbn [MayJoin MayJoinBy Belongs] in *;
+    try exact I; [exact uv|].
+  intros N M. specialize (uv N M). specialize (vu (not_eq_sym N) (not_eq_sym M)).
+  destruct Bu as (A & Cm & Pa & Mm), Bv as (Cb & Cn & Pb & Mn).
+  assert (a <> m /\ a <> n /\ b <> m /\ b <> n) as (am & an & bm & bn)
+    by (repeat split; congruence).
+  pose proof (OppositeRanks tid Even a b m n A Cb Cm Cn N M am an bm bn).
+  pose proof (OppositeRanks tid Even a b n m A Cb Cn Cm N (not_eq_sym M) an am bn bm).
+  split; [left|]; lia.
 Qed.

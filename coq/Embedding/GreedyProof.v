@@ -1,12 +1,14 @@
 (** * A structured tetrahedron is filled in one way
 
-    Two weighted tetrahedra that follow the rule of [EdgeRank] are the same if
+    Two weighted tetrahedra that follow the rule of [MayJoinBy] are the same if
     their shares are: the weight of a cut counts for the ends of its edge, the
     more the nearer.  For let the cut [am] be lighter in the first.  At [m] this
     is made good by a cut [bm].  If [am] comes before [bm], then at [a] it is
-    made good by [a] itself or by a cut [an], and the rule joins neither to
-    [bm].  If [bm] comes before [am], the same holds at [b] with the two
-    tetrahedra exchanged. *)
+    made good by [a] itself or by a cut [an].  The rule does not join [a] to [bm].
+    It joins [an] to [bm] only if [an] comes before [bn], and after [am]; and then
+    [an], too heavy in the first, is too light in the second, where at [n] it is
+    made good by [bn], which the rule does not join to [am].  If [bm] comes before
+    [am], the same holds at [b] with the two tetrahedra exchanged. *)
 
 From Certet Require Import Embedding.Definitions.
 From Certet Require Import Embedding.Measure Embedding.EdgeRank.
@@ -19,7 +21,7 @@ Lemma SameVertex (u v : MeshVertex) : {u = v} + {u <> v}.
 Proof. decide equality; apply SamePoint3. Qed.
 
 Section Greedy.
-  Variables (after : Coord3 -> Sign) (cut : CutField).
+  Variables (key : Coord3 -> Coord3 -> Z) (after : Coord3 -> Sign) (cut : CutField).
 
   Hypothesis Inside : forall v d, let u := Translate v (Offset d) in
     after v = Plus -> after u = Minus -> 0 < cut v u < Steps.
@@ -37,7 +39,7 @@ Section Greedy.
   (** A weighted tetrahedron that follows the rule. *)
   Definition Filling (tid : StructuredTetId) (w : Weights)
     (t : UnstructuredTet MeshVertex) : Prop :=
-    InLattice tid /\ NonNegative w /\ Follows after (Corners tid) t.
+    KeysApart key (Corners tid) /\ NonNegative w /\ FollowsBy key after (Corners tid) t.
 
   Definition SameShares (w : Weights) (t : UnstructuredTet MeshVertex)
     (w' : Weights) (t' : UnstructuredTet MeshVertex) : Prop :=
@@ -118,28 +120,66 @@ Section Greedy.
       destruct (SamePoint3 a a), (SamePoint3 a m), (SamePoint3 m a),
         (SamePoint3 m m); try congruence; lia.
     Qed.
+  End Two.
+
+  Section Before.
+    Variables (tid : StructuredTetId) (w : Weights) (t : UnstructuredTet MeshVertex).
+    Variables (tid' : StructuredTetId) (w' : Weights) (t' : UnstructuredTet MeshVertex).
+    Hypothesis F : Filling tid w t.
+    Hypothesis F' : Filling tid' w' t'.
+    Hypothesis E : SameShares w t w' t'.
+
+    Let E' : SameShares w' t' w t := fun g => eq_sym (E g).
+
+    (** No more than four. *)
+    Lemma FourCorners a b c m n : NoDup [a; b; c; m; n] ->
+      ~ incl [a; b; c; m; n] (Corners tid).
+    Proof.
+      intros D I. pose proof (NoDup_incl_length D I) as L.
+      unfold Corners in L. destruct (GetStructuredTet tid). cbn in L. lia.
+    Qed.
 
     (** No cut is too light that comes before one that is too heavy. *)
     Lemma NotBefore a b m :
       weight w t (Cut a m) < weight w' t' (Cut a m) ->
       weight w' t' (Cut b m) < weight w t (Cut b m) ->
       In (Cut b m) (TetCorners t) ->
-      ~ EdgeRank a m < EdgeRank b m.
+      ~ key a m < key b m.
     Proof.
-      intros L H Ib R. destruct F as (Even & W & B & J).
-      destruct (SharesOfCut a m L) as (A & M & Sa & _).
-      destruct (MadeGood a _ Sa L) as (v & Hv & Iv & Ia & Bv & [->|[[n ->]|[n ->]]]).
+      intros L H Ib R. pose proof F as (Apart & W & B & J).
+      destruct (SharesOfCut tid w t tid' w' t' F F' a m L) as (A & M & Sa & _).
+      destruct (MadeGood tid w t tid' w' t' F F' E a _ Sa L)
+        as (v & Hv & Iv & Ia & Bv & [->|[[n ->]|[n ->]]]).
       - pose proof (J _ _ Iv Ib A). lia.
       - destruct (CutBelongs tid b m (B _ Ib)) as (Jb & Jm & Nb & Pb & _).
         destruct (CutBelongs tid a n Bv) as (_ & Jn & Na & _ & Mn & _).
         assert (N : a <> b) by (intros ->; lia).
         assert (N' : n <> m) by (intros ->; lia).
-        pose proof (J _ _ Iv Ib N N') as O.
-        rewrite (OppositeRanks tid Even a b m n) in O; auto; congruence || lia.
+        destruct (J _ _ Iv Ib N N') as [across beside].
+        assert (Lan : key a n <= key b n) by lia.
+        specialize (beside Lan ltac:(lia)).
+        destruct (Apart m n a Jm Jn Ia) as [_ D]; try congruence.
+        destruct (SharesOfCut tid' w' t' tid w t F' F a n Hv) as (_ & _ & _ & Sn).
+        destruct (MadeGood tid' w' t' tid w t F' F E' n _ Sn Hv)
+          as (u & Hu & Iu & In' & Bu & [->|[[x ->]|[c ->]]]).
+        + destruct Bu. congruence.
+        + destruct (CutBelongs tid' n x Bu) as (_ & _ & _ & ? & _). congruence.
+        + destruct (CutBelongs tid' c n Bu) as (_ & _ & Nc & Pc & _).
+          assert (Nac : a <> c) by (intros ->; lia).
+          destruct (SamePoint3 c b) as [->|Nbc].
+          * destruct F' as (_ & _ & _ & J').
+            destruct (HeavierBelongs tid w t tid' w' t' F F' _ L) as [Im _].
+            destruct (J' _ _ Im Iu N (not_eq_sym N')) as [_ beside'].
+            specialize (beside' ltac:(lia) Lan). lia.
+          * destruct (SharesOfCut tid w t tid' w' t' F F' c n Hu) as (_ & _ & Sc & _).
+            destruct (MadeGood tid w t tid' w' t' F F' E c _ Sc Hu) as (_ & _ & _ & Ic & _).
+            apply (FourCorners a b c m n).
+            -- repeat constructor; cbn [In]; intuition congruence.
+            -- intros x I. cbn [In] in I. intuition congruence.
       - destruct (CutBelongs tid n a Bv) as (_ & _ & _ & _ & Ma & _).
         congruence.
     Qed.
-  End Two.
+  End Before.
 
   Section Unique.
     Variables (tid : StructuredTetId) (w : Weights) (t : UnstructuredTet MeshVertex).
@@ -159,10 +199,10 @@ Section Greedy.
       - destruct (CutBelongs tid m n Bv) as (_ & _ & _ & ? & _). congruence.
       - destruct (CutBelongs tid b m Bv) as (Ib & _ & Nb & _).
         assert (N : a <> b) by (intros ->; lia).
-        pose proof (RanksDiffer tid (proj1 F) a b m Ia Ib Im N) as D.
-        destruct (Z.lt_total (EdgeRank a m) (EdgeRank b m)) as [R|[R|R]].
+        destruct (proj1 F a b m Ia Ib Im N) as [D _]; [congruence..|].
+        destruct (Z.lt_total (key a m) (key b m)) as [R|[R|R]].
         + exact (NotBefore _ _ _ _ _ _ F F' E a b m L Hv Iv R).
-        + apply D; congruence.
+        + apply D, R.
         + refine (NotBefore _ _ _ _ _ _ F' F (fun g => eq_sym (E g)) b a m Hv L _ R).
           apply (HeavierBelongs tid w t tid' w' t' F F' _ L).
     Qed.

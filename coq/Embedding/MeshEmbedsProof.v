@@ -129,16 +129,15 @@ Section Mesh.
 
   Hypothesis Keeps : KeepsShortEdges (fun c => place (Corner c)).
 
-  Theorem StraightMeshEmbeds tid tid' t t' : InLattice tid -> InLattice tid' ->
-    In t (PlacedNames before warping tid) ->
-    In t' (PlacedNames before warping tid') ->
+  (** In any order of the cuts. *)
+  Theorem StraightOrderEmbeds key tid tid' t t' : InLattice tid -> InLattice tid' ->
+    KeysApart key (Corners tid) -> KeysApart key (Corners tid') ->
+    FollowsBy key after (Corners tid) t -> FollowsBy key after (Corners tid') t' ->
     MeetInSharedVertices place t t'.
   Proof.
-    intros Even Even' I I' w w' W W' T E.
-    pose proof (StuffedFollows before warping tid t Even I) as F.
-    pose proof (StuffedFollows before warping tid' t' Even' I') as F'.
-    apply (GreedyUnique after cut Cuts tid w t tid' w' t');
-      [repeat split; assumption || apply F|repeat split; assumption || apply F'|].
+    intros Even Even' K K' F F' w w' W W' T E.
+    apply (GreedyUnique key after cut Cuts tid w t tid' w' t');
+      [exact (conj K (conj W F))|exact (conj K' (conj W' F'))|].
     destruct (CarriesTet tid w t W (proj1 F)) as (u & U & Tu & Eu).
     destruct (CarriesTet tid' w' t' W' (proj1 F')) as (u' & U' & Tu' & Eu').
     intros g. rewrite <- Eu, <- Eu'. revert g.
@@ -154,6 +153,16 @@ Section Mesh.
     apply (SamePoint place place) in E. destruct E as (Ex & Ey & Ez).
     apply (SamePoint (fun c => place (Corner c)) (fun c => place (Corner c))).
     unfold Axis in Same. auto 6.
+  Qed.
+
+  Theorem StraightMeshEmbeds tid tid' t t' : InLattice tid -> InLattice tid' ->
+    In t (PlacedNames before warping tid) ->
+    In t' (PlacedNames before warping tid') ->
+    MeetInSharedVertices place t t'.
+  Proof.
+    intros Even Even' I I'. apply (StraightOrderEmbeds EdgeRank tid tid');
+      try apply RanksAreKeys; try apply FollowsByRank; try assumption;
+      apply StuffedFollows; assumption.
   Qed.
 End Mesh.
 

@@ -86,7 +86,8 @@ class Workshop:
         """Leaves of the last page the theorems that are KEPT, which is then what was agreed, and
         of those before it none."""
         # No proofs but theirs; and nothing of Mesh, which would have to follow every change of a Spec.
-        for page in ("WholeMeshCertificate.v", "MaterialCertificate.v", "GradingCertificate.v"):
+        for page in ("WholeMeshCertificate.v", "MaterialCertificate.v", "GradingCertificate.v",
+                     "KeyCertificate.v"):
             self.shorten_page(page, r"Export (?!.*(?:Degrees|Range|\bMesh\.))")
         self.shorten_page("Certificate.v", "Export (?!Mesh)")
 

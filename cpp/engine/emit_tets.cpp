@@ -6,6 +6,7 @@
 #include "graded_vertices.hpp"
 #include "material_cells.hpp"
 #include "row_window.hpp"
+#include "stencil_choice.hpp"
 
 namespace certet::core {
 namespace {
@@ -14,9 +15,10 @@ namespace {
 template <class Index>
 class TetEmitter {
  public:
-  TetEmitter(const SignPlanes& planes, const RowNumbers& numbers, int j, int k, Tet<Index>* out)
-      : planes_(planes), numbers_(numbers), graded_(numbers.graded()), j_(j), k_(k),
-        window_(planes, j, k, graded_), out_(out) {
+  TetEmitter(const WarpedLattice& warped, const RowNumbers& numbers, int j, int k,
+             Tet<Index>* out)
+      : planes_(warped.planes), numbers_(numbers), graded_(numbers.graded()), j_(j), k_(k),
+        window_(planes_, j, k, graded_), stencil_of_(warped, window_), out_(out) {
     structured_.fill(~std::uint64_t{0});
   }
 
@@ -163,7 +165,8 @@ class TetEmitter {
       const auto& corner = cell.corner[c];
       const auto pattern = static_cast<std::size_t>(pattern_index(
           sign[corner[0]], sign[corner[1]], sign[corner[2]], sign[corner[3]]));
-      for (const UnstructuredTet& tet : stencils[pattern]) emit_tet(c, tet, w, b);
+      for (const UnstructuredTet& tet : stencils[stencil_of_(pattern, c, w, b)])
+        emit_tet(c, tet, w, b);
     }
   }
 
@@ -188,6 +191,7 @@ class TetEmitter {
   OfCases structured_;  ///< of the word that is emitted
   int j_, k_;
   RowWindow window_;  ///< rows j..j+1 of layers k..k+1
+  StencilChoice stencil_of_;
   std::array<std::array<Index, 2>, 2> first_point_{};
   Tet<Index>* out_;
 };
@@ -203,7 +207,7 @@ void emit_tets(const WarpedLattice& warped, const RowNumbers& numbers, const Lat
     throw Error(ErrorCode::too_large, "the numbers of the points do not fit in " +
                                           std::to_string(8 * sizeof(Index)) + " bits");
   for_each_piece(lattice, window, context, [&](int j_begin, int j_end, int k) {
-    TetEmitter<Index> emitter(warped.planes, numbers, j_begin, k,
+    TetEmitter<Index> emitter(warped, numbers, j_begin, k,
                               out.data() + (numbers.first_tet(j_begin, k) - start));
     for (int j = j_begin; j < j_end; ++j) emitter.emit_row();
   });

@@ -121,7 +121,8 @@ WarpedLattice what_is_left(const WarpedLattice& warped, SignPlanes after, const 
     zeros[k] = displaced_left(
         warped.zeros[k], [&](Grid grid, int j) { return warped.planes.zero(grid, j, k); }, after, k);
   });
-  return {std::move(after), std::move(cuts), std::move(zeros), warped.figures};
+  return {std::move(after), std::move(cuts), std::move(zeros), warped.figures,
+          warped.diagonals_follow_cuts};
 }
 
 /// Of each part, whether it stays.

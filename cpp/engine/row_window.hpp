@@ -18,6 +18,8 @@ class RowWindow {
     for (std::size_t y = 0; y < 2; ++y) compute(y);
   }
 
+  [[nodiscard]] int j() const { return j_; }
+  [[nodiscard]] int k() const { return k_; }
   /// The row at (j + y, k + z); y and z are 0 or 1.
   [[nodiscard]] const RowRanks& row(std::size_t y, std::size_t z) const { return rows_[y][z]; }
 

@@ -24,9 +24,9 @@ static_assert(settling_halo == turn_count - 1, "each turn looks one layer furthe
 /// `Turn` of the certificate.  `inner` says that the vertex is plus, or of the greater of
 /// two materials.
 constexpr int turn_of(const VertexIndex& v, const Displacement& target, bool inner,
-                      const Lattice& lattice) {
+                      const Thresholds& thresholds, const Lattice& lattice) {
   const int nearness =
-      nearness_classes * target.distance / angle_thresholds.in_steps(target.direction);
+      nearness_classes * target.distance / thresholds.in_steps(target.direction);
   const Coord3& o = lattice.origin;
   const int half_sum = (o.x + o.y + o.z) / 2 + v.i + v.j + v.k + int{v.grid};
   return (nearness * 2 + int{inner}) * colour_count + 2 * v.grid + (half_sum & 1);
@@ -34,8 +34,9 @@ constexpr int turn_of(const VertexIndex& v, const Displacement& target, bool inn
 
 /// `StaysRather` of the certificate: to keep the one cut that violates a vertex away from it
 /// moves the surface by less than a move that falls short of it.
-constexpr bool stays_rather(const Displacement& target, const Displacement& kept) {
-  return target.is_alone && angle_thresholds.in_steps(target.direction) - target.distance <
+constexpr bool stays_rather(const Displacement& target, const Displacement& kept,
+                            const Thresholds& thresholds) {
+  return target.is_alone && thresholds.in_steps(target.direction) - target.distance <
                                 target.distance - kept.distance;
 }
 
@@ -55,7 +56,8 @@ struct LayerTurns {
 };
 
 LayerTurns turns_of(const SignPlanes& planes, const Violations& violations,
-                    const MaterialLinks& links, const Lattice& lattice, int k) {
+                    const MaterialLinks& links, const Thresholds& thresholds,
+                    const Lattice& lattice, int k) {
   const std::vector<Displacement>& targets = violations.targets[k].displacements;
   LayerTurns turns;
   std::vector<Candidate> unsorted;
@@ -71,7 +73,7 @@ LayerTurns turns_of(const SignPlanes& planes, const Violations& violations,
           const VertexIndex v{grid, 64 * w + b, j, k};
           const bool inner = links.are_asked() ? links.is_greater(v, targets[number])
                                                : (plus >> b & 1) != 0;
-          const int t = turn_of(v, targets[number], inner, lattice);
+          const int t = turn_of(v, targets[number], inner, thresholds, lattice);
           unsorted.push_back({v.i, j, grid, number});
           turn.push_back(static_cast<std::uint8_t>(t));
           ++turns.begin[static_cast<std::size_t>(t)];
@@ -90,17 +92,16 @@ struct Link {
   LinkSet plus = 0, zero = 0;
 };
 
-/// No neighbour leaves less room than this for a move along a long edge.
-constexpr std::int32_t always_room = steps / 2 - angle_thresholds.in_steps(0);
-
 /// Lets the candidates of one turn settle, layer by layer.  Threads read words in which
 /// others change bits of vertices that are not neighbours of their own; only the thread
 /// that works on a layer changes its words.
 class Turns {
  public:
   Turns(SignPlanes& now, const SignPlanes& samples, Violations& violations,
-        const MaterialLinks& links, const Lattice& lattice)
-      : now_(now), samples_(samples), violations_(violations), links_(links), lattice_(lattice),
+        const MaterialLinks& links, const Thresholds& thresholds, const Lattice& lattice)
+      : now_(now), samples_(samples), violations_(violations), links_(links),
+        thresholds_(thresholds), lattice_(lattice),
+        always_room_(steps / 2 - thresholds.in_steps(0)),
         row_stride_(64 * (now.plus(even, 1, now.window().begin) -
                           now.plus(even, 0, now.window().begin))),
         layer_stride_(64 * (now.plus(even, 0, now.window().begin) -
@@ -124,9 +125,9 @@ class Turns {
         ++layer.stayed;
         continue;
       }
-      if (is_long(move.direction) && move.distance > always_room)
+      if (is_long(move.direction) && move.distance > always_room_)
         kept.distance = stop({v.grid, v.i, v.j, k}, move, link.zero, turn);
-      if (stays_rather(move, kept)) {
+      if (stays_rather(move, kept, thresholds_)) {
         ++layer.stayed;
         continue;
       }
@@ -188,7 +189,7 @@ class Turns {
       const std::int32_t room = steps / 2 - int{outer && is_outer(v, move)};
       if (moved)
         distance = std::min(distance, room - other.distance);
-      else if (turn_of(w, other, !outer, lattice_) > turn)
+      else if (turn_of(w, other, !outer, thresholds_, lattice_) > turn)
         distance = std::min(distance, (room + move.distance - other.distance) / 2);
     }
     return static_cast<std::uint16_t>(distance);
@@ -214,7 +215,9 @@ class Turns {
   const SignPlanes& samples_;
   Violations& violations_;
   const MaterialLinks& links_;
+  const Thresholds& thresholds_;
   const Lattice& lattice_;
+  std::int32_t always_room_;  ///< for a move along a long edge: no neighbour leaves less
   std::ptrdiff_t row_stride_, layer_stride_;  ///< in bits
   /// Of the neighbours, from a vertex's own index in a row, in bits.
   std::array<std::array<std::ptrdiff_t, direction_count>, grid_count> distance_{};
@@ -222,17 +225,17 @@ class Turns {
 
 }  // namespace
 
-Settling settle(const SignPlanes& planes, Violations& violations, const Lattice& lattice,
-                Window window, Context& context) {
+Settling settle(const SignPlanes& planes, Violations& violations, const Thresholds& thresholds,
+                const Lattice& lattice, Window window, Context& context) {
   const Window around = violations.violated.window();
   Settling settled{SignPlanes(planes, around)};
   settled.planes.clear_zeros();
   const MaterialLinks links(planes, violations, lattice);
   Layers<LayerTurns> layers(around);
   for_each_layer(context, Stage::warp, around, [&](std::int32_t k) {
-    layers[k] = turns_of(planes, violations, links, lattice, k);
+    layers[k] = turns_of(planes, violations, links, thresholds, lattice, k);
   });
-  Turns turns(settled.planes, planes, violations, links, lattice);
+  Turns turns(settled.planes, planes, violations, links, thresholds, lattice);
   for (int turn = 0; turn < turn_count; ++turn)
     for_each_layer(context, Stage::warp, around,
                    [&](std::int32_t k) { turns.settle(layers[k], turn, k); });

@@ -24,9 +24,10 @@ struct Settling {
   WarpFigures figures = {};  ///< of the window, but for cuts
 };
 
-/// `planes` are the samples, of which those on the surface count as minus.  Moves that
-/// would pass a neighbour's are shortened in `violations`.
-Settling settle(const SignPlanes& planes, Violations& violations, const Lattice& lattice,
-                Window window, Context& context);
+/// `planes` are the samples, of which those on the surface count as minus; `thresholds` those
+/// by which vertices are violated.  Moves that would pass a neighbour's are shortened in
+/// `violations`.
+Settling settle(const SignPlanes& planes, Violations& violations, const Thresholds& thresholds,
+                const Lattice& lattice, Window window, Context& context);
 
 }  // namespace certet::core

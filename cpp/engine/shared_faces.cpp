@@ -4,6 +4,7 @@
 
 #include "cell_word.hpp"
 #include "row_ranks.hpp"
+#include "stencil_choice.hpp"
 
 namespace certet::core {
 namespace {
@@ -41,9 +42,9 @@ constexpr FaceOwners owners_of(const Stencil& stencil, std::size_t opposite) {
 }
 
 constexpr auto face_owners = [] {
-  std::array<std::array<FaceOwners, 4>, pattern_count> table{};
-  for (std::size_t p = 0; p < pattern_count; ++p)
-    for (std::size_t face = 0; face < 4; ++face) table[p][face] = owners_of(stencils[p], face);
+  std::array<std::array<FaceOwners, 4>, stencils.size()> table{};
+  for (std::size_t s = 0; s < stencils.size(); ++s)
+    for (std::size_t face = 0; face < 4; ++face) table[s][face] = owners_of(stencils[s], face);
   return table;
 }();
 
@@ -99,33 +100,38 @@ class Batches {
   std::size_t count_ = 0;
 };
 
-constexpr std::uint8_t all_plus_pattern = pattern_count - 1;
+constexpr std::uint8_t whole_stencil = orders_of_cuts[pattern_count - 1].stencil[0];
 
 }  // namespace
 
-LayerTets::LayerTets(const SignPlanes& planes, int k)
-    : columns_(planes.cells()[0]), rows_(planes.cells()[1]),
+LayerTets::LayerTets(const WarpedLattice& warped, int k)
+    : columns_(warped.planes.cells()[0]), rows_(warped.planes.cells()[1]),
       cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
-  for (int j = 0; j < rows_; ++j) add_row(planes, j, k);
+  RowWindow rows(warped.planes, 0, k);
+  const StencilChoice stencil_of(warped, rows);
+  for (int j = 0; j < rows_; ++j, rows.next()) add_row(warped.planes, stencil_of, j, k);
 }
 
 LayerTets::SurfaceCell LayerTets::surface_cell(
-    const std::array<Sign, cell_vertex_count>& sign) {
+    const std::array<Sign, cell_vertex_count>& sign, const StencilChoice& stencil_of, int w,
+    int b) {
   SurfaceCell found;
   std::uint8_t tets = 0;
   for (std::size_t c = 0; c < cell_tet_count; ++c) {
     const auto& corner = cell.corner[c];
-    const int pattern =
-        pattern_index(sign[corner[0]], sign[corner[1]], sign[corner[2]], sign[corner[3]]);
-    found.pattern[c] = static_cast<std::uint8_t>(pattern);
+    const auto pattern = static_cast<std::size_t>(
+        pattern_index(sign[corner[0]], sign[corner[1]], sign[corner[2]], sign[corner[3]]));
+    const std::size_t stencil = stencil_of(pattern, c, w, b);
+    found.stencil[c] = static_cast<std::uint8_t>(stencil);
     found.begin[c] = tets;
-    tets = static_cast<std::uint8_t>(tets + stencils[static_cast<std::size_t>(pattern)].count);
+    tets = static_cast<std::uint8_t>(tets + stencils[stencil].count);
   }
   next_ += tets;
   return found;
 }
 
-void LayerTets::add_row(const SignPlanes& planes, int j, int k) {
+void LayerTets::add_row(const SignPlanes& planes, const StencilChoice& stencil_of, int j,
+                        int k) {
   const SignRows signs(planes, j, k);
   Cell* const row = &cells_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_)];
   for (int w = 0; w < planes.words(); ++w) {
@@ -139,16 +145,16 @@ void LayerTets::add_row(const SignPlanes& planes, int j, int k) {
         return;
       }
       own.surface = static_cast<std::uint32_t>(surface_.size());
-      surface_.push_back(surface_cell(word.signs(b)));
+      surface_.push_back(surface_cell(word.signs(b), stencil_of, w, b));
     });
   }
 }
 
 LayerTets::CaseTets LayerTets::at(const Cell& cell, std::size_t c) const {
   if (cell.surface == inside)
-    return {cell.begin + static_cast<std::uint32_t>(c), all_plus_pattern};
+    return {cell.begin + static_cast<std::uint32_t>(c), whole_stencil};
   const SurfaceCell& surface = surface_[cell.surface];
-  return {cell.begin + surface.begin[c], surface.pattern[c]};
+  return {cell.begin + surface.begin[c], surface.stencil[c]};
 }
 
 void LayerTets::visit(const LayerTets& other, std::int8_t layers,
@@ -171,8 +177,8 @@ void LayerTets::visit(const LayerTets& other, std::int8_t layers,
         }
         const CaseTets a = at(own, face.own_case);
         const CaseTets b = other.at(next, face.other_case);
-        const FaceOwners& of_a = face_owners[a.pattern][face.own_face];
-        const FaceOwners& of_b = face_owners[b.pattern][face.other_face];
+        const FaceOwners& of_a = face_owners[a.stencil][face.own_face];
+        const FaceOwners& of_b = face_owners[b.stencil][face.other_face];
         for (std::size_t n = 0; n < 2; ++n)
           if (of_a[n] >= 0 && of_b[n] >= 0)
             batches.add(a.begin + static_cast<std::uint32_t>(of_a[n]),
@@ -188,7 +194,7 @@ void LayerTets::visit_within(const VisitTetPairs& visit) const {
     if (own.surface == none || own.surface == inside) continue;
     for (std::size_t c = 0; c < cell_tet_count; ++c) {
       const CaseTets tets = at(own, c);
-      const Stencil& stencil = stencils[tets.pattern];
+      const Stencil& stencil = stencils[tets.stencil];
       for (std::uint32_t n = 1; n < stencil.count; ++n)
         for (std::uint32_t m = 0; m < n; ++m)
           if (share_face(stencil.tets[m], stencil.tets[n]))

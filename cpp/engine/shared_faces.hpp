@@ -9,14 +9,16 @@
 
 #include "certet/stuffing.hpp"
 #include "lattice/cell_tables.hpp"
-#include "sign_planes.hpp"
+#include "warped_lattice.hpp"
 
 namespace certet::core {
+
+class StencilChoice;
 
 /// Where the tetrahedra of a layer are, in the order in which they are emitted.
 class LayerTets {
  public:
-  LayerTets(const SignPlanes& planes, int k);
+  LayerTets(const WarpedLattice& warped, int k);
 
   /// Visits all pairs of the layer, batch by batch.
   void visit_within(const VisitTetPairs& visit) const;
@@ -26,22 +28,23 @@ class LayerTets {
  private:
   static constexpr std::uint32_t none = 0xffffffff, inside = 0xfffffffe;
 
-  /// The tetrahedra of one index: none, twelve, or some, by the signs around.
+  /// The tetrahedra of one index: none, twelve, or some, by the signs and cuts around.
   struct Cell {
     std::uint32_t begin = 0;
     std::uint32_t surface = none;  ///< which of `surface_`, or `inside`
   };
   /// Those of each case.
   struct SurfaceCell {
-    std::array<std::uint8_t, cell_tet_count> pattern, begin;
+    std::array<std::uint8_t, cell_tet_count> stencil, begin;
   };
   struct CaseTets {
     std::uint32_t begin;
-    std::uint8_t pattern;
+    std::uint8_t stencil;
   };
 
-  void add_row(const SignPlanes& planes, int j, int k);
-  SurfaceCell surface_cell(const std::array<Sign, cell_vertex_count>& sign);
+  void add_row(const SignPlanes& planes, const StencilChoice& stencil_of, int j, int k);
+  SurfaceCell surface_cell(const std::array<Sign, cell_vertex_count>& sign,
+                           const StencilChoice& stencil_of, int w, int b);
   [[nodiscard]] const Cell& cell_at(int i, int j) const {
     return cells_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) +
                   static_cast<std::size_t>(i)];

@@ -33,17 +33,19 @@ constexpr StencilCounts stencil_counts(const std::array<SignWord, 4>& corner) {
   return {plus, split, split & ~zero};
 }
 
-/// The rule above is that of the stencils.
+/// The rule above is that of the stencils, whatever the order of the cuts.
 static_assert([] {
   for (int index = 0; index < pattern_count; ++index) {
+    const CutOrders& orders = orders_of_cuts[static_cast<std::size_t>(index)];
     std::array<SignWord, 4> corner{};
     for (std::size_t i = 0; i < 4; ++i) {
       const Sign s = pattern_signs(index)[i];
       corner[i] = {s == Sign::plus ? 1u : 0u, s == Sign::on_surface ? 1u : 0u};
     }
     const StencilCounts counts = stencil_counts(corner);
-    if ((counts.one & 1) + (counts.two & 1) + (counts.three & 1) != stencils[static_cast<std::size_t>(index)].count)
-      return false;
+    const std::uint64_t count = (counts.one & 1) + (counts.two & 1) + (counts.three & 1);
+    for (std::size_t order = 0; order < std::size_t{1} << orders.pair_count; ++order)
+      if (count != stencils[orders.stencil[order]].count) return false;
   }
   return true;
 }());

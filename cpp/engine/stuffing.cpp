@@ -72,16 +72,20 @@ static_assert(facts(Method::midpoint).thresholds.long_edge == 0 &&
                   facts(Method::midpoint).thresholds.short_edge == 0,
               "with cuts in the middle no cut violates a vertex");
 
-/// The whole lattice, its violated vertices settled.
+/// The whole lattice, its violated vertices settled.  Diagonals that follow the cuts are of one
+/// material: on a tetrahedron that two share each would have its own, so where several meet
+/// `key` falls back to `embedded`.
 WarpedLattice settled_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
-                              const Lattice& lattice, Method method, Context& context) {
+                              const Lattice& lattice, Method& method, Context& context) {
+  if (method == Method::key && planes.materials() != nullptr) method = Method::embedded;
   const Window all = whole(lattice);
   const Thresholds& thresholds = facts(method).thresholds;
   Violations violations = find_violations(planes, cuts, all, thresholds, context);
-  Settling settling = settle(planes, violations, lattice, all, context);
+  Settling settling = settle(planes, violations, thresholds, lattice, all, context);
   WarpedLattice warped = warp_lattice({planes, std::move(settling.planes)}, violations, cuts,
                                       thresholds, lattice, all, context);
   warped.figures.add(settling.figures);
+  warped.diagonals_follow_cuts = facts(method).diagonals_follow_cuts;
   return warped;
 }
 
@@ -248,14 +252,14 @@ std::uint64_t Stuffing::uniform_tet_count() const {
 
 void Stuffing::visit_faces_within(std::int32_t layer, const VisitTetPairs& visit) const {
   refuse_interfaces(*this);
-  LayerTets(state_->warped.planes, layer).visit_within(visit);
+  LayerTets(state_->warped, layer).visit_within(visit);
 }
 
 void Stuffing::visit_faces_between(std::int32_t layer, const VisitTetPairs& visit) const {
   refuse_interfaces(*this);
-  const SignPlanes& planes = state_->warped.planes;
+  const WarpedLattice& warped = state_->warped;
   if (layer + 1 < layers())
-    LayerTets(planes, layer).visit_between(LayerTets(planes, layer + 1), visit);
+    LayerTets(warped, layer).visit_between(LayerTets(warped, layer + 1), visit);
 }
 
 Stuffing Stuffing::keep(const KeepRule& rule, Context& context) {

@@ -147,7 +147,8 @@ class LayerViolations {
 /// A cut is nearer to one end than the thresholds of both, so that it cannot
 /// violate both.
 static_assert(2 * std::max({angle_thresholds.long_edge, angle_thresholds.short_edge,
-                            embedding_thresholds.long_edge, embedding_thresholds.short_edge}) <=
+                            embedding_thresholds.long_edge, embedding_thresholds.short_edge,
+                            key_thresholds.long_edge, key_thresholds.short_edge}) <=
               threshold_denominator);
 
 }  // namespace

@@ -150,12 +150,16 @@ WarpedLattice warp_lattice(MovedSigns moved, const Violations& violations,
                            const Lattice& lattice, Window window, Context& context) {
   if (moved.before.materials() != nullptr)
     moved.after.set_materials(moved_materials(moved, violations, lattice, context));
-  drop_idle_zeros(moved.after, warped_window(window, lattice), context);
-  Layers<CutLayer> left(window);
+  const Window warped = warped_window(window, lattice);
+  drop_idle_zeros(moved.after, warped, context);
+  Layers<CutLayer> left(warped);
   Layers<DisplacedLayer> zeros(window);
   Layers<WarpFigures> layers(window);
-  for_each_layer(context, Stage::warp, window, [&](std::int32_t k) {
-    left[k] = RemainingCuts(moved, cuts[k], least).take(k, layers[k]);
+  for_each_layer(context, Stage::warp, warped, [&](std::int32_t k) {
+    WarpFigures figures;
+    left[k] = RemainingCuts(moved, cuts[k], least).take(k, figures);
+    if (!window.contains(k)) return;
+    layers[k] = figures;
     zeros[k] = displaced_left(
         violations.targets[k],
         [&](Grid grid, int j) { return violations.violated.plus(grid, j, k); }, moved.after, k);

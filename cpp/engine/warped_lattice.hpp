@@ -18,9 +18,13 @@ namespace certet::core {
 /// output; that is so in the layers of `warped_window`.
 struct WarpedLattice {
   SignPlanes planes;
-  Layers<CutLayer> cuts;  ///< of the window: those that are left, in the order of `planes`
+  /// Those that are left, in the order of `planes`; also of the layer behind, where the lattice
+  /// has one: tetrahedra of the window look at them if diagonals follow the cuts.
+  Layers<CutLayer> cuts;
   Layers<DisplacedLayer> zeros;
   WarpFigures figures = {};  ///< of the window
+  /// Whether diagonals end at the lesser cut; else the Parity Rule says where.
+  bool diagonals_follow_cuts = false;
 };
 
 /// The lattice's signs before and after its vertices moved.

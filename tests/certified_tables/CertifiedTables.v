@@ -51,6 +51,10 @@ Proof. vm_compute. reflexivity. Qed.
 Theorem CppStencilsCertified : CppStencilTable = StencilTable.
 Proof. vm_compute. reflexivity. Qed.
 
+Theorem CppKeyStencilsCertified :
+  CppCutOrders = CutOrdersTable /\ CppKeyStencilTable = KeyStencilTable.
+Proof. split; vm_compute; reflexivity. Qed.
+
 (** ** The range
 
     With these limits nothing overflows: [DoorSuffices], [WarpedFits], [CutFits],

@@ -7,6 +7,7 @@
 
 From Coq Require Import ZArith String List Bool.
 From Certet Require Import Certificate.
+From Certet Require Import Lattice.EdgeRank Key.KeyTet Key.KeyStuffing.
 From Certet Require Import Grading.Octree Grading.Flag Grading.GradedTet.
 From CertetTables Require Import Table.
 Import ListNotations.
@@ -110,6 +111,103 @@ Definition StencilEntry (tets : list (list (Z * Z))) : Table :=
        Row (map (fun t => Row (map (fun v => Numbers [fst v; snd v]) t)) (tets ++ unused))].
 Definition StencilTable : Table :=
   Row (map (fun n => StencilEntry (StencilOf n)) (Upto PatternCount)).
+
+(** ** Stencils whose diagonals follow the cuts
+
+    A pattern tells which pairs of its cuts are compared: the two cuts of every
+    face that has two + corners and a - one and, where two corners are + and two
+    -, those of either + corner.  The first of a pair is the one that comes first
+    if both are as far from their + ends; bit [n] of an order says that the second
+    cut of pair [n] is nearer. *)
+
+Definition CornersWith (n : Z) (s : Sign) : list Z :=
+  filter (fun i => SignNumber (PatternSign n i) =? SignNumber s) (Upto 4).
+
+(** All pairs, those with an earlier second one first. *)
+Definition PairsOf (l : list Z) : list (Z * Z) :=
+  flat_map (fun q => flat_map (fun p => if p <? q then [(p, q)] else []) l) l.
+
+(** As [EdgeRank] has it, in any structured tetrahedron. *)
+Definition CutRank (cut : Z * Z) : Z :=
+  let corner i := nth (Z.to_nat i) (CornersOf Tet_I1) Origin in
+  EdgeRank (corner (fst cut)) (corner (snd cut)).
+
+Definition CutPairs (n : Z) : list ((Z * Z) * (Z * Z)) :=
+  let plus := CornersWith n Plus in
+  let minus := CornersWith n Minus in
+  let pair x y := if CutRank x <? CutRank y then (x, y) else (y, x) in
+  flat_map (fun m => map (fun '(p, q) => pair (p, m) (q, m)) (PairsOf plus)) minus ++
+  match plus, minus with
+  | [p; q], [e; f] => [pair (p, e) (p, f); pair (q, e) (q, f)]
+  | _, _ => []
+  end.
+
+(** How far cuts lie from their + ends: each at one of four places, which gives
+    all orders of four cuts. *)
+Fixpoint Placings (cuts : list (Z * Z)) : list (Z * Z -> Z) :=
+  match cuts with
+  | [] => [fun _ => 0]
+  | (a, b) :: rest =>
+      flat_map (fun t => map (fun at_ '(x, y) =>
+        if (x =? a) && (y =? b) then t else at_ (x, y)) (Placings rest)) (Upto 4)
+  end.
+
+Definition OrderOf (pairs : list ((Z * Z) * (Z * Z))) (at_ : Z * Z -> Z) : Z :=
+  fold_right (fun '(x, y) rest => (if at_ y <? at_ x then 1 else 0) + 2 * rest) 0 pairs.
+
+(** The tetrahedra of pattern [n] with cuts in this order; of one that no cuts
+    have, none. *)
+Definition OrderedStencil (n order : Z) : list (list (Z * Z)) :=
+  let corner i := (i, i) in
+  let cut (a b : Z * Z) := (fst a, fst b) in
+  let found at_ :=
+    map (fun t => match t with UT _ a b c d => [a; b; c; d] end)
+      (GetKeyTets (Z * Z) (fun v => PatternSign n (fst v)) cut
+         (fun a b => 3 * at_ (cut a b) + CutRank (cut a b))
+         (corner 0) (corner 1) (corner 2) (corner 3)) in
+  match find (fun at_ => OrderOf (CutPairs n) at_ =? order)
+             (Placings (list_prod (CornersWith n Plus) (CornersWith n Minus))) with
+  | Some at_ => found at_
+  | None => []
+  end.
+
+Definition SameStencil (s t : list (list (Z * Z))) : bool :=
+  Equal (Row (map (fun tet => Row (map (fun '(a, b) => Numbers [a; b]) tet)) s))
+        (Row (map (fun tet => Row (map (fun '(a, b) => Numbers [a; b]) tet)) t)).
+
+(** Of each pattern its stencils by orders; *)
+Definition OrderedStencils : list (list (list (list (Z * Z)))) :=
+  map (fun n => map (OrderedStencil n) (Upto (2 ^ length (CutPairs n))))
+    (Upto PatternCount).
+
+(** all once, an empty one first; *)
+Definition Distinct (stencils : list (list (list (Z * Z)))) :=
+  fold_left (fun seen s =>
+    if SameStencil s [] || existsb (SameStencil s) seen then seen else seen ++ [s])
+    stencils [].
+
+Definition KeyStencilTable : Table :=
+  Row (map StencilEntry ([] :: flat_map Distinct OrderedStencils)).
+
+(** and their numbers: of an order that no cuts have, that of the pattern's first. *)
+Definition CutOrdersEntry (n first : Z) (stencils : list (list (list (Z * Z)))) : Table :=
+  let own := Distinct stencils in
+  let number s := match own, s with
+                  | [], _ => 0
+                  | _, [] => first
+                  | _, _ => first + PlaceOf SameStencil s own
+                  end in
+  let pair '((a, b), (c, d)) := Row [Numbers [a; b]; Numbers [c; d]] in
+  let pairs := CutPairs n in
+  Row [Count pairs;
+       Row (map pair (pairs ++ repeat ((0, 0), (0, 0)) (4 - length pairs)));
+       Numbers (map number stencils ++ repeat 0 (16 - length stencils))].
+
+Definition CutOrdersTable : Table :=
+  Row (rev (fst (fold_left (fun '(rows, first) '(n, stencils) =>
+    (CutOrdersEntry n first stencils :: rows,
+     first + Z.of_nat (length (Distinct stencils))))
+    (combine (Upto PatternCount) OrderedStencils) ([], 1)))).
 
 (** ** Directions and thresholds *)
 
@@ -281,14 +379,26 @@ Definition MethodCuts (m : Method) : Cuts :=
 Definition MethodSettles (m : Method) : bool :=
   match m with SettledMethod _ => true | _ => false end.
 
-Record NamedMethod := { called : string; method : Method; theorem : string }.
+Record NamedMethod := {
+  called : string; cuts : Cuts; alpha : Thresholds; settles : bool;
+  follows_cuts : bool;  (** whether diagonals end at the lesser cut *)
+  least : Z; greatest : Z; theorem : string
+}.
+
+Definition Named (name : string) (m : Method) (theorem_ : string) : NamedMethod :=
+  {| called := name; cuts := MethodCuts m; alpha := MethodThresholds m;
+     settles := MethodSettles m; follows_cuts := false;
+     least := LeastAngle m; greatest := GreatestAngle m; theorem := theorem_ |}.
 
 (** Whose turns come when makes no difference to what is told here. *)
 Definition Methods : list NamedMethod :=
-  [{| called := "embedded"; method := SettledMethod []; theorem := "SettledBoundsInDegrees" |};
-   {| called := "angles"; method := AngleMethod; theorem := "DihedralBounds" |};
-   {| called := "embedding"; method := EmbeddingMethod; theorem := "DihedralBoundsEmbedding" |};
-   {| called := "midpoint"; method := MidpointMethod; theorem := "MidpointBounds" |}]%string.
+  [Named "embedded" (SettledMethod []) "SettledBoundsInDegrees";
+   Named "angles" AngleMethod "DihedralBounds";
+   Named "embedding" EmbeddingMethod "DihedralBoundsEmbedding";
+   Named "midpoint" MidpointMethod "MidpointBounds";
+   {| called := "key"; cuts := OnTheSurface; alpha := KeyThresholds; settles := true;
+      follows_cuts := true; least := 1118; greatest := 15713;
+      theorem := "CertifiedKeySweptMesh" |}]%string.
 
 (** The number of 53 bits, written in full, that is nearest to so many hundredths. *)
 Definition IsNearest (hundredths : Z) (t : Table) : bool :=
@@ -301,14 +411,14 @@ Definition IsNearest (hundredths : Z) (t : Table) : bool :=
 (** A row has its number first, and what it promises last. *)
 Definition IsMethod (numbered : Z * NamedMethod) (t : Table) : bool :=
   let (number, named) := numbered in
-  let m := method named in
   match t with
-  | Row [row; name; where_; alpha; rule; Row [low; high; promise]] =>
+  | Row [row; name; where_; within; rule; diagonals; Row [low; high; promise]] =>
       Equal (Number number) row && Equal (Text (called named)) name &&
-      Equal (Number (CutsNumber (MethodCuts m))) where_ &&
-      Equal (ThresholdsEntry (MethodThresholds m)) alpha &&
-      Equal (Truth (MethodSettles m)) rule &&
-      IsNearest (LeastAngle m) low && IsNearest (GreatestAngle m) high &&
+      Equal (Number (CutsNumber (cuts named))) where_ &&
+      Equal (ThresholdsEntry (alpha named)) within &&
+      Equal (Truth (settles named)) rule &&
+      Equal (Truth (follows_cuts named)) diagonals &&
+      IsNearest (least named) low && IsNearest (greatest named) high &&
       Equal (Text (theorem named)) promise
   | _ => false
   end.
@@ -461,6 +571,10 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("lattice_tiling", Is LatticeTilingTable);
    ("pattern_count", Is (Number (Z.of_nat PatternCount)));
    ("stencil_table", Is StencilTable);
+   ("cut_order_count", Is (Number 16));
+   ("key_stencil_count", Is (Number 128));
+   ("cut_orders", Is CutOrdersTable);
+   ("key_stencil_table", Is KeyStencilTable);
    ("moved_corner", Is (Number MovedCorner));
    ("shared_owner", Is (Number 4));
    ("likeness_count", Is (Number (Z.of_nat LikenessCount)));
@@ -477,6 +591,7 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("angle_thresholds", Is (ThresholdsEntry AngleThresholds));
    ("embedding_thresholds", Is (ThresholdsEntry EmbeddingThresholds));
    ("no_warp_thresholds", Is (ThresholdsEntry NoWarpThresholds));
+   ("key_thresholds", Is (ThresholdsEntry KeyThresholds));
    ("methods", AreMethods);
    ("core::whole_link", Is (Number (SetNumber (Gather (fun _ => true)))));
    ("core::link_ring", Is LinkRings);
@@ -519,7 +634,8 @@ Definition Expected : list (string * (Table -> bool)) :=
    ("is_long", Is (OfDirections (fun d => Truth (IsLong (DirectionKind d)))));
    ("length_squared", Is (OfDirections (fun d => Number (LengthSquared (DirectionKind d)))));
    ("thresholds_in_steps",
-      Is (Row (map StepsEntry [AngleThresholds; EmbeddingThresholds; NoWarpThresholds])));
+      Is (Row (map StepsEntry [AngleThresholds; EmbeddingThresholds; NoWarpThresholds;
+                               KeyThresholds])));
    ("core::names_tet",
       Is (OfFlags (fun kind x => Truth (IsName kind x)) (removelast GradedKinds)));
    ("core::neighbor", Is Neighbors)]%string.

@@ -7,6 +7,7 @@
 
 #include "lattice/cell_tables.hpp"
 #include "lattice/graded_tets.hpp"
+#include "certet/lattice/key_stencil.hpp"
 #include "certet/lattice/lattice_limits.hpp"
 #include "certet/lattice/material_stencil.hpp"
 #include "certet/method.hpp"
@@ -48,6 +49,10 @@ void for_each_constant(const Visit& visit) {
 
   CERTET_CONSTANT(pattern_count);
   CERTET_CONSTANT(stencil_table);
+  CERTET_CONSTANT(cut_order_count);
+  CERTET_CONSTANT(key_stencil_count);
+  CERTET_CONSTANT(cut_orders);
+  CERTET_CONSTANT(key_stencil_table);
 
   CERTET_CONSTANT(moved_corner);
   CERTET_CONSTANT(shared_owner);
@@ -66,6 +71,7 @@ void for_each_constant(const Visit& visit) {
   CERTET_CONSTANT(angle_thresholds);
   CERTET_CONSTANT(embedding_thresholds);
   CERTET_CONSTANT(no_warp_thresholds);
+  CERTET_CONSTANT(key_thresholds);
   CERTET_CONSTANT(methods);
 
   CERTET_CONSTANT(core::whole_link);
@@ -133,7 +139,8 @@ void for_each_function(const Visit& visit) {
   visit("thresholds_in_steps", std::array{
       values<direction_count>([](int d) { return angle_thresholds.in_steps(d); }),
       values<direction_count>([](int d) { return embedding_thresholds.in_steps(d); }),
-      values<direction_count>([](int d) { return no_warp_thresholds.in_steps(d); })});
+      values<direction_count>([](int d) { return no_warp_thresholds.in_steps(d); }),
+      values<direction_count>([](int d) { return key_thresholds.in_steps(d); })});
 
   constexpr std::size_t last = core::graded_kinds.size() - 1;  // a pyramid's name asks for its parent
   visit("core::names_tet", values<last>([](int kind) {

@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "certet/method.hpp"
+#include "certet/lattice/key_stencil.hpp"
 #include "certet/lattice/material_stencil.hpp"
 #include "certet/lattice/stencil.hpp"
 #include "certet/lattice/tiling.hpp"
@@ -33,11 +34,11 @@ concept Entry = std::is_arithmetic_v<T> || std::is_enum_v<T> || OneOf<T, std::st
 // A structured binding names all fields or does not compile, so that none is left out.
 template <class T>
 concept OfTwo = OneOf<T, core::VertexRef, core::Family, core::EdgeEnds, StructuredTetId,
-                      FaceNeighbor, StencilVertex, Stencil, MaterialTet, MaterialStencil,
+                      FaceNeighbor, StencilVertex, Stencil, CutPair, MaterialTet, MaterialStencil,
                       SquaredCotangent, Thresholds, core::LinkEdge, core::Flag, LatticeTiling::Edge>;
 template <class T>
 concept OfThree = OneOf<T, Coord3, core::Shift, core::EdgeRef, core::CellTables,
-                        StructuredTetShape, AngleBounds>;
+                        StructuredTetShape, AngleBounds, CutOrders>;
 template <class T>
 concept OfFour = OneOf<T, LatticeTiling>;
 
@@ -70,8 +71,9 @@ void for_each_part(T& value, const Visit& visit) {
 /// whether the product cuts materials apart with it, which the theorem does not ask.
 template <OneOf<MethodFacts> T, class Visit>
 void for_each_part(T& value, const Visit& visit) {
-  auto& [method, name, cuts, thresholds, settles, interfaces, bounds, sentence] = value;
-  visit(method), visit(name), visit(cuts), visit(thresholds), visit(settles), visit(bounds);
+  auto& [method, name, cuts, thresholds, settles, follow, interfaces, bounds, sentence] = value;
+  visit(method), visit(name), visit(cuts), visit(thresholds), visit(settles), visit(follow),
+      visit(bounds);
 }
 
 /// Calls visit(entry) for every entry, in order.

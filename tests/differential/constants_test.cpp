@@ -17,6 +17,7 @@ struct Numbers {
   certet::Thresholds angle = certet::angle_thresholds;
   certet::Thresholds embedding = certet::embedding_thresholds;
   certet::Thresholds no_warp = certet::no_warp_thresholds;
+  certet::Thresholds key = certet::key_thresholds;
   std::array<certet::Coord3, certet::direction_count> offsets = certet::direction_offset;
 };
 
@@ -38,6 +39,7 @@ Differences compare(const Numbers& production) {
   expect(same(production.angle, certificate.angle), "the angle thresholds");
   expect(same(production.embedding, certificate.embedding), "the embedding thresholds");
   expect(same(production.no_warp, certificate.no_warp), "the no-warp thresholds");
+  expect(same(production.key, certificate.key), "the thresholds of the key");
   for (int d = 0; d < certet::direction_count; ++d) {
     const certified::Direction& direction =
         certificate.directions[static_cast<std::size_t>(d)];

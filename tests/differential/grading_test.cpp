@@ -44,7 +44,7 @@ std::vector<PlacedTet> reference(const domains::Positional& domain, const Lattic
   const certet::MethodFacts& facts = certet::facts(method);
   std::vector<PlacedTet> tets =
       certified::grade({facts.thresholds.long_edge, facts.thresholds.short_edge}, facts.settles,
-                       levels, lattice, seen_by(method, domain));
+                       levels, lattice, seen_by(method, domain), diagonals_of(method));
   std::ranges::sort(tets);
   return tets;
 }

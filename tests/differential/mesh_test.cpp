@@ -40,7 +40,8 @@ std::vector<PlacedTet> reference(const domains::Positional& domain, const Lattic
   const certified::Domain seen = seen_by(method, domain);
   const certified::Thresholds alpha{thresholds.long_edge, thresholds.short_edge};
   return certet::facts(method).settles
-             ? certified::settle(alpha, certified::Gap::level, lattice, seen)
+             ? certified::settle(alpha, certified::Gap::level, lattice, seen,
+                                 diagonals_of(method))
              : certified::stuff(alpha, lattice, seen);
 }
 
@@ -92,7 +93,8 @@ TEST(Mesh, OfALongRodIsTheSame) {
 /// at both ends of the edge.
 std::vector<std::int32_t> boundary_cuts() {
   std::vector<std::int32_t> cuts{0, 1, certet::steps / 2, certet::steps - 1};
-  for (const certet::Thresholds t : {certet::angle_thresholds, certet::embedding_thresholds})
+  for (const certet::Thresholds t : {certet::angle_thresholds, certet::embedding_thresholds,
+                                   certet::key_thresholds})
     for (const int direction : {0, 6})
       for (const std::int32_t beside : {-1, 0, 1}) {
         cuts.push_back(t.in_steps(direction) + beside);
@@ -130,7 +132,7 @@ bool survives_random_domains(const Engine& production) {
   return rc::check("random domains give the same mesh", [&] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
     const Method method = *rc::gen::element(Method::embedded, Method::angles, Method::embedding,
-                                            Method::midpoint);
+                                            Method::midpoint, Method::key);
     const auto extent = rc::gen::inRange(3, 9);
     const auto place = rc::gen::map(rc::gen::inRange(-50, 50), [](int c) { return 2 * c; });
     const Lattice lattice{{*place, *place, *place}, {*extent, *extent, *extent}};
@@ -189,6 +191,17 @@ TEST(Mesh, CatchesABisectionThatIsOneStepOff) {
   };
   EXPECT_TRUE(caught(broken));
   EXPECT_FALSE(survives_random_domains(broken));
+}
+
+/// The diagonals are those of the Parity Rule, all else is right.
+TEST(Mesh, CatchesDiagonalsByParity) {
+  const domains::Positional ball = domains::of_level(domains::sphere(0.3, 0.2, 0.1, 3.1));
+  const Lattice lattice{{-4, -4, -4}, {5, 5, 5}};
+  const certet::Thresholds t = certet::key_thresholds;
+  EXPECT_FALSE(compare_tets(engine(ball, lattice, Method::key).tets,
+                            certified::settle({t.long_edge, t.short_edge}, certified::Gap::level,
+                                              lattice, seen_by(Method::key, ball)))
+                   .empty());
 }
 
 /// The mesh was not warped with the thresholds of the method that it names.

@@ -89,6 +89,16 @@ TEST_F(ReferenceProgram, KeepsTheShapeByDefault) {
   EXPECT_FALSE(engine(thin, lattice, certet::Method::angles) == kept);
 }
 
+TEST_F(ReferenceProgram, HasDiagonalsThatFollowTheCuts) {
+  const Lattice lattice{{-8, -8, -8}, {9, 9, 9}};
+  const auto torus = domains::of_level(domains::torus(0.3, 0.2, 0.1, 4.1, 2.2));
+  const PlacedTets theirs =
+      reference("--guarantee key --solid 'torus 0.3 0.2 0.1 4.1 2.2' --lattice '-8 -8 -8 9 9 9'");
+  EXPECT_GT(theirs.size(), 100U);
+  EXPECT_TRUE(engine(torus, lattice, certet::Method::key) == theirs);
+  EXPECT_FALSE(engine(torus, lattice, certet::Method::embedded) == theirs);
+}
+
 TEST_F(ReferenceProgram, MeshesATorusForAnEmbedding) {
   EXPECT_TRUE(engine(domains::of_level(domains::torus(0.5, 0.25, 0.125, 5.5, 2.25)),
                      {{-10, -10, -6}, {11, 11, 7}},

@@ -8,6 +8,11 @@
 #include "certified.hpp"
 #include "domains.hpp"
 
+inline certified::Diagonals diagonals_of(certet::Method method) {
+  return certet::facts(method).diagonals_follow_cuts ? certified::Diagonals::by_key
+                                                     : certified::Diagonals::by_parity;
+}
+
 /// By the cuts of a method.  `domain` outlives it.
 inline certified::Domain seen_by(certet::Method method, const domains::Positional& domain) {
   using certet::Coord3;

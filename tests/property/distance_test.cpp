@@ -88,13 +88,13 @@ struct Bars {
   double squares, greatest;
 };
 
-void expect_near(double size, const Bars& bars) {
+void expect_near(Method method, double size, const Bars& bars) {
   for (const double middle : {0.0, 0.5, 0.91}) {
     const Torus torus = of_size(size, middle);
-    const Distances ours = by_engine(torus, Method::embedded);
+    const Distances ours = by_engine(torus, method);
     const Distances theirs = by_engine(torus, Method::angles);
-    std::printf("size %.2f middle %.2f: published %.5f %.5f %.4f, ours %.3f %.3f %.2f times it\n",
-                size, middle, theirs.faces, theirs.edges, theirs.greatest,
+    std::printf("size %.2f middle %.2f: published %.5f %.5f %.4f, %s %.3f %.3f %.2f times it\n",
+                size, middle, theirs.faces, theirs.edges, theirs.greatest, name(method).data(),
                 ours.faces / theirs.faces, ours.edges / theirs.edges,
                 ours.greatest / theirs.greatest);
     EXPECT_LT(ours.faces, bars.squares * theirs.faces) << size << ", " << middle;
@@ -104,11 +104,20 @@ void expect_near(double size, const Bars& bars) {
 }
 
 TEST(Distance, OfATorusIsThatOfThePublishedRule) {
-  for (const double size : {0.1, 0.07, 0.05, 0.04, 0.03}) expect_near(size, {1.05, 1.4});
+  for (const double size : {0.1, 0.07, 0.05, 0.04, 0.03})
+    expect_near(Method::embedded, size, {1.05, 1.4});
 }
 
 /// What two neighbours give up is more of what a finer mesh misses.
-TEST(Distance, OfAFineTorusIsNearlyThatOfThePublishedRule) { expect_near(0.02, {1.08, 1.8}); }
+TEST(Distance, OfAFineTorusIsNearlyThatOfThePublishedRule) {
+  expect_near(Method::embedded, 0.02, {1.08, 1.8});
+}
+
+/// With lesser thresholds no move is shortened.
+TEST(Distance, WhereDiagonalsFollowTheCutsIsThatOfThePublishedRule) {
+  for (const double size : {0.1, 0.07, 0.05, 0.04, 0.03, 0.02})
+    expect_near(Method::key, size, {1.05, 1.4});
+}
 
 /// Where the surface is level halfway between lattice planes, all is given up by one of two.
 TEST(Distance, CatchesThatOneOfTwoGivesUpAll) {

@@ -92,6 +92,8 @@ class AngleRange {
 /// What is proved for the thresholds 73/256, 102/256 and 64/256, 105/256.
 inline const AngleRange angles_range{10.77, 164.76};
 inline const AngleRange embedding_range{9.27, 161.46};
+/// And for 64/256, 95/256 where diagonals follow the cuts.
+inline const AngleRange key_range{11.18, 157.13};
 /// With cuts in the middle the bounds are attained, and `contains` is a little narrower.
 inline const AngleRange midpoint_range{30 - 1e-9, 135 + 1e-9};
 

@@ -50,8 +50,6 @@ Members those(const Predicate& predicate) {
   return members;
 }
 
-constexpr std::int32_t alpha(int direction) { return certet::is_long(direction) ? 18688 : 26112; }
-
 int direction_between(Coord3 a, Coord3 b) {
   const auto found = std::ranges::find(direction_offset, b - a);
   return static_cast<int>(found - direction_offset.begin());
@@ -223,13 +221,18 @@ void Model::settle(Coord3 v) {
   state.now = Sign::on_surface;
 }
 
-std::int32_t Model::clamped_cut(Coord3 plus, Coord3 minus) {
-  const int direction = direction_between(plus, minus);
-  const std::int32_t least = alpha(direction);
+std::int32_t Model::kept_cut(Coord3 plus, Coord3 minus) const {
+  const std::int32_t least = alpha(direction_between(plus, minus));
   const std::int32_t found = find_cut(plus, minus);
-  const std::int32_t kept = rule_.clamp ? std::clamp(found, least, steps - least) : found;
+  return rule_.clamp ? std::clamp(found, least, steps - least) : found;
+}
+
+std::int32_t Model::counted_cut(Coord3 plus, Coord3 minus) {
+  const std::int32_t found = find_cut(plus, minus);
+  const std::int32_t kept = kept_cut(plus, minus);
+  const bool is_long = direction_between(plus, minus) < 6;
   if (kept != found)
-    (direction < 6 ? figures_.long_edges : figures_.short_edges).add(std::abs(kept - found));
+    (is_long ? figures_.long_edges : figures_.short_edges).add(std::abs(kept - found));
   return kept;
 }
 
@@ -255,16 +258,19 @@ Tets Model::mesh() {
     const auto [entry, is_new] =
         numbers.try_emplace({a, b}, static_cast<std::uint32_t>(made.points.size()));
     if (is_new)
-      made.points.push_back(a == b ? position(a) : steps * a + clamped_cut(a, b) * (b - a));
+      made.points.push_back(a == b ? position(a) : steps * a + counted_cut(a, b) * (b - a));
     return entry->second;
   };
-  for_each_tet([&](const std::array<Coord3, 4>& corners, bool right_handed) {
+  const auto cut = [this](Coord3 plus, Coord3 minus) { return kept_cut(plus, minus); };
+  for_each_tet([&](const std::array<Coord3, 4>& corners, bool) {
     const certet::CornerSigns signs{sign(corners[0]), sign(corners[1]), sign(corners[2]),
                                     sign(corners[3])};
-    for (const certet::UnstructuredTet& tet : certet::unstructured_tets(signs)) {
+    for (const auto& tet : diagonals::tets_of(corners, signs, rule_.diagonals, cut)) {
       std::array<std::uint32_t, 4> t;
-      for (std::size_t n = 0; n < 4; ++n) t[n] = point(corners[tet[n].a], corners[tet[n].b]);
-      if (!right_handed) std::swap(t[2], t[3]);
+      for (std::size_t n = 0; n < 4; ++n) t[n] = point(tet[n].first, tet[n].second);
+      const exact::Tet placed{made.points[t[0]], made.points[t[1]], made.points[t[2]],
+                              made.points[t[3]]};
+      if (exact::six_volume(placed) < 0) std::swap(t[2], t[3]);
       made.tets.push_back(t);
     }
   });

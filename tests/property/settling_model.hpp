@@ -12,6 +12,7 @@
 
 #include "certet/stuffing.hpp"
 #include "domains.hpp"
+#include "key_diagonals.hpp"
 
 namespace settling {
 
@@ -34,7 +35,14 @@ struct Rule {
   bool clamp = true, shorten = true;
   bool share = true;  ///< what two that would pass each other have to give up
   bool stay = true;   ///< rather than fall short by more than the cut is then moved
+  std::int32_t long_alpha = 18688, short_alpha = 26112;  ///< in steps
+  diagonals::Choice diagonals = diagonals::Choice::parity;
 };
+
+/// That of the method `key`, or with a defect of its diagonals.
+inline Rule key_rule(diagonals::Choice diagonals = diagonals::Choice::lesser) {
+  return {.long_alpha = 16384, .short_alpha = 24320, .diagonals = diagonals};
+}
 
 /// Tetrahedra by positions in steps, in the order of the stencils.
 struct Tets {
@@ -81,8 +89,12 @@ class Model {
 
   [[nodiscard]] std::size_t number(Coord3 v) const;
   [[nodiscard]] const Vertex& at(Coord3 v) const { return state_[number(v)]; }
+  [[nodiscard]] std::int32_t alpha(int direction) const {
+    return certet::is_long(direction) ? rule_.long_alpha : rule_.short_alpha;
+  }
   [[nodiscard]] std::int32_t find_cut(Coord3 plus, Coord3 minus) const;
-  [[nodiscard]] std::int32_t clamped_cut(Coord3 plus, Coord3 minus);
+  [[nodiscard]] std::int32_t kept_cut(Coord3 plus, Coord3 minus) const;
+  std::int32_t counted_cut(Coord3 plus, Coord3 minus);
   void find_target(Coord3 v);
   [[nodiscard]] int turn(Coord3 v) const;
   [[nodiscard]] std::int32_t shortened(Coord3 v) const;

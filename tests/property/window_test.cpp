@@ -57,14 +57,16 @@ core::WarpedLattice warped_of(const Domain& domain, const Lattice& lattice, core
   core::Violations violations = core::find_violations(
       planes, cuts, core::violation_window(window, lattice, halo), method.thresholds, context);
   core::Settling settled = method.settles
-                               ? core::settle(planes, violations, lattice, window, context)
+                               ? core::settle(planes, violations, method.thresholds, lattice, window, context)
                                : core::Settling{core::move_all(planes, violations, context)};
   if (!method.settles)
     made.inverted += core::inverted_tets(settled.planes, violations, lattice, window, context);
   made.figures.add(settled.figures);
-  return core::warp_lattice({planes, std::move(settled.planes)}, violations, cuts,
-                            method.settles ? method.thresholds : no_warp_thresholds, lattice,
-                            window, context);
+  core::WarpedLattice warped = core::warp_lattice(
+      {planes, std::move(settled.planes)}, violations, cuts,
+      method.settles ? method.thresholds : no_warp_thresholds, lattice, window, context);
+  warped.diagonals_follow_cuts = method.diagonals_follow_cuts;
+  return warped;
 }
 
 /// Adds the mesh of one window, as `warped_of` has it.

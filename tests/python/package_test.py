@@ -388,7 +388,7 @@ class Images(unittest.TestCase):
 
     def test_methods(self):
         theorems = {"embedded": "SettledBoundsInDegrees", "angles": "DihedralBounds", "embedding": "DihedralBoundsEmbedding",
-                    "midpoint": "MidpointBounds"}
+                    "midpoint": "MidpointBounds", "key": "CertifiedKeySweptMesh"}
         for method, theorem in theorems.items():
             mesh = certet.mesh_function(lambda p: (p**2).sum(1) - 1, ((-1.5,) * 3, (1.5,) * 3),
                                         0.25, method=method)
@@ -398,6 +398,25 @@ class Images(unittest.TestCase):
         self.assertEqual(older.method, "midpoint")
         self.assertEqual(older.checksum, certet.mesh_image(ball(), method="midpoint").checksum)
         self.assertEqual(certet.mesh_image(ball(), guarantee="embedding").method, "embedding")
+
+    def test_diagonals_that_follow_the_cuts(self):
+        def level(p):
+            return np.hypot(np.hypot(p[:, 0], p[:, 1]) - 1, p[:, 2]) - 0.4
+        bounds = ((-1.5, -1.5, -0.5), (1.5, 1.5, 0.5))
+        key = certet.mesh_function(level, bounds, 0.1, method="key")
+        self.assertEqual(key.checksum, certet.mesh_function(level, bounds, 0.1, method="key",
+                                                            threads=1).checksum)
+        self.assertNotEqual(key.checksum, certet.mesh_function(level, bounds, 0.1).checksum)
+        quality = key.quality()
+        self.assertTrue(quality.holds)
+        self.assertGreater(quality.min_dihedral, 11.18)
+        self.assertLess(quality.max_dihedral, 157.13)
+        self.assertEqual(key.warp.shortened, 0)
+        two = ball().astype(np.uint8)
+        two[: len(two) // 2] *= 2
+        parted = certet.mesh_image(two, method="key")
+        self.assertEqual(parted.method, "embedded")
+        self.assertEqual(parted.checksum, certet.mesh_image(two).checksum)
 
     def test_far_from_the_origin(self):
         """Bounds that are attained are crossed by rounding alone, which is no fault; what
@@ -429,7 +448,7 @@ class Images(unittest.TestCase):
             (dict(array=ball(), smooth=5), "4 voxels"),
             (dict(array=ball(), smooth=1, method="angles"), "cut labels apart"),
             (dict(array=ball(), cuts="middle"), "'midpoint'"),
-            (dict(array=ball(), method="paper"), "embedded, angles, embedding, midpoint"),
+            (dict(array=ball(), method="paper"), "embedded, angles, embedding, midpoint, key"),
             (dict(array=ball(), method="embedded", cuts="midpoint"), "one or the others"),
             (dict(array=np.full((4, 4, 4), 2**40)), "32 bits"),
         ]:

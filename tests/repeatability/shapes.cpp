@@ -176,7 +176,9 @@ std::vector<Manner> manners() {
           {"bisect-embedding", Method::embedding},
           {"midpoint", Method::midpoint},
           {"bisect-pieces-graded", Method::embedded, 3},
-          {"midpoint-graded", Method::midpoint, 2}};
+          {"midpoint-graded", Method::midpoint, 2},
+          {"bisect-key", Method::key},
+          {"bisect-key-graded", Method::key, 3}};
 }
 
 }  // namespace repeatability

@@ -34,7 +34,7 @@ Json lengths(const ShiftLengths& world, const ShiftLengths& edges) {
 
 Json method(const MeshReport& report) {
   Json json{{"name", name(report.used)}};
-  if (report.used != Method::embedded) return json;
+  if (!facts(report.used).settles) return json;
   const WarpFigures& warp = report.warp;
   const ShiftLengths edges = shift_in_edges(warp);
   const ShiftLengths world = shift_in_world(warp, report.size);

@@ -9,6 +9,15 @@
 namespace certet::command {
 namespace {
 
+/// Why a mesh was not made by the method that was asked for.
+std::string why_another(const MeshReport& report) {
+  if (report.used == report.asked) return "";
+  if (report.cut_apart)
+    return fmt::format(" ({} is of one material, and here several meet)", name(report.asked));
+  return fmt::format(" ({} inverted {} dropped tetrahedra)", name(report.asked),
+                     grouped(report.inverted_tets));
+}
+
 /// Nothing is called proven that was not measured.
 void add_method(Lines& lines, const MeshReport& report) {
   const MethodFacts& method = facts(report.used);
@@ -27,15 +36,12 @@ void add_method(Lines& lines, const MeshReport& report) {
                               surface_of_several)
                 : std::string(method.sentence),
             report.moved() ? "; this is of the mesh before vertices moved" : "",
-            report.used == report.asked
-                ? ""
-                : fmt::format(" ({} inverted {} dropped tetrahedra)", name(report.asked),
-                              grouped(report.inverted_tets)));
+            why_another(report));
 }
 
 /// What settling did to the surface.
 void add_settling(Lines& lines, const MeshReport& report) {
-  if (report.used != Method::embedded) return;
+  if (!facts(report.used).settles) return;
   const WarpFigures& warp = report.warp;
   const ShiftLengths edges = shift_in_edges(warp);
   const ShiftLengths world = shift_in_world(warp, report.size);

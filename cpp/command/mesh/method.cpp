@@ -11,7 +11,8 @@ namespace {
 /// What --method calls them: the paper's rule is that of `angles`, and of `embedding` where
 /// --guarantee says so.
 const std::map<std::string, Method> named_methods{
-    {"embedded", Method::embedded}, {"paper", Method::angles}, {"midpoint", Method::midpoint}};
+    {"embedded", Method::embedded}, {"key", Method::key}, {"paper", Method::angles},
+    {"midpoint", Method::midpoint}};
 
 /// The method that `--cuts` and `--guarantee` stand for.
 Method implied(const MethodChoice& choice) {
@@ -28,7 +29,7 @@ void check_choice(const MethodChoice& choice, Method method) {
   if (!choice.method) return;
   if (choice.cuts && *choice.cuts != facts(method).cuts)
     refuse_both("--cuts " + std::string(name(*choice.cuts)));
-  if (choice.guarantee && method == Method::embedded)
+  if (choice.guarantee && facts(method).settles)
     refuse_both("--guarantee " + std::string(name(*choice.guarantee)));
 }
 
@@ -38,7 +39,8 @@ void declare_method(CLI::App& app, MethodChoice& choice) {
   app.add_option("--method", choice.method,
                  "embedded: no tetrahedra overlap, the surface is a manifold (of several labels "
                  "but for single points), and no piece is lost, cut or joined to another "
-                 "(default); paper: as published, vertices move "
+                 "(default); key: the same with better angles, of one material: diagonals follow "
+                 "the cuts; paper: as published, vertices move "
                  "onto the surface whatever becomes of thin parts; midpoint: none moves, cuts "
                  "are in the middle of edges")
       ->transform(CLI::CheckedTransformer(named_methods))

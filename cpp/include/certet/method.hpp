@@ -30,6 +30,8 @@ enum class Method : std::uint8_t {
   angles,     ///< the paper's rule at the thresholds of the widest angles
   embedding,  ///< the paper's rule at those by which the warped lattice never folds
   midpoint,   ///< no vertex is warped: the best angles, and steps where the surface is flat
+  key,        ///< as `embedded`, at other thresholds, with diagonals that end at the lesser cut:
+              ///< better angles; several materials are meshed by `embedded`
 };
 
 /// What a theorem promises of a mesh, in degrees.
@@ -45,6 +47,7 @@ struct MethodFacts {
   Cuts cuts;
   Thresholds thresholds;  ///< at which a cut violates a vertex
   bool settles;           ///< whether a violated vertex may stay; else all move
+  bool diagonals_follow_cuts;  ///< whether they end at the lesser cut; else by the Parity Rule
   bool interfaces;        ///< whether several materials are cut where they meet; else only
                           ///< what they are together
   AngleBounds bounds;
@@ -52,19 +55,22 @@ struct MethodFacts {
 };
 
 /// A row for each method, in the order of the enumeration.
-inline constexpr std::array<MethodFacts, 4> methods{{
-    {Method::embedded, "embedded", Cuts::bisect, angle_thresholds, true, true,
+inline constexpr std::array<MethodFacts, 5> methods{{
+    {Method::embedded, "embedded", Cuts::bisect, angle_thresholds, true, false, true,
      {10.77, 164.76, "SettledBoundsInDegrees"},
      "no tetrahedra overlap, the surface is a manifold, pieces are kept"},
-    {Method::angles, "angles", Cuts::bisect, angle_thresholds, false, false,
+    {Method::angles, "angles", Cuts::bisect, angle_thresholds, false, false, false,
      {10.77, 164.76, "DihedralBounds"},
      "as published, at the thresholds of the widest angles"},
-    {Method::embedding, "embedding", Cuts::bisect, embedding_thresholds, false, false,
+    {Method::embedding, "embedding", Cuts::bisect, embedding_thresholds, false, false, false,
      {9.27, 161.46, "DihedralBoundsEmbedding"},
      "as published, at thresholds by which the lattice never folds"},
-    {Method::midpoint, "midpoint", Cuts::midpoint, no_warp_thresholds, false, true,
+    {Method::midpoint, "midpoint", Cuts::midpoint, no_warp_thresholds, false, false, true,
      {30, 135, "MidpointBounds"},
      "cuts in the middle of edges, no vertex is warped"},
+    {Method::key, "key", Cuts::bisect, key_thresholds, true, true, true,
+     {11.18, 157.13, "CertifiedKeySweptMesh"},
+     "diagonals follow the cuts; no tetrahedra overlap, the surface is a manifold, pieces are kept"},
 }};
 
 constexpr const MethodFacts& facts(Method method) {

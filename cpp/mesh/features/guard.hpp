@@ -15,6 +15,8 @@ namespace certet::features {
 inline AngleLimits limits_of(Method method) {
   // 9.27 and 161.46 degrees.
   if (method == Method::embedding) return {{375, 10}, {889, 100}};
+  // 11.18 and 157.13 degrees: `KeyAngles` of the certificate.
+  if (method == Method::key) return {{179, 7}, {73, 13}};
   return {least_angle, greatest_angle};
 }
 

@@ -35,7 +35,7 @@ __version__: str = _certet.version
 
 Cuts = Literal["bisect", "midpoint"]
 Guarantee = Literal["angles", "embedding"]
-Method = Literal["embedded", "angles", "embedding", "midpoint"]
+Method = Literal["embedded", "angles", "embedding", "midpoint", "key"]
 
 
 class Quality(NamedTuple):
@@ -89,8 +89,8 @@ class Pieces(NamedTuple):
 
 
 class Warp(NamedTuple):
-    """What became of the vertices that the surface passes too close to; all 0 but by the method
-    "embedded"."""
+    """What became of the vertices that the surface passes too close to; all 0 but by the methods
+    "embedded" and "key"."""
 
     violated: int
     """So many there were."""
@@ -378,7 +378,8 @@ class Mesh(_MiddleNodes):
     @property
     def method(self) -> Method:
         """The method that was used in the end, whose theorem covers the mesh: where "angles"
-        would turn over a tetrahedron that is dropped, it is "embedding"."""
+        would turn over a tetrahedron that is dropped, it is "embedding", and where several
+        materials meet, for "key" it is "embedded"."""
         return self._inner.method
 
     @property
@@ -750,7 +751,8 @@ def mesh_image(
     margin : cells of the lattice around the solid, at least 1
     method : "embedded" (default: dihedral angles from 10.77 to 164.76 degrees, no tetrahedra
         overlap, the surface is a manifold, of several labels but for single points, and no piece
-        of the samples is lost, cut or joined to another), "angles" and "embedding" (the paper's
+        of the samples is lost, cut or joined to another), "key" (the same from 11.18 to 157.13
+        degrees, of one material: where several meet it is "embedded"), "angles" and "embedding" (the paper's
         rule with either of its thresholds; from 9.27 to 161.46 degrees with the second) or
         "midpoint" (from 30 to 135: edges are cut in the middle, whatever the surface does
         between its ends)

@@ -1,9 +1,9 @@
 /// \file
-/// certet_thin_soak: meshes random label images with thin parts and random fields of signs
-/// by default, and judges each mesh by independent counts.
+/// certet_thin_soak: meshes random label images with thin parts and random fields of signs by a
+/// method that keeps their shape, and judges each mesh by independent counts.
 ///
 ///     certet_thin_soak [--images N] [--fields N] [--seed S] [--only image:N|field:N]
-///                      [--threads N] [--plant NAME] [--report FILE.md]
+///                      [--method embedded|key] [--threads N] [--plant NAME] [--report FILE.md]
 ///
 /// Ends with status 1 if a mesh has a fault, 2 on wrong usage.
 
@@ -24,6 +24,7 @@ using thin::Verdict;
 
 struct Arguments : soak::CampaignArguments {
   std::array<std::uint64_t, 2> count{100, 100}, first{0, 0};
+  certet::Method method{};
   thin::Plant plant{};
 };
 
@@ -36,6 +37,13 @@ void only(Arguments& arguments, const std::string& value) {
   arguments.first[source] = std::stoull(value.substr(colon + 1));
 }
 
+certet::Method method_of(const std::string& name) {
+  const std::optional<certet::Method> method = certet::method_named(name);
+  if (!method || !certet::facts(*method).settles)
+    throw std::invalid_argument(name + " is not a method by which vertices settle");
+  return *method;
+}
+
 /// \throws std::exception on wrong usage
 Arguments parse(int argc, char** argv) {
   Arguments arguments;
@@ -44,6 +52,7 @@ Arguments parse(int argc, char** argv) {
     else if (name == "--fields") arguments.count[1] = std::stoull(value);
     else if (name == "--plant") arguments.plant = static_cast<thin::Plant>(soak::number_of(thin::plant_names, value));
     else if (name == "--only") only(arguments, value);
+    else if (name == "--method") arguments.method = method_of(value);
     else return arguments.take(name, value);
     return true;
   });
@@ -53,7 +62,7 @@ Arguments parse(int argc, char** argv) {
 /// An exception is a fault too.
 Verdict judged(Source source, std::uint64_t number, const Arguments& arguments) {
   try {
-    return thin::judge(source, arguments.seed, number, arguments.plant);
+    return thin::judge(source, arguments.seed, number, arguments.method, arguments.plant);
   } catch (const std::exception& error) {
     Verdict verdict;
     verdict.fault = std::string("an exception: ") + error.what();

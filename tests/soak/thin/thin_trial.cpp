@@ -139,9 +139,9 @@ Subject field_subject(std::uint64_t seed, std::uint64_t number) {
   return subject;
 }
 
-settling::Tets mesh_of(const certet::Domain& domain, const Lattice& lattice, Plant plant) {
-  const certet::Method method =
-      plant == Plant::published_rule ? certet::Method::angles : certet::Method::embedded;
+settling::Tets mesh_of(const certet::Domain& domain, const Lattice& lattice,
+                       certet::Method method, Plant plant) {
+  if (plant == Plant::published_rule) method = certet::Method::angles;
   settling::Tets tets = settling::tets_of(whole_mesh(domain, lattice, method));
   if (plant == Plant::moved_point && !tets.points.empty())
     tets.points[tets.points.size() / 2] = tets.points[tets.points.size() / 2] + Coord3{60000, 0, 0};
@@ -167,13 +167,14 @@ std::string shape_fault(const settling::Tets& mesh, const topology::Shape& sampl
 }
 
 /// Measures the tetrahedra; the first that is wrong with one.
-std::string tet_fault(const std::vector<exact::Tet>& tets, Verdict& verdict) {
+std::string tet_fault(const std::vector<exact::Tet>& tets, const exact::AngleRange& range,
+                      Verdict& verdict) {
   for (const exact::Tet& tet : tets) {
     if (exact::six_volume(tet) <= 0) return "a tetrahedron is not positive";
     for (const exact::Dihedral& angle : exact::dihedrals(tet)) {
       verdict.min_dihedral = std::min(verdict.min_dihedral, double(angle.degrees()));
       verdict.max_dihedral = std::max(verdict.max_dihedral, double(angle.degrees()));
-      if (!exact::angles_range.contains(angle)) return "an angle is out of range";
+      if (!range.contains(angle)) return "an angle is out of range";
     }
   }
   const Overlaps overlap = overlaps(tets);
@@ -183,7 +184,8 @@ std::string tet_fault(const std::vector<exact::Tet>& tets, Verdict& verdict) {
 
 }  // namespace
 
-Verdict judge(Source source, std::uint64_t seed, std::uint64_t number, Plant plant) {
+Verdict judge(Source source, std::uint64_t seed, std::uint64_t number, certet::Method method,
+              Plant plant) {
   const Subject subject =
       source == Source::image ? image_subject(seed, number) : field_subject(seed, number);
   const std::set<Coord3> all = inside(*subject.domain, subject.lattice);
@@ -191,9 +193,9 @@ Verdict judge(Source source, std::uint64_t seed, std::uint64_t number, Plant pla
   settling::Tets mesh;
   if (subject.pieces && (plant == Plant::forgotten_rule || plant == Plant::three_groups)) {
     samples = plant == Plant::forgotten_rule ? all : parted(all, 3);
-    mesh = mesh_of(Resampled(*subject.domain, samples), subject.lattice, plant);
+    mesh = mesh_of(Resampled(*subject.domain, samples), subject.lattice, method, plant);
   } else {
-    mesh = mesh_of(*subject.domain, subject.lattice, plant);
+    mesh = mesh_of(*subject.domain, subject.lattice, method, plant);
   }
   Verdict verdict;
   verdict.tets = mesh.tets.size();
@@ -207,7 +209,9 @@ Verdict judge(Source source, std::uint64_t seed, std::uint64_t number, Plant pla
   std::vector<exact::Tet> tets;
   for (const auto& [a, b, c, d] : mesh.tets)
     tets.push_back({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]});
-  if (fault.empty()) fault = tet_fault(tets, verdict);
+  const exact::AngleRange& range =
+      method == certet::Method::key ? exact::key_range : exact::angles_range;
+  if (fault.empty()) fault = tet_fault(tets, range, verdict);
   if (!fault.empty()) verdict.fault = fault;
   return verdict;
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A thin image or a random field, meshed by default and judged by independent counts.
+/// A thin image or a random field, meshed by a method that settles and judged by independent counts.
 
 #include <cstdint>
 #include <optional>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../mesh_counts.hpp"
+#include "certet/method.hpp"
 
 namespace thin {
 
@@ -30,7 +31,8 @@ struct Verdict : soak::MeshCounts {
   std::optional<std::string> fault;
 };
 
-/// Number `number` of the run with `seed`; depends on these two, and the defect, alone.
-Verdict judge(Source source, std::uint64_t seed, std::uint64_t number, Plant plant);
+/// Number `number` of the run with `seed`; depends on these two, the method and the defect, alone.
+Verdict judge(Source source, std::uint64_t seed, std::uint64_t number, certet::Method method,
+              Plant plant);
 
 }  // namespace thin

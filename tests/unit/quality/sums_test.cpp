@@ -76,6 +76,7 @@ TEST(Methods, PromiseWhatTheirTheoremsDo) {
   promises(Method::angles, "DihedralBounds", 10.77, 164.76);
   promises(Method::embedding, "DihedralBoundsEmbedding", 9.27, 161.46);
   promises(Method::midpoint, "MidpointBounds", 30.0, 135.0);
+  promises(Method::key, "CertifiedKeySweptMesh", 11.18, 157.13);
 }
 
 TEST(Methods, AreFoundByTheirNames) {
@@ -84,7 +85,7 @@ TEST(Methods, AreFoundByTheirNames) {
     EXPECT_EQ(method_named(methods[row].name), methods[row].method);
   }
   EXPECT_EQ(method_named("bisect"), std::nullopt);
-  EXPECT_EQ(method_names(), "embedded, angles, embedding, midpoint");
+  EXPECT_EQ(method_names(), "embedded, angles, embedding, midpoint, key");
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ struct Thresholds {
 
 inline constexpr Thresholds angle_thresholds{73, 102};
 inline constexpr Thresholds embedding_thresholds{64, 105};
+inline constexpr Thresholds key_thresholds{64, 95};
 inline constexpr Thresholds no_warp_thresholds{0, 0};
 
 /// What becomes of a vertex: it stays, or moves `distance` steps along an edge
