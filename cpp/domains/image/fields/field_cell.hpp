@@ -28,9 +28,10 @@ class FieldCell {
 
   /// What the field of a label is at the corners.
   [[nodiscard]] Corners values(std::size_t label) const {
-    const std::int16_t* value = block_.values + label * nodes_of_block + first_;
+    Eight spread_out;
+    spread(corner_pairs(block_.values + label * nodes_of_block + first_), spread_out);
     Corners corners;
-    for (std::size_t c = 0; c < 8; ++c) corners[c] = value[cell_corners[c]];
+    std::memcpy(&corners, &spread_out, sizeof(corners));
     return corners;
   }
   /// The same by material: 0 where it is not near.

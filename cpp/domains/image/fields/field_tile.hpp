@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "certet/domain.hpp"
+#include "fields/field_point.hpp"
 
 namespace certet::fields {
 
@@ -23,10 +24,6 @@ inline constexpr int tile_blocks = 4;  ///< a tile has 4 x 4 x 4 blocks
 inline constexpr int tile_cells = tile_blocks * block_cells;
 inline constexpr int tile_nodes = tile_cells + 1;
 inline constexpr std::size_t blocks_of_tile = tile_blocks * tile_blocks * tile_blocks;
-
-/// The numbers of a cell along the axes: cell c lies between nodes c and c + 1, which are
-/// voxels c - 1 and c.
-using Cell = std::array<std::int64_t, 3>;
 
 /// A field is kept in 16384ths.
 inline constexpr int field_bits = 14;

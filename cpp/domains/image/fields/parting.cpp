@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "certet/lattice/coord3.hpp"
+#include "fields/edge_in_cell.hpp"
 #include "fields/field_cell.hpp"
 #include "fields/labelling.hpp"
 
@@ -28,7 +29,7 @@ class Sides {
   }
 
   /// Of the two fields, at the corners of a cell; nullptr where one of these is forced.
-  const Corners* difference_in(const std::array<std::int64_t, 3>& cell) {
+  const Corners* difference_in(const Cell& cell) {
     enter(cell);
     return some_forced_ ? nullptr : &difference_;
   }
@@ -36,7 +37,7 @@ class Sides {
  private:
   static constexpr Material not_forced = -1;
 
-  void enter(const std::array<std::int64_t, 3>& cell) {
+  void enter(const Cell& cell) {
     at_ = cell;
     some_forced_ = false;
     const BlockView block = fields_.block(cell);
@@ -66,55 +67,6 @@ class Sides {
   bool some_forced_ = false;
 };
 
-/// An edge in one cell where nothing is forced: with the difference of the two fields at
-/// the cell's corners.
-class EdgeInCell {
- public:
-  EdgeInCell(const FieldEdge& edge, const std::array<std::int64_t, 3>& cell,
-             const Corners& difference)
-      : difference_(difference) {
-    for (std::size_t a = 0; a < 3; ++a) {
-      first_[a] = edge.first.at[a] - cell[a] * point_one;
-      along_[a] = edge.last.at[a] - edge.first.at[a];
-    }
-  }
-
-  /// Between two steps by whether the difference is above 0: mostly where a straight line
-  /// through the values at both has its root, for that is near.
-  [[nodiscard]] std::int32_t root(std::int32_t low, std::int32_t high) const {
-    std::int64_t at_low = at(low), at_high = at(high);
-    if (at_low <= 0) return low;
-    if (at_high > 0) return high - 1;
-    for (int round = 0; high - low > 1; ++round) {
-      const std::int32_t step = round < most_lines ? on_line(low, at_low, high, at_high)
-                                                   : low + (high - low) / 2;
-      const std::int64_t value = at(step);
-      (value > 0 ? low : high) = step;
-      (value > 0 ? at_low : at_high) = value;
-    }
-    return low;
-  }
-
-  [[nodiscard]] std::int64_t at(std::int32_t step) const {
-    std::array<std::int64_t, 3> within;
-    for (std::size_t a = 0; a < 3; ++a) within[a] = first_[a] + ((along_[a] * step) >> step_bits);
-    return trilinear(difference_, within);
-  }
-
- private:
-  static constexpr int most_lines = 8;
-
-  /// Between two steps and at neither.
-  static std::int32_t on_line(std::int32_t low, std::int64_t at_low, std::int32_t high,
-                              std::int64_t at_high) {
-    const std::int64_t away = (high - low) * at_low / (at_low - at_high);
-    return std::clamp(low + static_cast<std::int32_t>(away), low + 1, high - 1);
-  }
-
-  const Corners& difference_;
-  std::array<std::int64_t, 3> first_{}, along_{};
-};
-
 FieldPoint point_of(const FieldEdge& edge, std::int32_t step) {
   FieldPoint point;
   for (std::size_t a = 0; a < 3; ++a)
@@ -124,7 +76,7 @@ FieldPoint point_of(const FieldEdge& edge, std::int32_t step) {
 }
 
 /// Whether all that lies between two points lies in a cell, its faces included.
-bool holds(const std::array<std::int64_t, 3>& cell, const FieldPoint& one,
+bool holds(const Cell& cell, const FieldPoint& one,
            const FieldPoint& other) {
   for (std::size_t a = 0; a < 3; ++a) {
     const std::int64_t low = cell[a] * point_one, high = low + point_one;
@@ -135,7 +87,7 @@ bool holds(const std::array<std::int64_t, 3>& cell, const FieldPoint& one,
 }
 
 /// The corner of a cell at which a point is, or 8.
-std::size_t corner_at(const std::array<std::int64_t, 3>& cell, const FieldPoint& point) {
+std::size_t corner_at(const Cell& cell, const FieldPoint& point) {
   std::size_t corner = 0;
   for (std::size_t a = 0; a < 3; ++a) {
     const std::int64_t within = point.at[a] - cell[a] * point_one;
@@ -154,12 +106,12 @@ std::int32_t root_between(std::int64_t at_first, std::int64_t at_last) {
 }
 
 /// Of an edge in one cell where nothing is forced.
-std::int32_t root_in(const FieldEdge& edge, const std::array<std::int64_t, 3>& cell,
+std::int32_t root_in(const FieldEdge& edge, const Cell& cell,
                      const Corners& difference) {
   const std::size_t first = corner_at(cell, edge.first), last = corner_at(cell, edge.last);
   if (first < 8 && last < 8 && std::has_single_bit(first ^ last))
     return root_between(difference[first], difference[last]);
-  return EdgeInCell(edge, cell, difference).root(0, steps);
+  return EdgeInCell(edge.first, edge.last, cell, difference).root(0, steps);
 }
 
 /// Of an edge in two cells, as between the centres of two: of which it crosses the common face
@@ -173,11 +125,34 @@ std::optional<std::int32_t> root_in_halves(Sides& sides, const FieldEdge& edge) 
     return std::nullopt;
   const Corners* difference = sides.difference_in(near_first);
   if (difference == nullptr) return std::nullopt;
-  const EdgeInCell before(edge, near_first, *difference);
+  const EdgeInCell before(edge.first, edge.last, near_first, *difference);
   if (before.at(half) <= 0) return before.root(0, half);
   difference = sides.difference_in(near_last);
   if (difference == nullptr) return std::nullopt;
-  return EdgeInCell(edge, near_last, *difference).root(half, steps);
+  return EdgeInCell(edge.first, edge.last, near_last, *difference).root(half, steps);
+}
+
+/// Between two steps whose points lie in one cell the one root that there mostly is is found at
+/// once.
+std::uint16_t bisected(Sides& sides, const FieldExtent& extent, bool leaves,
+                       const FieldEdge& edge) {
+  std::int32_t low = 0;
+  Cell of_low = edge.first.cell(), of_high = edge.last.cell();
+  bool tries = !leaves;
+  for (std::int32_t half = steps / 2; half != 0; half /= 2) {
+    if (tries && of_low == of_high) {
+      tries = false;
+      if (const Corners* difference = sides.difference_in(of_low); difference != nullptr)
+        if (const auto root = EdgeInCell(edge.first, edge.last, of_low, *difference)
+                                  .only_root(low, low + 2 * half))
+          return static_cast<std::uint16_t>(*root);
+    }
+    const FieldPoint middle = point_of(edge, low + half);
+    const bool is_first = (!leaves || extent.contains(middle)) && sides.is_first(middle);
+    if (is_first) low += half;
+    (is_first ? of_low : of_high) = middle.cell();
+  }
+  return static_cast<std::uint16_t>(low);
 }
 
 }  // namespace
@@ -195,12 +170,7 @@ std::uint16_t part(const NodeFields& fields, const FieldExtent& extent, bool for
       return static_cast<std::uint16_t>(*root);
     }
   }
-  std::int32_t low = 0;
-  for (std::int32_t half = steps / 2; half != 0; half /= 2) {
-    const FieldPoint middle = point_of(edge, low + half);
-    if ((!leaves || extent.contains(middle)) && sides.is_first(middle)) low += half;
-  }
-  return static_cast<std::uint16_t>(low);
+  return bisected(sides, extent, leaves, edge);
 }
 
 }  // namespace certet::fields

@@ -4,10 +4,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <limits>
 
-#include "fields/cell_corners.hpp"
 #include "fields/cell_points.hpp"
 
 namespace certet::fields {
@@ -15,30 +13,15 @@ namespace {
 
 std::int64_t count_of(PointSet points) { return std::popcount(points); }
 
-using Pairs [[gnu::vector_size(16)]] = std::int32_t;
-using Shorts [[gnu::vector_size(16)]] = std::int16_t;
-
-/// A field at the corners of a cell, in the order of its points: two in each word.
-Pairs corners_at(const std::int16_t* first_node) {
-  const auto pair = [first_node](std::size_t corner) {
-    std::int32_t both = 0;
-    std::memcpy(&both, first_node + cell_corners[corner], sizeof(both));
-    return both;
-  };
-  return Pairs{pair(0), pair(2), pair(4), pair(6)};
-}
-
-/// Its bits, of all corners together.
-std::uint32_t bits_of(const Pairs& corners) {
+/// Of all corners together.
+std::uint32_t bits_of(const CornerPairs& corners) {
   return static_cast<std::uint32_t>(corners[0] | corners[1] | corners[2] | corners[3]);
 }
 constexpr std::uint32_t sign_bits = 0x80008000;
 
 /// A field at the eight points, 64 times as great.
-void to_quarters(const Pairs& corners, Eight& field) {
-  Shorts shorts;
-  std::memcpy(&shorts, &corners, sizeof(shorts));
-  field = __builtin_convertvector(shorts, Eight);
+void to_quarters(const CornerPairs& corners, Eight& field) {
+  spread(corners, field);
   field = 3 * field + __builtin_shufflevector(field, field, 1, 0, 3, 2, 5, 4, 7, 6);
   field = 3 * field + __builtin_shufflevector(field, field, 2, 3, 0, 1, 6, 7, 4, 5);
   field = 3 * field + __builtin_shufflevector(field, field, 4, 5, 6, 7, 0, 1, 2, 3);
@@ -207,7 +190,7 @@ void TileEstimate::add_cell(const BlockView& block, std::size_t node, PointSet p
   bool behind = false;  // a field is that of a label which is not near
   near_.clear();
   for (std::size_t l = 0; l < block.labels; ++l) {
-    const Pairs corners = corners_at(&held_.values[l * nodes_of_block + node]);
+    const CornerPairs corners = corner_pairs(&held_.values[l * nodes_of_block + node]);
     const std::uint32_t bits = bits_of(corners);
     // Only two of those that are 0 can be ahead of others.
     if (bits == 0 && ++far > 2) continue;

@@ -7,16 +7,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "fields/cell_corners.hpp"
 #include "fields/cell_points.hpp"
 #include "fields/field_tile.hpp"
 #include "fields/hold.hpp"
 #include "fields/region_sums.hpp"
 
 namespace certet::fields {
-
-/// A number for each corner of a cell, or for each of its eight points; a vector of both gcc
-/// and clang.
-using Eight [[gnu::vector_size(32)]] = std::int32_t;
 
 /// How many voxels a surface is away per difference of two fields, in 65536ths.
 struct Slopes {
