@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+
+#include "fields/cell_corners.hpp"
 
 namespace certet::fields {
 namespace {
@@ -62,17 +65,30 @@ class Cubic {
   std::array<double, 4> power_;
 };
 
+/// In the first of all.
+void keep_greatest(Eight& values) {
+  const auto mix = [&values](const Eight& other) {
+    values = values > other ? values : other;
+  };
+  mix(__builtin_shufflevector(values, values, 4, 5, 6, 7, 0, 1, 2, 3));
+  mix(__builtin_shufflevector(values, values, 2, 3, 0, 1, 6, 7, 4, 5));
+  mix(__builtin_shufflevector(values, values, 1, 0, 3, 2, 5, 4, 7, 6));
+}
+
 /// By how much `EdgeInCell::at` may differ from the cubic: its points are rounded by less than
 /// one unit along each axis, its values by less than two, and the doubles here by next to nothing.
 double rounding(const Corners& corner) {
-  std::int32_t x = 0, y = 0, z = 0;
-  for (std::size_t c = 0; c < 4; ++c) {
-    const std::size_t of_y = c + (c & 2), of_z = c;
-    x = std::max(x, std::abs(corner[2 * c + 1] - corner[2 * c]));
-    y = std::max(y, std::abs(corner[of_y + 2] - corner[of_y]));
-    z = std::max(z, std::abs(corner[of_z + 4] - corner[of_z]));
-  }
-  return static_cast<double>(x) + y + z + 4;
+  Eight at;
+  std::memcpy(&at, &corner, sizeof(at));
+  Eight along_x = at - __builtin_shufflevector(at, at, 1, 0, 3, 2, 5, 4, 7, 6);
+  Eight along_y = at - __builtin_shufflevector(at, at, 2, 3, 0, 1, 6, 7, 4, 5);
+  Eight along_z = at - __builtin_shufflevector(at, at, 4, 5, 6, 7, 0, 1, 2, 3);
+  // Of the two ends of an edge of the cell one is the upper: of an axis' eight the greatest is
+  // the steepest edge's.
+  keep_greatest(along_x);
+  keep_greatest(along_y);
+  keep_greatest(along_z);
+  return 4.0 + along_x[0] + along_y[0] + along_z[0];
 }
 
 }  // namespace

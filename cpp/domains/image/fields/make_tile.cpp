@@ -27,6 +27,27 @@ constexpr std::int32_t thin_part_lead(std::int32_t own) {
   return std::clamp(55 * field_one / 32 - 7 * own / 4, 0, 5 * field_one / 4);
 }
 
+/// Which cells of a block have which corners.
+void find_cells(const Node* nodes, Block& block) {
+  // At a cell's first node: whether all corners have one label, and whether one is at risk.
+  std::array<bool, nodes_of_block> uniform, at_risk;
+  for (std::size_t n = 0; n < nodes_of_block; ++n) {
+    uniform[n] = true;
+    at_risk[n] = nodes[n].at_risk();
+  }
+  for (const std::size_t next : {node_number(1, 0, 0), node_number(0, 1, 0), node_number(0, 0, 1)})
+    for (std::size_t n = 0; n + next < nodes_of_block; ++n) {
+      uniform[n] = uniform[n] && uniform[n + next] && nodes[n].own() == nodes[n + next].own();
+      at_risk[n] = at_risk[n] || at_risk[n + next];
+    }
+  for_each_of_cube(block_cells, [&](int x, int y, int z) {
+    const std::size_t node = node_number(x, y, z);
+    const unsigned cell = cell_number({x, y, z});
+    block.parted |= CellSet{!uniform[node]} << cell;
+    block.at_risk |= CellSet{at_risk[node]} << cell;
+  });
+}
+
 }  // namespace
 
 /// The fields of a whole tile, and what its blocks take from them.
@@ -60,13 +81,14 @@ class TileMaker::Fields {
       tile.values.insert(tile.values.end(), gathered_.begin(), gathered_.end());
     }
     if (block.labels == 1) {
-      block = {tile.materials.back(), 0, 0, 0};
+      block = {.only = tile.materials.back()};
       tile.materials.pop_back();
       tile.values.resize(tile.values.size() - nodes_of_block);
       return;
     }
     block.nodes = static_cast<std::uint16_t>(tile.nodes.size() / nodes_of_block);
     add_nodes(corner, block, tile);
+    find_cells(&tile.nodes[nodes_of_block * block.nodes], block);
   }
 
  private:

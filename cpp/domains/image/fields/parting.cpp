@@ -6,66 +6,9 @@
 
 #include "certet/lattice/coord3.hpp"
 #include "fields/edge_in_cell.hpp"
-#include "fields/field_cell.hpp"
-#include "fields/labelling.hpp"
 
 namespace certet::fields {
 namespace {
-
-/// On which side points of an edge are.  The cell of the last point is kept.
-class Sides {
- public:
-  Sides(const NodeFields& fields, bool force, const FieldEdge& edge)
-      : fields_(fields), force_(force), edge_(edge) {}
-
-  bool is_first(const FieldPoint& point) {
-    if (point.cell() != at_) enter(point.cell());
-    const auto within = point.within();
-    if (some_forced_) {
-      const Material forced = forced_[Labelling::nearest_corner(within)];
-      if (forced != not_forced) return forced != edge_.of_last;
-    }
-    return trilinear(difference_, within) > 0;
-  }
-
-  /// Of the two fields, at the corners of a cell; nullptr where one of these is forced.
-  const Corners* difference_in(const Cell& cell) {
-    enter(cell);
-    return some_forced_ ? nullptr : &difference_;
-  }
-
- private:
-  static constexpr Material not_forced = -1;
-
-  void enter(const Cell& cell) {
-    at_ = cell;
-    some_forced_ = false;
-    const BlockView block = fields_.block(cell);
-    if (block.labels == 0) {
-      difference_.fill(block.only == edge_.of_last ? -1 : 1);
-      return;
-    }
-    const FieldCell corners(block, cell);
-    difference_ = corners.values_of(edge_.of_first);
-    const Corners others = corners.values_of(edge_.of_last);
-    for (std::size_t c = 0; c < 8; ++c) difference_[c] -= others[c];
-    if (!force_) return;
-    for (std::size_t c = 0; c < 8; ++c) {
-      const Node& node = corners.node(c);
-      const bool forced = node.at_risk();
-      forced_[c] = forced ? corners.material(node.own()) : not_forced;
-      some_forced_ = some_forced_ || forced;
-    }
-  }
-
-  const NodeFields& fields_;
-  bool force_;
-  const FieldEdge& edge_;
-  std::array<std::int64_t, 3> at_{-1, -1, -1};
-  Corners difference_{};  ///< of the first material's field and the last one's
-  std::array<Material, 8> forced_{};
-  bool some_forced_ = false;
-};
 
 FieldPoint point_of(const FieldEdge& edge, std::int32_t step) {
   FieldPoint point;
@@ -76,8 +19,7 @@ FieldPoint point_of(const FieldEdge& edge, std::int32_t step) {
 }
 
 /// Whether all that lies between two points lies in a cell, its faces included.
-bool holds(const Cell& cell, const FieldPoint& one,
-           const FieldPoint& other) {
+bool holds(const Cell& cell, const FieldPoint& one, const FieldPoint& other) {
   for (std::size_t a = 0; a < 3; ++a) {
     const std::int64_t low = cell[a] * point_one, high = low + point_one;
     if (std::min(one.at[a], other.at[a]) < low || std::max(one.at[a], other.at[a]) > high)
@@ -106,8 +48,7 @@ std::int32_t root_between(std::int64_t at_first, std::int64_t at_last) {
 }
 
 /// Of an edge in one cell where nothing is forced.
-std::int32_t root_in(const FieldEdge& edge, const Cell& cell,
-                     const Corners& difference) {
+std::int32_t root_in(const FieldEdge& edge, const Cell& cell, const Corners& difference) {
   const std::size_t first = corner_at(cell, edge.first), last = corner_at(cell, edge.last);
   if (first < 8 && last < 8 && std::has_single_bit(first ^ last))
     return root_between(difference[first], difference[last]);
@@ -116,7 +57,7 @@ std::int32_t root_in(const FieldEdge& edge, const Cell& cell,
 
 /// Of an edge in two cells, as between the centres of two: of which it crosses the common face
 /// in its middle.
-std::optional<std::int32_t> root_in_halves(Sides& sides, const FieldEdge& edge) {
+std::optional<std::int32_t> root_in_halves(EdgeSides& sides, const FieldEdge& edge) {
   constexpr std::int32_t half = steps / 2;
   const FieldPoint middle = point_of(edge, half);
   const auto near_first = point_of(edge, half / 2).cell();
@@ -134,7 +75,7 @@ std::optional<std::int32_t> root_in_halves(Sides& sides, const FieldEdge& edge) 
 
 /// Between two steps whose points lie in one cell the one root that there mostly is is found at
 /// once.
-std::uint16_t bisected(Sides& sides, const FieldExtent& extent, bool leaves,
+std::uint16_t bisected(EdgeSides& sides, const FieldExtent& extent, bool leaves,
                        const FieldEdge& edge) {
   std::int32_t low = 0;
   Cell of_low = edge.first.cell(), of_high = edge.last.cell();
@@ -157,20 +98,19 @@ std::uint16_t bisected(Sides& sides, const FieldExtent& extent, bool leaves,
 
 }  // namespace
 
-std::uint16_t part(const NodeFields& fields, const FieldExtent& extent, bool force,
-                   const FieldEdge& edge) {
-  Sides sides(fields, force, edge);
-  const bool leaves = !extent.contains(edge.last);
+std::uint16_t Parting::operator()(const FieldEdge& edge) {
+  sides_.start(edge);
+  const bool leaves = !extent_.contains(edge.last);
   if (!leaves) {
-    const auto cell = point_of(edge, steps / 2).cell();
+    const Cell cell = point_of(edge, steps / 2).cell();
     if (holds(cell, edge.first, edge.last)) {
-      if (const Corners* difference = sides.difference_in(cell); difference != nullptr)
+      if (const Corners* difference = sides_.difference_in(cell); difference != nullptr)
         return static_cast<std::uint16_t>(root_in(edge, cell, *difference));
-    } else if (const auto root = root_in_halves(sides, edge)) {
+    } else if (const auto root = root_in_halves(sides_, edge)) {
       return static_cast<std::uint16_t>(*root);
     }
   }
-  return bisected(sides, extent, leaves, edge);
+  return bisected(sides_, extent_, leaves, edge);
 }
 
 }  // namespace certet::fields
