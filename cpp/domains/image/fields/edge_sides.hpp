@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 
 #include "fields/cell_corners.hpp"
 #include "fields/field_cell.hpp"
@@ -36,18 +37,37 @@ class EdgeSides {
   }
 
   bool is_first(const FieldPoint& point) {
-    if (const Cell cell = point.cell(); cell != at_) enter(cell);
-    const auto within = point.within();
-    if (some_forced_) {
-      const Material forced = forced_[Labelling::nearest_corner(within)];
-      if (forced != not_forced) return forced != of_last_;
-    }
-    return trilinear(difference_, within) > 0;
+    const auto forced = forced_at(point);
+    return forced ? *forced : trilinear(difference_, point.within()) > 0;
+  }
+
+  /// Where a label is forced, whether that is the first side.
+  std::optional<bool> forced_at(const FieldPoint& point) {
+    enter(point.cell());
+    if (!some_forced_) return std::nullopt;
+    const Material forced = forced_[Labelling::nearest_corner(point.within())];
+    if (forced == not_forced) return std::nullopt;
+    return forced != of_last_;
+  }
+
+  /// Of the two fields, at the corners of a point's cell.
+  const Corners& difference_at(const FieldPoint& point) {
+    enter(point.cell());
+    return difference_;
+  }
+
+  /// Whether two points lie in one cell, where some labels are forced nearest to one corner.
+  bool are_together(const FieldPoint& one, const FieldPoint& other) {
+    const Cell cell = one.cell();
+    if (cell != other.cell()) return false;
+    enter(cell);
+    return !some_forced_ || Labelling::nearest_corner(one.within()) ==
+                                Labelling::nearest_corner(other.within());
   }
 
   /// Of the two fields, at the corners of a cell; nullptr where one of these is forced.
   const Corners* difference_in(const Cell& cell) {
-    if (cell != at_) enter(cell);
+    enter(cell);
     return some_forced_ ? nullptr : &difference_;
   }
 
@@ -60,6 +80,10 @@ class EdgeSides {
   }
 
   void enter(const Cell& cell) {
+    if (cell != at_) enter_new(cell);
+  }
+
+  void enter_new(const Cell& cell) {
     at_ = cell;
     some_forced_ = false;
     if (const Cell block = block_of(cell); block != block_at_) {

@@ -73,25 +73,32 @@ std::optional<std::int32_t> root_in_halves(EdgeSides& sides, const FieldEdge& ed
   return EdgeInCell(edge.first, edge.last, near_last, *difference).root(half, steps);
 }
 
-/// Between two steps whose points lie in one cell the one root that there mostly is is found at
-/// once.
+/// The last step of the first side between two whose points lie in one cell, and on one side
+/// of its middle along each axis if labels are forced in it; none where it is not certain.
+std::optional<std::int32_t> within_cell(EdgeSides& sides, const FieldEdge& edge,
+                                        const FieldPoint& low_point, std::int32_t low,
+                                        std::int32_t high) {
+  if (const auto forced = sides.forced_at(low_point)) return *forced ? high - 1 : low;
+  return EdgeInCell(edge.first, edge.last, low_point.cell(), sides.difference_at(low_point))
+      .only_root(low, high);
+}
+
+/// By halves, until what is left lies in one cell.
 std::uint16_t bisected(EdgeSides& sides, const FieldExtent& extent, bool leaves,
                        const FieldEdge& edge) {
   std::int32_t low = 0;
-  Cell of_low = edge.first.cell(), of_high = edge.last.cell();
+  FieldPoint low_point = edge.first, high_point = edge.last;
   bool tries = !leaves;
   for (std::int32_t half = steps / 2; half != 0; half /= 2) {
-    if (tries && of_low == of_high) {
+    if (tries && sides.are_together(low_point, high_point)) {
       tries = false;
-      if (const Corners* difference = sides.difference_in(of_low); difference != nullptr)
-        if (const auto root = EdgeInCell(edge.first, edge.last, of_low, *difference)
-                                  .only_root(low, low + 2 * half))
-          return static_cast<std::uint16_t>(*root);
+      if (const auto root = within_cell(sides, edge, low_point, low, low + 2 * half))
+        return static_cast<std::uint16_t>(*root);
     }
     const FieldPoint middle = point_of(edge, low + half);
     const bool is_first = (!leaves || extent.contains(middle)) && sides.is_first(middle);
     if (is_first) low += half;
-    (is_first ? of_low : of_high) = middle.cell();
+    (is_first ? low_point : high_point) = middle;
   }
   return static_cast<std::uint16_t>(low);
 }
