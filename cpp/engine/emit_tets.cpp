@@ -53,6 +53,7 @@ class TetEmitter {
   void emit_material_word(const MaterialCells& cells, int w) {
     const auto [any, whole] = cells.kinds(w);
     emit_cells(any, whole, w, [&](int b) {
+      known_ = 0;
       cells.for_each_tet(64 * w + b, [&](std::size_t c, const UnstructuredTet& tet, Material) {
         if (is_structured(c, b)) emit_tet(c, tet, w, b);
       });
@@ -160,6 +161,7 @@ class TetEmitter {
   /// (cpp/docs/pictures/stencils.svg).
   void emit_cell(const CellWord& word, int w, int b) {
     const std::array<Sign, cell_vertex_count> sign = word.signs(b);
+    known_ = 0;
     for (std::size_t c = 0; c < cell_tet_count; ++c) {
       if (!is_structured(c, b)) continue;
       const auto& corner = cell.corner[c];
@@ -176,13 +178,22 @@ class TetEmitter {
     ++out_;
   }
 
-  [[nodiscard]] Index vertex_number(std::size_t c, StencilVertex v, int w, int b) const {
+  [[nodiscard]] Index vertex_number(std::size_t c, StencilVertex v, int w, int b) {
     if (v.is_cut()) {
       const EdgeRef& edge = cell.edge[c][v.a][v.b];
       return point(edge.kind, edge.owner, w, b);
     }
-    const VertexRef& corner = cell.vertices[cell.corner[c][v.a]];
-    return point(corner.grid, corner.shift, w, b);
+    return corner_number(cell.corner[c][v.a], w, b);
+  }
+
+  /// Many tetrahedra of a cell share a vertex.
+  [[nodiscard]] Index corner_number(std::size_t vertex, int w, int b) {
+    if ((known_ >> vertex & 1) == 0) {
+      const VertexRef& corner = cell.vertices[vertex];
+      corners_[vertex] = point(corner.grid, corner.shift, w, b);
+      known_ |= 1U << vertex;
+    }
+    return corners_[vertex];
   }
 
   const SignPlanes& planes_;
@@ -193,6 +204,8 @@ class TetEmitter {
   RowWindow window_;  ///< rows j..j+1 of layers k..k+1
   StencilChoice stencil_of_;
   std::array<std::array<Index, 2>, 2> first_point_{};
+  std::array<Index, cell_vertex_count> corners_{};  ///< of the cell that is emitted
+  unsigned known_ = 0;                              ///< those that are
   Tet<Index>* out_;
 };
 

@@ -108,17 +108,17 @@ class LatticeRows {
  public:
   LatticeRows(const PlacedDomain& domain, std::vector<ImageRegion>& regions)
       : domain_(domain), regions_(regions), region_of_(regions),
-        signs_(static_cast<std::size_t>(domain.lattice().cells[0])), materials_(signs_.size(), 1) {}
+        signs_(static_cast<std::size_t>(domain.lattice().cells[0])), materials_(signs_.size()) {}
 
   void operator()(std::int32_t r, std::int32_t k, Row& row) {
     const std::int32_t odd = r & 1;
     const Coord3 first =
         domain_.lattice().origin + Coord3{odd, (r & ~1) + odd, 2 * k + odd};
-    domain_.row(first, signs_);
     const std::span<const std::int32_t> labels = domain_.labels();
     if (labels.size() > 1) domain_.row_materials(first, materials_);
-    for (std::size_t i = 0; i < signs_.size(); ++i) {
-      if (signs_[i] != Sign::plus) continue;
+    else find_signs(first);
+    for (std::size_t i = 0; i < materials_.size(); ++i) {
+      if (materials_[i] == 0) continue;
       const std::int64_t label =
           labels.empty() ? 0 : labels[static_cast<std::size_t>(materials_[i]) - 1];
       add(static_cast<std::int64_t>(i), region_of_(label), row);
@@ -126,6 +126,12 @@ class LatticeRows {
   }
 
  private:
+  void find_signs(Coord3 first) {
+    domain_.row(first, signs_);
+    std::ranges::transform(signs_, materials_.begin(),
+                           [](Sign sign) { return Material{sign == Sign::plus}; });
+  }
+
   void add(std::int64_t i, std::uint32_t region, Row& row) {
     if (region == nothing) return;
     ++regions_[region].points;
@@ -139,7 +145,7 @@ class LatticeRows {
   std::vector<ImageRegion>& regions_;
   RegionOf region_of_;
   std::vector<Sign> signs_;
-  std::vector<Material> materials_;  ///< 1 everywhere, where there is but one
+  std::vector<Material> materials_;
 };
 
 /// The edge, in voxels, of the largest cube in a region: of the cubes that end at a
@@ -180,10 +186,13 @@ void count_labels(const Image& image, const Buffer<T>& voxels, const LabelSet& s
   std::vector<std::pair<std::int64_t, std::uint64_t>> runs;  // label, voxels
   for (std::int64_t z = 0; z < image.size[2]; ++z) {
     for (std::int64_t y = 0; y < image.size[1]; ++y)
-      for (const T voxel : voxel_row(image, voxels, y, z)) {
-        if (runs.empty() || runs.back().first != static_cast<std::int64_t>(voxel))
-          runs.emplace_back(voxel, 0);
-        ++runs.back().second;
+      for (auto row = voxel_row(image, voxels, y, z); !row.empty();) {
+        const auto end = std::ranges::find_if(row, [&](T voxel) { return voxel != row[0]; });
+        const auto count = static_cast<std::uint64_t>(end - row.begin());
+        if (runs.empty() || runs.back().first != static_cast<std::int64_t>(row[0]))
+          runs.emplace_back(row[0], 0);
+        runs.back().second += count;
+        row = row.subspan(count);
       }
     // One entry for each label, so that there are never many.
     std::sort(runs.begin(), runs.end());

@@ -14,11 +14,8 @@ namespace certet::fields {
 
 class FieldCell {
  public:
-  FieldCell(const BlockView& block, const std::array<std::int64_t, 3>& cell)
-      : block_(block),
-        first_(node_number(static_cast<int>(cell[0] % block_cells),
-                           static_cast<int>(cell[1] % block_cells),
-                           static_cast<int>(cell[2] % block_cells))) {}
+  FieldCell(const BlockView& block, const Cell& cell)
+      : block_(block), first_(first_node_number(cell)) {}
 
   [[nodiscard]] const Node& node(std::size_t corner) const {
     return block_.nodes[first_ + cell_corners[corner]];
@@ -28,16 +25,11 @@ class FieldCell {
 
   /// What the field of a label is at the corners.
   [[nodiscard]] Corners values(std::size_t label) const {
-    const std::int16_t* value = block_.values + label * nodes_of_block + first_;
+    Eight spread_out;
+    spread(corner_pairs(block_.values + label * nodes_of_block + first_), spread_out);
     Corners corners;
-    for (std::size_t c = 0; c < 8; ++c) corners[c] = value[cell_corners[c]];
+    std::memcpy(&corners, &spread_out, sizeof(corners));
     return corners;
-  }
-  /// The same by material: 0 where it is not near.
-  [[nodiscard]] Corners values_of(Material material) const {
-    for (std::size_t l = 0; l < block_.labels; ++l)
-      if (block_.materials[l] == material) return values(l);
-    return {};
   }
 
  private:

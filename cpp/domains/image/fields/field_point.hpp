@@ -12,11 +12,15 @@ namespace certet::fields {
 inline constexpr int point_bits = 20;
 inline constexpr std::int64_t point_one = std::int64_t{1} << point_bits;
 
+/// The numbers of a cell along the axes: cell c lies between nodes c and c + 1, which are
+/// voxels c - 1 and c.
+using Cell = std::array<std::int64_t, 3>;
+
 /// Coordinates in nodes, along the stored axes of the image, in 2^20ths.
 struct FieldPoint {
   std::array<std::int64_t, 3> at;
 
-  [[nodiscard]] std::array<std::int64_t, 3> cell() const {
+  [[nodiscard]] Cell cell() const {
     return {at[0] >> point_bits, at[1] >> point_bits, at[2] >> point_bits};
   }
   /// How far into its cell.

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "certet/domain.hpp"
+#include "fields/field_point.hpp"
 
 namespace certet::fields {
 
@@ -23,10 +24,6 @@ inline constexpr int tile_blocks = 4;  ///< a tile has 4 x 4 x 4 blocks
 inline constexpr int tile_cells = tile_blocks * block_cells;
 inline constexpr int tile_nodes = tile_cells + 1;
 inline constexpr std::size_t blocks_of_tile = tile_blocks * tile_blocks * tile_blocks;
-
-/// The numbers of a cell along the axes: cell c lies between nodes c and c + 1, which are
-/// voxels c - 1 and c.
-using Cell = std::array<std::int64_t, 3>;
 
 /// A field is kept in 16384ths.
 inline constexpr int field_bits = 14;
@@ -50,6 +47,16 @@ struct Node {
   [[nodiscard]] bool thin() const { return (bits & thin_bit) != 0; }
 };
 
+/// A bit for each cell of a block, the first axis running fastest.
+using CellSet = std::uint64_t;
+
+/// The number of a cell in its block.
+constexpr unsigned cell_number(const Cell& cell) {
+  constexpr std::int64_t mask = block_cells - 1;
+  return static_cast<unsigned>((cell[0] & mask) | (cell[1] & mask) * block_cells |
+                               (cell[2] & mask) * (block_cells * block_cells));
+}
+
 /// A block of a tile.  Where several labels are near, `values` has one field after the
 /// other, each of 125 nodes, the first axis running fastest; a label that no voxel in
 /// reach of a node has is 0 there.
@@ -58,7 +65,11 @@ struct Block {
   std::uint16_t labels = 0;     ///< 0: one
   std::uint16_t nodes = 0;      ///< where the block stands among those of several labels
   std::uint32_t first = 0;      ///< of its labels in the tile's list
+  CellSet parted = 0;           ///< the cells whose corners are voxels of several labels
+  CellSet at_risk = 0;          ///< those that have a corner at risk
 };
+
+static_assert((block_cells & (block_cells - 1)) == 0 && tile_blocks == 4, "bits number them");
 
 /// The number of a node in a block.
 constexpr std::size_t node_number(int x, int y, int z) {
@@ -83,6 +94,13 @@ constexpr std::size_t block_number(int x, int y, int z) {
   return static_cast<std::size_t>((z * tile_blocks + y) * tile_blocks + x);
 }
 
+/// The number of a cell's first node in its block.
+constexpr std::size_t first_node_number(const Cell& cell) {
+  constexpr std::int64_t mask = block_cells - 1;
+  return static_cast<std::size_t>(((cell[2] & mask) * block_nodes + (cell[1] & mask)) * block_nodes +
+                                  (cell[0] & mask));
+}
+
 /// What a block holds, wherever it is kept.
 struct BlockView {
   Material only = 0;
@@ -90,6 +108,7 @@ struct BlockView {
   const Material* materials = nullptr;
   const Node* nodes = nullptr;
   const std::int16_t* values = nullptr;
+  CellSet parted = 0, at_risk = 0;
 };
 
 struct Tile {
@@ -99,9 +118,9 @@ struct Tile {
   std::vector<Node> nodes;           ///< 125 for each block of several labels
 
   [[nodiscard]] BlockView view(const Block& block) const {
-    if (block.labels == 0) return {block.only, 0, nullptr, nullptr, nullptr};
+    if (block.labels == 0) return {.only = block.only};
     return {0, block.labels, &materials[block.first], &nodes[nodes_of_block * block.nodes],
-            &values[nodes_of_block * block.first]};
+            &values[nodes_of_block * block.first], block.parted, block.at_risk};
   }
 
   [[nodiscard]] std::uint64_t bytes() const {

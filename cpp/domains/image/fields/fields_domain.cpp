@@ -82,7 +82,7 @@ class FieldsDomain final : public InterfaceDomain {
         out[i] = 0;
         continue;
       }
-      const auto cell = point.cell();
+      const Cell cell = point.cell();
       if (cell[0] / block_cells != block_from) {
         block_from = cell[0] / block_cells;
         block = fields_.block(cell);
@@ -117,11 +117,11 @@ class FieldsDomain final : public InterfaceDomain {
   }
 
   void part(std::span<const PartedEdge> edges, std::span<std::uint16_t> out) const override {
-    std::ranges::transform(edges, out.begin(), [this](const PartedEdge& edge) {
+    Parting parting(fields_, frame_.extent(), !keeps_voxels());
+    std::ranges::transform(edges, out.begin(), [&](const PartedEdge& edge) {
       const FieldPoint first = frame_.at_lattice(edge.first);
       const Material of_first = edge.of_first != 0 ? edge.of_first : labelling_(first);
-      return fields::part(fields_, frame_.extent(), !keeps_voxels(),
-                          {first, frame_.at_lattice(edge.last), of_first, edge.of_last});
+      return parting({first, frame_.at_lattice(edge.last), of_first, edge.of_last});
     });
   }
 

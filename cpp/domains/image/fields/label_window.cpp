@@ -8,10 +8,10 @@ namespace certet::fields {
 namespace {
 
 /// Ascending.
-std::vector<Material> different_ones(const std::vector<Material>& all) {
-  std::vector<Material> found;  // where runs begin
-  for (const Material material : all)
-    if (found.empty() || material != found.back()) found.push_back(material);
+std::vector<Material> different_ones(const std::vector<MaterialRun>& runs) {
+  std::vector<Material> found;
+  for (const MaterialRun& run : runs)
+    if (found.empty() || run.material != found.back()) found.push_back(run.material);
   std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());  // clang 14 refuses ranges
   return found;
@@ -47,20 +47,14 @@ LabelWindow window_around(const MaterialImage& image, const Treads& treads,
   VoxelCube cube{{}, window.width};
   // Node n is voxel n - 1.
   for (std::size_t a = 0; a < 3; ++a) cube.low[a] = first[a] - 1 - halo;
-  std::vector<Material> all(static_cast<std::size_t>(window.width * window.width * window.width));
-  image.read(cube, all);
-  window.materials = different_ones(all);
+  std::vector<MaterialRun> runs;
+  image.append_runs(cube, runs);
+  window.materials = different_ones(runs);
   if (window.materials.size() == 1) return window;
-  window.ranks.resize(all.size());
-  Material last = -1;
-  std::uint16_t rank = 0;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i] != last) {
-      last = all[i];
-      rank = rank_of(window, last);
-    }
-    window.ranks[i] = rank;
-  }
+  window.ranks.resize(static_cast<std::size_t>(window.width * window.width * window.width));
+  auto voxel = window.ranks.begin();
+  for (const MaterialRun& run : runs)
+    voxel = std::fill_n(voxel, run.length, rank_of(window, run.material));
   add_shares(treads, cube, window);
   return window;
 }

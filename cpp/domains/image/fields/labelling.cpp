@@ -57,24 +57,15 @@ bool is_corner(const std::array<std::int64_t, 3>& within) {
   return (within[0] | within[1] | within[2]) == 0;
 }
 
-/// Whether all corners of a cell have the same label.
-bool is_uniform(const FieldCell& cell) {
-  const std::size_t own = cell.node(0).own();
-  bool uniform = true;
-  for (std::size_t corner = 1; corner < 8; ++corner)
-    uniform = uniform && cell.node(corner).own() == own;
-  return uniform;
-}
-
 bool is_centre(const std::array<std::int64_t, 3>& within) {
   return within == std::array<std::int64_t, 3>{point_one / 2, point_one / 2, point_one / 2};
 }
 
 }  // namespace
 
-Material Labelling::in_cell(const FieldCell& cell,
-                            const std::array<std::int64_t, 3>& within) const {
-  if (is_corner(within) || is_uniform(cell)) return cell.material(cell.node(0).own());
+Material Labelling::in_parted_cell(const FieldCell& cell,
+                                   const std::array<std::int64_t, 3>& within) const {
+  if (is_corner(within)) return cell.material(cell.node(0).own());
   const Node& nearest = cell.node(nearest_corner(within));
   if (force_ && nearest.at_risk()) return cell.material(nearest.own());
   const Candidates candidates(cell, within);

@@ -26,14 +26,17 @@ class Labelling {
       : fields_(fields), centres_(centres), force_(force) {}
 
   [[nodiscard]] Material operator()(const FieldPoint& point) const {
-    const auto cell = point.cell();
+    const Cell cell = point.cell();
     return in_block(fields_.block(cell), cell, point);
   }
 
   /// The same, of a block that is known to hold the point's cell.
-  [[nodiscard]] Material in_block(const BlockView& block, const std::array<std::int64_t, 3>& cell,
+  [[nodiscard]] Material in_block(const BlockView& block, const Cell& cell,
                                   const FieldPoint& point) const {
-    return block.labels == 0 ? block.only : in_cell(FieldCell(block, cell), point.within());
+    if (block.labels == 0) return block.only;
+    const FieldCell corners(block, cell);
+    if ((block.parted >> cell_number(cell) & 1) == 0) return corners.material(corners.node(0).own());
+    return in_parted_cell(corners, point.within());
   }
 
   /// The corner that is nearest; of equally near ones the upper.
@@ -45,8 +48,8 @@ class Labelling {
   }
 
  private:
-  [[nodiscard]] Material in_cell(const FieldCell& cell,
-                                 const std::array<std::int64_t, 3>& within) const;
+  [[nodiscard]] Material in_parted_cell(const FieldCell& cell,
+                                        const std::array<std::int64_t, 3>& within) const;
 
   const NodeFields& fields_;
   Centres centres_;

@@ -27,6 +27,27 @@ constexpr std::int32_t thin_part_lead(std::int32_t own) {
   return std::clamp(55 * field_one / 32 - 7 * own / 4, 0, 5 * field_one / 4);
 }
 
+/// Which cells of a block have which corners.
+void find_cells(const Node* nodes, Block& block) {
+  // At a cell's first node: whether all corners have one label, and whether one is at risk.
+  std::array<bool, nodes_of_block> uniform, at_risk;
+  for (std::size_t n = 0; n < nodes_of_block; ++n) {
+    uniform[n] = true;
+    at_risk[n] = nodes[n].at_risk();
+  }
+  for (const std::size_t next : {node_number(1, 0, 0), node_number(0, 1, 0), node_number(0, 0, 1)})
+    for (std::size_t n = 0; n + next < nodes_of_block; ++n) {
+      uniform[n] = uniform[n] && uniform[n + next] && nodes[n].own() == nodes[n + next].own();
+      at_risk[n] = at_risk[n] || at_risk[n + next];
+    }
+  for_each_of_cube(block_cells, [&](int x, int y, int z) {
+    const std::size_t node = node_number(x, y, z);
+    const unsigned cell = cell_number({x, y, z});
+    block.parted |= CellSet{!uniform[node]} << cell;
+    block.at_risk |= CellSet{at_risk[node]} << cell;
+  });
+}
+
 }  // namespace
 
 /// The fields of a whole tile, and what its blocks take from them.
@@ -57,76 +78,87 @@ class TileMaker::Fields {
       if (!gather(rank, corner)) continue;
       block_rank_[rank] = block.labels++;
       tile.materials.push_back(window_->materials[rank]);
-      tile.values.insert(tile.values.end(), gathered_.begin(), gathered_.end());
+      tile.values.insert(tile.values.end(), gathered_.begin(), gathered_.begin() + nodes_of_block);
     }
     if (block.labels == 1) {
-      block = {tile.materials.back(), 0, 0, 0};
+      block = {.only = tile.materials.back()};
       tile.materials.pop_back();
       tile.values.resize(tile.values.size() - nodes_of_block);
       return;
     }
     block.nodes = static_cast<std::uint16_t>(tile.nodes.size() / nodes_of_block);
     add_nodes(corner, block, tile);
+    find_cells(&tile.nodes[nodes_of_block * block.nodes], block);
   }
 
  private:
   /// The values of a label in a block.  \returns whether there is one that is not 0.
   bool gather(std::size_t rank, const std::array<int, 3>& corner) {
-    unsigned some = 0;
-    auto out = gathered_.begin();
+    using Five [[gnu::vector_size(16)]] = std::uint16_t;  // and three that are written over
+    constexpr auto all = static_cast<std::uint16_t>(-1);
+    constexpr Five five{all, all, all, all, all, 0, 0, 0};
+    Five some{};
+    std::int16_t* out = gathered_.data();
     for (int z = corner[2]; z < corner[2] + block_nodes; ++z)
       for (int y = corner[1]; y < corner[1] + block_nodes; ++y, out += block_nodes) {
-        const std::uint16_t* wide = wide_.row(rank, y, z);
-        const std::uint16_t* narrow = some_thin_ ? narrow_.row(rank, y, z) : nullptr;
-        if (wide == nullptr) {  // then the other is, too
-          std::fill_n(out, block_nodes, std::int16_t{0});
-          continue;
-        }
-        const bool* thin = some_thin_ ? &thin_[tile_node_number(0, y, z)] : nullptr;
-        for (int x = 0; x < block_nodes; ++x) {
-          const int at = corner[0] + x;
-          std::uint16_t value = wide[at];
-          if (thin != nullptr && thin[at]) value = narrow == nullptr ? 0 : narrow[at];
-          out[x] = static_cast<std::int16_t>(value);
-          some |= value;
-        }
+        Five values{};
+        if (const std::uint16_t* wide = wide_.row(rank, y, z); wide != nullptr)
+          std::memcpy(&values, wide + corner[0], sizeof(values));
+        if (some_thin_) narrow(rank, {corner[0], y, z}, values);
+        std::memcpy(out, &values, sizeof(values));
+        some |= values & five;
       }
-    return some != 0;
+    std::array<std::uint64_t, 2> words;
+    std::memcpy(&words, &some, sizeof(some));
+    return (words[0] | words[1]) != 0;
+  }
+
+  /// Where a label has no wide row it has no narrow one.
+  template <class Five>
+  void narrow(std::size_t rank, const std::array<int, 3>& first, Five& values) const {
+    const bool* thin = &thin_[tile_node_number(first[0], first[1], first[2])];
+    if (!(thin[0] || thin[1] || thin[2] || thin[3] || thin[4])) return;
+    const std::uint16_t* row = narrow_.row(rank, first[1], first[2]);
+    for (std::size_t x = 0; x < block_nodes; ++x)
+      if (thin[x]) values[x] = row == nullptr ? 0 : row[first[0] + static_cast<int>(x)];
   }
 
   void add_nodes(const std::array<int, 3>& corner, const Block& block, Tile& tile) const {
     const std::int16_t* values = &tile.values[nodes_of_block * block.first];
-    std::size_t n = 0;
+    const std::size_t first = tile.nodes.size();
+    tile.nodes.resize(first + nodes_of_block);
+    Node* node = &tile.nodes[first];
+    const int halo = window_->halo;
     for (int z = corner[2]; z < corner[2] + block_nodes; ++z)
-      for (int y = corner[1]; y < corner[1] + block_nodes; ++y)
-        for (int x = corner[0]; x < corner[0] + block_nodes; ++x, ++n) {
-          const int halo = window_->halo;
-          const unsigned own =
-              block_rank_[window_->ranks[window_->at(x + halo, y + halo, z + halo)]];
-          unsigned bits = own;
-          if (some_thin_ && thin_[tile_node_number(x, y, z)]) bits |= Node::thin_bit;
-          if (at_risk_[tile_node_number(x, y, z)]) bits |= Node::at_risk_bit;
-          tile.nodes.push_back({static_cast<std::uint16_t>(bits),
-                                lead_bits_of(x, y, z, values[own * nodes_of_block + n])});
+      for (int y = corner[1]; y < corner[1] + block_nodes; ++y) {
+        const std::size_t in_window = window_->at(corner[0] + halo, y + halo, z + halo);
+        const std::size_t in_tile = tile_node_number(corner[0], y, z);
+        for (std::size_t x = 0; x < block_nodes; ++x, ++node, ++values) {
+          const unsigned own = block_rank_[window_->ranks[in_window + x]];
+          const bool thin = some_thin_ && thin_[in_tile + x];
+          node->bits = static_cast<std::uint16_t>(own | (thin ? Node::thin_bit : 0) |
+                                                  (at_risk_[in_tile + x] ? Node::at_risk_bit : 0));
+          node->lead_bits = static_cast<std::uint16_t>(thin ? thin_lead : least_lead);
+          if (slender_[in_tile + x] != Slender::no)
+            node->lead_bits = lead_bits_of(slender_[in_tile + x], in_window + x, node->lead(),
+                                           values[own * nodes_of_block]);
         }
+      }
   }
 
-  /// `own` is the value of the node's own label.
-  [[nodiscard]] std::uint16_t lead_bits_of(int x, int y, int z, std::int32_t own) const {
-    const std::size_t node = tile_node_number(x, y, z);
-    std::int32_t lead = some_thin_ && thin_[node] ? thin_lead : least_lead;
+  /// Of a slender voxel with that lead at least; `own` is the value of its own label.
+  [[nodiscard]] std::uint16_t lead_bits_of(Slender slender, std::size_t in_window,
+                                           std::int32_t lead, std::int32_t own) const {
     // A voxel that shares is meant to have the surface nearer to its centre.
-    if (slender_[node] != Slender::no && !shares(x, y, z)) lead = std::max(lead, row_lead(own));
-    if (slender_[node] == Slender::part) lead = std::max(lead, part_lead(own));
-    if (slender_[node] == Slender::thin_part) lead = std::max(lead, thin_part_lead(own));
-    const bool firm = slender_[node] == Slender::thin_part;
+    if (!shares(in_window)) lead = std::max(lead, row_lead(own));
+    if (slender == Slender::part) lead = std::max(lead, part_lead(own));
+    if (slender == Slender::thin_part) lead = std::max(lead, thin_part_lead(own));
+    const bool firm = slender == Slender::thin_part;
     return static_cast<std::uint16_t>(lead | (firm ? Node::firm_bit : 0));
   }
 
-  [[nodiscard]] bool shares(int x, int y, int z) const {
-    const auto& parts = window_->parts;
-    const int halo = window_->halo;
-    return !parts.empty() && parts[window_->at(x + halo, y + halo, z + halo)] != 0;
+  [[nodiscard]] bool shares(std::size_t in_window) const {
+    return !window_->parts.empty() && window_->parts[in_window] != 0;
   }
 
   const Rules& rules_;
@@ -136,7 +168,7 @@ class TileMaker::Fields {
   bool some_thin_ = false;
   NodeFlags thin_{}, at_risk_{};
   Slenderness slender_{};
-  std::array<std::int16_t, nodes_of_block> gathered_{};
+  std::array<std::int16_t, nodes_of_block + 3> gathered_{};
   std::vector<std::uint16_t> block_rank_;  ///< of the window's materials
 };
 

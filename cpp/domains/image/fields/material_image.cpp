@@ -91,20 +91,31 @@ void MaterialImage::find_bounds() {
       image_->voxels);
 }
 
-void MaterialImage::read(const VoxelCube& cube, std::span<Material> out) const {
+void MaterialImage::append_runs(const VoxelCube& cube, std::vector<MaterialRun>& runs) const {
   const auto within = [&](std::size_t axis, std::int64_t at) {
     return std::clamp<std::int64_t>(cube.low[axis] + at, 0, size()[axis] - 1);
   };
+  const std::int64_t first = within(0, 0), last = within(0, cube.width - 1);
+  // How many more there are of the outermost ones.
+  const auto before = static_cast<std::int32_t>(first - cube.low[0]);
+  const auto behind = static_cast<std::int32_t>(cube.low[0] + cube.width - 1 - last);
   std::visit(
       [&](const auto& voxels) {
         MaterialOfVoxel material(set_, table_);
-        auto element = out.begin();
         for (std::int64_t z = 0; z < cube.width; ++z)
           for (std::int64_t y = 0; y < cube.width; ++y) {
             const auto row =
                 voxels.data() + (within(2, z) * size()[1] + within(1, y)) * size()[0];
-            for (std::int64_t x = 0; x < cube.width; ++x)
-              *element++ = material(static_cast<std::int64_t>(row[within(0, x)]));
+            const std::size_t start = runs.size();
+            for (auto from = row + first; from != row + last + 1;) {
+              const auto to = std::find_if(from, row + last + 1,
+                                           [from](auto voxel) { return voxel != *from; });
+              runs.push_back({material(static_cast<std::int64_t>(*from)),
+                              static_cast<std::int32_t>(to - from)});
+              from = to;
+            }
+            runs[start].length += before;
+            runs.back().length += behind;
           }
       },
       image_->voxels);

@@ -22,6 +22,12 @@ struct VoxelCube {
   std::int64_t width;
 };
 
+/// So many voxels one after the other, no more than one row.
+struct MaterialRun {
+  Material material;
+  std::int32_t length;
+};
+
 class MaterialImage {
  public:
   /// \throws Error as `label_domain`.
@@ -36,9 +42,9 @@ class MaterialImage {
   /// Of all voxels that have a material.
   [[nodiscard]] const VoxelBox& bounds() const { return bounds_; }
 
-  /// Materials of the voxels of a cube, the first axis running fastest; beyond the
-  /// image its outermost voxels go on.  `out` has width^3 elements.
-  void read(const VoxelCube& cube, std::span<Material> out) const;
+  /// Appends runs of one material each in the voxels of a cube, the first axis running fastest;
+  /// beyond the image its outermost voxels go on.
+  void append_runs(const VoxelCube& cube, std::vector<MaterialRun>& runs) const;
 
   /// Materials of some voxels of the image along its first axis, each written `stride` elements
   /// behind the one before.

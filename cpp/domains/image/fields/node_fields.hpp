@@ -38,13 +38,16 @@ class NodeFields {
 
   /// The block of a cell.  Cells are numbered from 0 to the number of voxels.
   [[nodiscard]] BlockView block(const Cell& cell) const {
-    const std::size_t t = tile_number(cell[0] / tile_cells, cell[1] / tile_cells,
-                                      cell[2] / tile_cells);
-    if (!tiles_[t]) return {only_[t], 0, nullptr, nullptr, nullptr};
-    const auto along = [&](std::size_t a) {
-      return static_cast<int>(cell[a] / block_cells % tile_blocks);
+    const auto along = [&](std::size_t a) { return static_cast<std::uint64_t>(cell[a]); };
+    const auto tile = [&](std::size_t a) {
+      return static_cast<std::int64_t>(along(a) / tile_cells);
     };
-    return tiles_[t]->view(tiles_[t]->blocks[block_number(along(0), along(1), along(2))]);
+    const std::size_t t = tile_number(tile(0), tile(1), tile(2));
+    if (!tiles_[t]) return {.only = only_[t]};
+    const auto block = [&](std::size_t a) {
+      return static_cast<int>(along(a) / block_cells % tile_blocks);
+    };
+    return tiles_[t]->view(tiles_[t]->blocks[block_number(block(0), block(1), block(2))]);
   }
 
   /// The material that all points of some cells have, where none other is near.

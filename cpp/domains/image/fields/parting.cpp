@@ -5,115 +5,10 @@
 #include <optional>
 
 #include "certet/lattice/coord3.hpp"
-#include "fields/field_cell.hpp"
-#include "fields/labelling.hpp"
+#include "fields/edge_in_cell.hpp"
 
 namespace certet::fields {
 namespace {
-
-/// On which side points of an edge are.  The cell of the last point is kept.
-class Sides {
- public:
-  Sides(const NodeFields& fields, bool force, const FieldEdge& edge)
-      : fields_(fields), force_(force), edge_(edge) {}
-
-  bool is_first(const FieldPoint& point) {
-    if (point.cell() != at_) enter(point.cell());
-    const auto within = point.within();
-    if (some_forced_) {
-      const Material forced = forced_[Labelling::nearest_corner(within)];
-      if (forced != not_forced) return forced != edge_.of_last;
-    }
-    return trilinear(difference_, within) > 0;
-  }
-
-  /// Of the two fields, at the corners of a cell; nullptr where one of these is forced.
-  const Corners* difference_in(const std::array<std::int64_t, 3>& cell) {
-    enter(cell);
-    return some_forced_ ? nullptr : &difference_;
-  }
-
- private:
-  static constexpr Material not_forced = -1;
-
-  void enter(const std::array<std::int64_t, 3>& cell) {
-    at_ = cell;
-    some_forced_ = false;
-    const BlockView block = fields_.block(cell);
-    if (block.labels == 0) {
-      difference_.fill(block.only == edge_.of_last ? -1 : 1);
-      return;
-    }
-    const FieldCell corners(block, cell);
-    difference_ = corners.values_of(edge_.of_first);
-    const Corners others = corners.values_of(edge_.of_last);
-    for (std::size_t c = 0; c < 8; ++c) difference_[c] -= others[c];
-    if (!force_) return;
-    for (std::size_t c = 0; c < 8; ++c) {
-      const Node& node = corners.node(c);
-      const bool forced = node.at_risk();
-      forced_[c] = forced ? corners.material(node.own()) : not_forced;
-      some_forced_ = some_forced_ || forced;
-    }
-  }
-
-  const NodeFields& fields_;
-  bool force_;
-  const FieldEdge& edge_;
-  std::array<std::int64_t, 3> at_{-1, -1, -1};
-  Corners difference_{};  ///< of the first material's field and the last one's
-  std::array<Material, 8> forced_{};
-  bool some_forced_ = false;
-};
-
-/// An edge in one cell where nothing is forced: with the difference of the two fields at
-/// the cell's corners.
-class EdgeInCell {
- public:
-  EdgeInCell(const FieldEdge& edge, const std::array<std::int64_t, 3>& cell,
-             const Corners& difference)
-      : difference_(difference) {
-    for (std::size_t a = 0; a < 3; ++a) {
-      first_[a] = edge.first.at[a] - cell[a] * point_one;
-      along_[a] = edge.last.at[a] - edge.first.at[a];
-    }
-  }
-
-  /// Between two steps by whether the difference is above 0: mostly where a straight line
-  /// through the values at both has its root, for that is near.
-  [[nodiscard]] std::int32_t root(std::int32_t low, std::int32_t high) const {
-    std::int64_t at_low = at(low), at_high = at(high);
-    if (at_low <= 0) return low;
-    if (at_high > 0) return high - 1;
-    for (int round = 0; high - low > 1; ++round) {
-      const std::int32_t step = round < most_lines ? on_line(low, at_low, high, at_high)
-                                                   : low + (high - low) / 2;
-      const std::int64_t value = at(step);
-      (value > 0 ? low : high) = step;
-      (value > 0 ? at_low : at_high) = value;
-    }
-    return low;
-  }
-
-  [[nodiscard]] std::int64_t at(std::int32_t step) const {
-    std::array<std::int64_t, 3> within;
-    for (std::size_t a = 0; a < 3; ++a) within[a] = first_[a] + ((along_[a] * step) >> step_bits);
-    return trilinear(difference_, within);
-  }
-
- private:
-  static constexpr int most_lines = 8;
-
-  /// Between two steps and at neither.
-  static std::int32_t on_line(std::int32_t low, std::int64_t at_low, std::int32_t high,
-                              std::int64_t at_high) {
-    const std::int64_t away = (high - low) * at_low / (at_low - at_high);
-    return std::clamp(low + static_cast<std::int32_t>(away), low + 1, high - 1);
-  }
-
-  const Corners& difference_;
-  std::array<std::int64_t, 3> first_{}, along_{};
-};
 
 FieldPoint point_of(const FieldEdge& edge, std::int32_t step) {
   FieldPoint point;
@@ -124,8 +19,7 @@ FieldPoint point_of(const FieldEdge& edge, std::int32_t step) {
 }
 
 /// Whether all that lies between two points lies in a cell, its faces included.
-bool holds(const std::array<std::int64_t, 3>& cell, const FieldPoint& one,
-           const FieldPoint& other) {
+bool holds(const Cell& cell, const FieldPoint& one, const FieldPoint& other) {
   for (std::size_t a = 0; a < 3; ++a) {
     const std::int64_t low = cell[a] * point_one, high = low + point_one;
     if (std::min(one.at[a], other.at[a]) < low || std::max(one.at[a], other.at[a]) > high)
@@ -135,7 +29,7 @@ bool holds(const std::array<std::int64_t, 3>& cell, const FieldPoint& one,
 }
 
 /// The corner of a cell at which a point is, or 8.
-std::size_t corner_at(const std::array<std::int64_t, 3>& cell, const FieldPoint& point) {
+std::size_t corner_at(const Cell& cell, const FieldPoint& point) {
   std::size_t corner = 0;
   for (std::size_t a = 0; a < 3; ++a) {
     const std::int64_t within = point.at[a] - cell[a] * point_one;
@@ -154,17 +48,16 @@ std::int32_t root_between(std::int64_t at_first, std::int64_t at_last) {
 }
 
 /// Of an edge in one cell where nothing is forced.
-std::int32_t root_in(const FieldEdge& edge, const std::array<std::int64_t, 3>& cell,
-                     const Corners& difference) {
+std::int32_t root_in(const FieldEdge& edge, const Cell& cell, const Corners& difference) {
   const std::size_t first = corner_at(cell, edge.first), last = corner_at(cell, edge.last);
   if (first < 8 && last < 8 && std::has_single_bit(first ^ last))
     return root_between(difference[first], difference[last]);
-  return EdgeInCell(edge, cell, difference).root(0, steps);
+  return EdgeInCell(edge.first, edge.last, cell, difference).root(0, steps);
 }
 
 /// Of an edge in two cells, as between the centres of two: of which it crosses the common face
 /// in its middle.
-std::optional<std::int32_t> root_in_halves(Sides& sides, const FieldEdge& edge) {
+std::optional<std::int32_t> root_in_halves(EdgeSides& sides, const FieldEdge& edge) {
   constexpr std::int32_t half = steps / 2;
   const FieldPoint middle = point_of(edge, half);
   const auto near_first = point_of(edge, half / 2).cell();
@@ -173,34 +66,58 @@ std::optional<std::int32_t> root_in_halves(Sides& sides, const FieldEdge& edge) 
     return std::nullopt;
   const Corners* difference = sides.difference_in(near_first);
   if (difference == nullptr) return std::nullopt;
-  const EdgeInCell before(edge, near_first, *difference);
+  const EdgeInCell before(edge.first, edge.last, near_first, *difference);
   if (before.at(half) <= 0) return before.root(0, half);
   difference = sides.difference_in(near_last);
   if (difference == nullptr) return std::nullopt;
-  return EdgeInCell(edge, near_last, *difference).root(half, steps);
+  return EdgeInCell(edge.first, edge.last, near_last, *difference).root(half, steps);
+}
+
+/// The last step of the first side between two whose points lie in one cell, and on one side
+/// of its middle along each axis if labels are forced in it; none where it is not certain.
+std::optional<std::int32_t> within_cell(EdgeSides& sides, const FieldEdge& edge,
+                                        const FieldPoint& low_point, std::int32_t low,
+                                        std::int32_t high) {
+  if (const auto forced = sides.forced_at(low_point)) return *forced ? high - 1 : low;
+  return EdgeInCell(edge.first, edge.last, low_point.cell(), sides.difference_at(low_point))
+      .only_root(low, high);
+}
+
+/// By halves, until what is left lies in one cell.
+std::uint16_t bisected(EdgeSides& sides, const FieldExtent& extent, bool leaves,
+                       const FieldEdge& edge) {
+  std::int32_t low = 0;
+  FieldPoint low_point = edge.first, high_point = edge.last;
+  bool tries = !leaves;
+  for (std::int32_t half = steps / 2; half != 0; half /= 2) {
+    if (tries && sides.are_together(low_point, high_point)) {
+      tries = false;
+      if (const auto root = within_cell(sides, edge, low_point, low, low + 2 * half))
+        return static_cast<std::uint16_t>(*root);
+    }
+    const FieldPoint middle = point_of(edge, low + half);
+    const bool is_first = (!leaves || extent.contains(middle)) && sides.is_first(middle);
+    if (is_first) low += half;
+    (is_first ? low_point : high_point) = middle;
+  }
+  return static_cast<std::uint16_t>(low);
 }
 
 }  // namespace
 
-std::uint16_t part(const NodeFields& fields, const FieldExtent& extent, bool force,
-                   const FieldEdge& edge) {
-  Sides sides(fields, force, edge);
-  const bool leaves = !extent.contains(edge.last);
+std::uint16_t Parting::operator()(const FieldEdge& edge) {
+  sides_.start(edge);
+  const bool leaves = !extent_.contains(edge.last);
   if (!leaves) {
-    const auto cell = point_of(edge, steps / 2).cell();
+    const Cell cell = point_of(edge, steps / 2).cell();
     if (holds(cell, edge.first, edge.last)) {
-      if (const Corners* difference = sides.difference_in(cell); difference != nullptr)
+      if (const Corners* difference = sides_.difference_in(cell); difference != nullptr)
         return static_cast<std::uint16_t>(root_in(edge, cell, *difference));
-    } else if (const auto root = root_in_halves(sides, edge)) {
+    } else if (const auto root = root_in_halves(sides_, edge)) {
       return static_cast<std::uint16_t>(*root);
     }
   }
-  std::int32_t low = 0;
-  for (std::int32_t half = steps / 2; half != 0; half /= 2) {
-    const FieldPoint middle = point_of(edge, low + half);
-    if ((!leaves || extent.contains(middle)) && sides.is_first(middle)) low += half;
-  }
-  return static_cast<std::uint16_t>(low);
+  return bisected(sides_, extent_, leaves, edge);
 }
 
 }  // namespace certet::fields

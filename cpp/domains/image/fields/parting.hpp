@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "fields/edge_sides.hpp"
 #include "fields/field_point.hpp"
 #include "fields/node_fields.hpp"
 
@@ -19,18 +20,23 @@ struct FieldExtent {
   }
 };
 
-/// An edge from a point of one material to a point of another.
-struct FieldEdge {
-  FieldPoint first, last;
-  Material of_first, of_last;
-};
+/// Of one edge after the other.
+class Parting {
+ public:
+  Parting(const NodeFields& fields, const FieldExtent& extent, bool force)
+      : extent_(extent), sides_(fields, force) {}
 
-/// The number of steps, of 2^step_bits in all, after which the edge is on the side of
-/// its last end: the field of that one's label is as great as the other's, or the point
-/// lies beyond the image, or, if those at risk are forced to keep their labels, in a voxel
-/// at risk of the last material (in one of any other it is on the side of the first).  If that is so more than once, one of
-/// those steps; 0 if it is so from the start, the last step if never.
-std::uint16_t part(const NodeFields& fields, const FieldExtent& extent, bool force,
-                   const FieldEdge& edge);
+  /// The number of steps, of 2^step_bits in all, after which the edge is on the side of
+  /// its last end: the field of that one's label is as great as the other's, or the point
+  /// lies beyond the image, or, if those at risk are forced to keep their labels, in a voxel
+  /// at risk of the last material (in one of any other it is on the side of the first).  If that
+  /// is so more than once, one of those steps; 0 if it is so from the start, the last step if
+  /// never.
+  std::uint16_t operator()(const FieldEdge& edge);
+
+ private:
+  const FieldExtent& extent_;
+  EdgeSides sides_;
+};
 
 }  // namespace certet::fields

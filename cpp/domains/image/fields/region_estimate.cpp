@@ -4,10 +4,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <limits>
 
-#include "fields/cell_corners.hpp"
 #include "fields/cell_points.hpp"
 
 namespace certet::fields {
@@ -15,30 +13,15 @@ namespace {
 
 std::int64_t count_of(PointSet points) { return std::popcount(points); }
 
-using Pairs [[gnu::vector_size(16)]] = std::int32_t;
-using Shorts [[gnu::vector_size(16)]] = std::int16_t;
-
-/// A field at the corners of a cell, in the order of its points: two in each word.
-Pairs corners_at(const std::int16_t* first_node) {
-  const auto pair = [first_node](std::size_t corner) {
-    std::int32_t both = 0;
-    std::memcpy(&both, first_node + cell_corners[corner], sizeof(both));
-    return both;
-  };
-  return Pairs{pair(0), pair(2), pair(4), pair(6)};
-}
-
-/// Its bits, of all corners together.
-std::uint32_t bits_of(const Pairs& corners) {
+/// Of all corners together.
+std::uint32_t bits_of(const CornerPairs& corners) {
   return static_cast<std::uint32_t>(corners[0] | corners[1] | corners[2] | corners[3]);
 }
 constexpr std::uint32_t sign_bits = 0x80008000;
 
 /// A field at the eight points, 64 times as great.
-void to_quarters(const Pairs& corners, Eight& field) {
-  Shorts shorts;
-  std::memcpy(&shorts, &corners, sizeof(shorts));
-  field = __builtin_convertvector(shorts, Eight);
+void to_quarters(const CornerPairs& corners, Eight& field) {
+  spread(corners, field);
   field = 3 * field + __builtin_shufflevector(field, field, 1, 0, 3, 2, 5, 4, 7, 6);
   field = 3 * field + __builtin_shufflevector(field, field, 2, 3, 0, 1, 6, 7, 4, 5);
   field = 3 * field + __builtin_shufflevector(field, field, 4, 5, 6, 7, 0, 1, 2, 3);
@@ -65,9 +48,7 @@ class Winners {
 
   [[nodiscard]] std::size_t first(std::size_t point) const { return number(first_[point]); }
   [[nodiscard]] std::size_t second(std::size_t point) const { return number(second_[point]); }
-  [[nodiscard]] std::int64_t ahead(std::size_t point) const {
-    return std::int64_t{first_[point] >> bits} - (second_[point] >> bits);
-  }
+  void find_ahead(Eight& ahead) const { ahead = (first_ >> bits) - (second_ >> bits); }
 
  private:
   static constexpr int bits = std::countr_zero(std::uint32_t{most_labels});
@@ -82,9 +63,19 @@ class Winners {
 /// its width, in 16384ths of a voxel.
 constexpr std::int64_t settled = field_one / 4;
 
-/// The least margin that is as much.
-std::int16_t settled_margin(std::int64_t slope) {
-  return static_cast<std::int16_t>(((settled << 16) + slope - 1) / slope);
+constexpr int lower_bits = 9;
+
+/// All bits of those that are among the points.
+void choose(PointSet points, Eight& all_bits) {
+  constexpr Eight bit{1, 2, 4, 8, 16, 32, 64, 128};
+  all_bits = (bit & static_cast<std::int32_t>(points)) != 0;
+}
+
+std::int32_t sum_of(const Eight& eight) {
+  Eight values = eight;
+  values += __builtin_shufflevector(values, values, 4, 5, 6, 7, 0, 1, 2, 3);
+  values += __builtin_shufflevector(values, values, 2, 3, 0, 1, 6, 7, 4, 5);
+  return values[0] + values[1];
 }
 
 /// The least margin of the corners of each cell, at its first node: between them no margin is
@@ -124,6 +115,21 @@ std::int32_t slope_of(double deviation) {
   return static_cast<std::int32_t>(std::lround(65536 * 1.25 * deviation));
 }
 
+/// The slope is taken in two parts, so that 32 bits hold all products.
+Ramp::Ramp(std::int32_t slope)
+    : upper_(slope >> lower_bits),
+      lower_(slope & ((1 << lower_bits) - 1)),
+      settled_(static_cast<std::int32_t>(((settled << (16 + 6)) + slope - 1) / slope)),
+      area_((2 * std::int64_t{field_one} * slope) >> 16),
+      settled_margin_(static_cast<std::int16_t>(((settled << 16) + slope - 1) / slope)) {}
+
+void Ramp::find_parts(const Eight& ahead, Eight& parts) const {
+  const Eight bounded = ahead < settled_ ? ahead : Eight{} + settled_;
+  const Eight inside =
+      (bounded * upper_ + (bounded * lower_ >> lower_bits)) >> (16 + 6 - lower_bits);
+  parts = ahead < settled_ ? field_one / 2 + 2 * inside : Eight{} + field_one;
+}
+
 void TileEstimate::add_uniform(Material material, const Cell& first_cell,
                                int cells) {
   std::int64_t points = 1;
@@ -143,7 +149,6 @@ void TileEstimate::add_block(const BlockView& block,
   raise_and_hold(block, constants, hold, held_);
   const OfNodes least = least_margins(held_);
   const bool within = is_within(first_cell, size_), some_thin = is_thin(block);
-  const std::int16_t wide = settled_margin(slopes_.wide), narrow = settled_margin(slopes_.narrow);
   // Of settled cells one after the other; mostly they have one label.
   std::size_t settled_label = 0;
   std::int64_t settled_points = 0;
@@ -156,9 +161,8 @@ void TileEstimate::add_block(const BlockView& block,
     const PointSet points =
         within ? 0xff
                : points_within<2>({first_cell[0] + x, first_cell[1] + y, first_cell[2] + z}, size_);
-    const bool thin = some_thin && is_thin(block, node);
-    if (least[node] < (thin ? narrow : wide))
-      return add_cell(block, node, points, thin ? slopes_.narrow : slopes_.wide);
+    const Ramp& ramp = some_thin && is_thin(block, node) ? narrow_ : wide_;
+    if (least[node] < ramp.settled_margin()) return add_cell(block, node, points, ramp);
     const auto own = static_cast<std::size_t>(held_.own[node]);
     if (own != settled_label) add_settled();
     settled_label = own;
@@ -167,87 +171,59 @@ void TileEstimate::add_block(const BlockView& block,
   add_settled();
 }
 
-/// What regions of two labels have of some points.
-class TileEstimate::Parts {
- public:
-  Parts(Material first, Material second, std::int64_t slope)
-      : first_(first), second_(second), slope_(slope) {}
-
-  /// A point that is x voxels inside gives a part of min(1, 1/2 + 2x) to the label with the
-  /// greatest field, and the rest to the second.  `ahead` is 64 times by how much the first
-  /// one's is greater; of equal ones it is the first.
-  void add(std::int64_t ahead) {
-    const std::int64_t inside = (std::abs(ahead) * slope_) >> (16 + 6);
-    const bool is_settled = inside >= settled;
-    const std::int64_t part = is_settled ? field_one : field_one / 2 + 2 * inside;
-    of_first_ += ahead >= 0 ? part : field_one - part;
-    of_second_ += ahead >= 0 ? field_one - part : part;
-    unsettled_ += is_settled ? 0 : 1;
-  }
-
-  void add_to(RegionSums& sums) const {
-    sums.add_volume(first_, of_first_);
-    sums.add_volume(second_, of_second_);
-    if (unsettled_ != 0)
-      sums.add_area(first_, second_, unsettled_ * ((2 * field_one * slope_) >> 16));
-  }
-
-  [[nodiscard]] bool are_of(Material first, Material second) const {
-    return first == first_ && second == second_;
-  }
-
- private:
-  Material first_, second_;
-  std::int64_t slope_, of_first_ = 0, of_second_ = 0, unsettled_ = 0;
-};
-
 void TileEstimate::add_cell(const BlockView& block, std::size_t node, PointSet points,
-                            std::int64_t slope) {
-  std::size_t near = 0, far = 0;
+                            const Ramp& ramp) {
+  near_.resize(std::max(near_.size(), block.labels));
+  near_materials_.resize(near_.size());
+  std::size_t count = 0, near = 0, far = 0, first = 0, second = 0;
   bool behind = false;  // a field is that of a label which is not near
-  near_.clear();
   for (std::size_t l = 0; l < block.labels; ++l) {
-    const Pairs corners = corners_at(&held_.values[l * nodes_of_block + node]);
+    const CornerPairs corners = corner_pairs(&held_.values[l * nodes_of_block + node]);
     const std::uint32_t bits = bits_of(corners);
     // Only two of those that are 0 can be ahead of others.
     if (bits == 0 && ++far > 2) continue;
-    near += bits != 0 ? 1 : 0;
     behind = behind || (bits & sign_bits) != 0;
-    if (near_.size() == static_cast<std::size_t>(Winners::most_labels)) continue;
-    near_.push_back({Eight{}, block.materials[l], bits != 0});
-    to_quarters(corners, near_.back().values);
+    if (bits != 0 && ++near <= 2) (near == 1 ? first : second) = count;
+    if (count == static_cast<std::size_t>(Winners::most_labels)) continue;
+    near_materials_[count] = block.materials[l];
+    to_quarters(corners, near_[count++]);
   }
-  if (near != 2 || (behind && far != 0)) return add_several(points, slope);
-  const auto is_near = [](const Field& field) { return field.is_near; };
-  const auto first = std::ranges::find_if(near_, is_near);
-  const auto second = std::ranges::find_if(first + 1, near_.end(), is_near);
-  add_two(*first, *second, points, slope);
+  near_count_ = count;
+  if (near != 2 || (behind && far != 0)) add_several(points, ramp);
+  else add_two(first, second, points, ramp);
 }
 
-void TileEstimate::add_two(const Field& first, const Field& second, PointSet points,
-                           std::int64_t slope) {
-  const Eight ahead = first.values - second.values;
-  Parts parts(first.of, second.of, slope);
-  for (std::size_t p = 0; p < 8; ++p)
-    if ((points >> p & 1) != 0) parts.add(ahead[p]);
-  parts.add_to(sums_);
+/// Of equal fields it is the first.
+void TileEstimate::add_two(std::size_t first, std::size_t second, PointSet points,
+                           const Ramp& ramp) {
+  const Eight ahead = near_[first] - near_[second];
+  Eight parts, within;
+  ramp.find_parts(ahead < 0 ? -ahead : ahead, parts);
+  choose(points, within);
+  const std::int32_t of_first = sum_of((ahead >= 0 ? parts : field_one - parts) & within);
+  const std::int64_t unsettled = -sum_of((parts < field_one) & within);
+  const Material one = near_materials_[first], other = near_materials_[second];
+  sums_.add_volume(one, of_first);
+  sums_.add_volume(other, field_one * count_of(points) - of_first);
+  if (unsettled != 0) sums_.add_area(one, other, unsettled * ramp.area());
 }
 
-void TileEstimate::add_several(PointSet points, std::int64_t slope) {
+void TileEstimate::add_several(PointSet points, const Ramp& ramp) {
   Winners winners;
-  for (std::size_t i = 0; i < near_.size(); ++i)
-    winners.add(near_[i].values, static_cast<std::int32_t>(i));
-  Parts parts(near_[0].of, near_[1].of, slope);
+  for (std::size_t i = 0; i < near_count_; ++i)
+    winners.add(near_[i], static_cast<std::int32_t>(i));
+  Eight ahead, parts;
+  winners.find_ahead(ahead);
+  ramp.find_parts(ahead, parts);
   for (std::size_t p = 0; p < 8; ++p) {
     if ((points >> p & 1) == 0) continue;
-    const Material first = near_[winners.first(p)].of, second = near_[winners.second(p)].of;
-    if (!parts.are_of(first, second)) {
-      parts.add_to(sums_);
-      parts = Parts(first, second, slope);
-    }
-    parts.add(winners.ahead(p));
+    const Material first = near_materials_[winners.first(p)];
+    sums_.add_volume(first, parts[p]);
+    if (parts[p] == field_one) continue;
+    const Material second = near_materials_[winners.second(p)];
+    sums_.add_volume(second, field_one - parts[p]);
+    sums_.add_area(first, second, ramp.area());
   }
-  parts.add_to(sums_);
 }
 
 }  // namespace certet::fields

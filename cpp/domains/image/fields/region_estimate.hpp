@@ -7,16 +7,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "fields/cell_corners.hpp"
 #include "fields/cell_points.hpp"
 #include "fields/field_tile.hpp"
 #include "fields/hold.hpp"
 #include "fields/region_sums.hpp"
 
 namespace certet::fields {
-
-/// A number for each corner of a cell, or for each of its eight points; a vector of both gcc
-/// and clang.
-using Eight [[gnu::vector_size(32)]] = std::int32_t;
 
 /// How many voxels a surface is away per difference of two fields, in 65536ths.
 struct Slopes {
@@ -27,13 +24,33 @@ struct Slopes {
 /// of the fields on both sides of a plane rises by 2 / sqrt(2 pi) per deviation.
 std::int32_t slope_of(double deviation);
 
+/// What the label with the greatest field has of the eighth of a voxel around a point, and the
+/// second one the rest: of a point that is x voxels inside it has min(1, 1/2 + 2x).
+class Ramp {
+ public:
+  explicit Ramp(std::int32_t slope);
+
+  /// In 16384ths, by 64 times how much the first field is ahead: not less than 0.
+  void find_parts(const Eight& ahead, Eight& parts) const;
+  /// Of the surface that a point stands for which is not all of one label.
+  [[nodiscard]] std::int64_t area() const { return area_; }
+  /// How far ahead labels are whose points are theirs altogether.
+  [[nodiscard]] std::int16_t settled_margin() const { return settled_margin_; }
+
+ private:
+  std::int32_t upper_, lower_;  ///< bits of the slope
+  std::int32_t settled_;        ///< in 64 times a field's unit
+  std::int64_t area_;
+  std::int16_t settled_margin_;
+};
+
 /// Adds what a tile has of each region, at points a quarter of a cell's width from its
 /// faces.
 class TileEstimate {
  public:
   /// `size` is the image's, in voxels.
   TileEstimate(const std::array<std::int64_t, 3>& size, const Slopes& slopes, RegionSums& sums)
-      : size_(size), slopes_(slopes), sums_(sums) {}
+      : size_(size), wide_(slopes.wide), narrow_(slopes.narrow), sums_(sums) {}
 
   /// So many cells along each axis of one material.
   void add_uniform(Material material, const Cell& first_cell, int cells);
@@ -43,23 +60,18 @@ class TileEstimate {
                  const Constants& constants, bool hold);
 
  private:
-  class Parts;
-  /// At the points of a cell, 64 times as great.
-  struct Field {
-    Eight values;
-    Material of;
-    bool is_near;  ///< not 0 in the whole cell
-  };
-
-  void add_cell(const BlockView& block, std::size_t node, PointSet points, std::int64_t slope);
-  void add_two(const Field& first, const Field& second, PointSet points, std::int64_t slope);
-  void add_several(PointSet points, std::int64_t slope);
+  void add_cell(const BlockView& block, std::size_t node, PointSet points, const Ramp& ramp);
+  void add_two(std::size_t first, std::size_t second, PointSet points, const Ramp& ramp);
+  void add_several(PointSet points, const Ramp& ramp);
 
   std::array<std::int64_t, 3> size_;
-  Slopes slopes_;
+  Ramp wide_, narrow_;
   RegionSums& sums_;
   HeldBlock held_;
-  std::vector<Field> near_;  ///< of the cell
+  /// Of the cell: fields at its points, 64 times as great, and whose they are.
+  std::vector<Eight> near_;
+  std::vector<Material> near_materials_;
+  std::size_t near_count_ = 0;
 };
 
 }  // namespace certet::fields

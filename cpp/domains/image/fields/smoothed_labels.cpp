@@ -1,6 +1,11 @@
 #include "smoothed_labels.hpp"
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include <algorithm>
+#include <cstring>
 #include <span>
 
 #include "fields/field_tile.hpp"
@@ -15,10 +20,38 @@ void grow(std::vector<std::uint16_t>& values, std::size_t size) {
   if (values.size() < size) values.resize(size);
 }
 
-/// Adds a row with a weight in 65536ths.
-void add_row(const std::uint16_t* row, std::uint16_t weight, std::uint16_t* sum) {
-  for (std::size_t x = 0; x < length; ++x)
-    sum[x] = static_cast<std::uint16_t>(sum[x] + ((std::uint32_t{row[x]} * weight) >> 16));
+/// Of a row.
+using EightShorts [[gnu::vector_size(16)]] = std::uint16_t;
+
+/// Adds the upper halves of products.
+[[gnu::always_inline]] inline void add_times(const std::uint16_t* row, const EightShorts& weights,
+                                             EightShorts& sum) {
+  EightShorts eight;
+  std::memcpy(&eight, row, sizeof(eight));
+#ifdef __SSE2__
+  sum += reinterpret_cast<EightShorts>(_mm_mulhi_epu16(reinterpret_cast<__m128i>(eight),
+                                                       reinterpret_cast<__m128i>(weights)));
+#else
+  for (std::size_t x = 0; x < 8; ++x)
+    sum[x] = static_cast<std::uint16_t>(sum[x] + ((std::uint32_t{eight[x]} * weights[x]) >> 16));
+#endif
+}
+
+/// Rows that lie `stride` apart, with weights in 65536ths each.
+void add_rows(const std::uint16_t* rows, std::size_t stride,
+              std::span<const std::uint16_t> weights, std::uint16_t* sum) {
+  static_assert(length == 3 * 8, "three registers hold a row");
+  EightShorts first{}, second{}, third{};
+  for (const std::uint16_t weight : weights) {
+    EightShorts of_weight = EightShorts{} + weight;
+    add_times(rows, of_weight, first);
+    add_times(rows + 8, of_weight, second);
+    add_times(rows + 16, of_weight, third);
+    rows += stride;
+  }
+  std::memcpy(sum, &first, sizeof(first));
+  std::memcpy(sum + 8, &second, sizeof(second));
+  std::memcpy(sum + 16, &third, sizeof(third));
 }
 
 /// Row number `at` of rows that start with number `low`, smoothed across them.
@@ -28,11 +61,13 @@ void smooth_across(const std::uint16_t* rows, std::size_t stride, int low, int h
     std::copy_n(rows + static_cast<std::size_t>(at - low) * stride, length, sum);
     return;
   }
-  std::fill_n(sum, length, std::uint16_t{0});
   const int radius = taps.radius();
-  for (int t = std::max(low, at - radius); t <= std::min(high, at + radius); ++t)
-    add_row(rows + static_cast<std::size_t>(t - low) * stride,
-            taps.weights[static_cast<std::size_t>(t - at + radius)], sum);
+  const int first = std::max(low, at - radius), last = std::min(high, at + radius);
+  if (first > last) return static_cast<void>(std::fill_n(sum, length, std::uint16_t{0}));
+  add_rows(rows + static_cast<std::size_t>(first - low) * stride, stride,
+           std::span(taps.weights).subspan(static_cast<std::size_t>(first - at + radius),
+                                           static_cast<std::size_t>(last - first + 1)),
+           sum);
 }
 
 /// The indicator of a label along a row of the window, smoothed at the tile's nodes.
@@ -52,8 +87,7 @@ void smooth_row(const LabelWindow& window, std::size_t first, std::uint16_t rank
   if (taps.weights.empty()) {
     std::copy_n(from, length, sum);
   } else {
-    std::fill_n(sum, length, std::uint16_t{0});
-    for (const std::uint16_t weight : taps.weights) add_row(from++, weight, sum);
+    add_rows(from, 1, taps.weights, sum);
   }
   std::fill(sum + tile_nodes, sum + length, std::uint16_t{0});
 }
