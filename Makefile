@@ -26,8 +26,8 @@
 #   make tsan             the engine's tests under the thread sanitizer
 #   make valgrind         the bridge to OCaml under valgrind
 #   make mutation         single defects seeded into the core, and how many the tests catch
-#   make soak             10,000 random domains, thin images, fields of signs and domains of several
-#                         labels each, meshed and verified
+#   make soak             10,000 random domains, thin images, fields of signs, domains of several labels
+#                         and graded ones each, meshed and verified
 #   make fuzz             libFuzzer against every reader and the core, FUZZ_SECONDS (60) each
 #   make fuzz-memory      what it learnt, again under valgrind: memory that nobody wrote
 
@@ -198,6 +198,7 @@ soak: everything
 	$(BUILD)/bin/certet_thin_soak --images $(SOAK_COUNT) --fields $(SOAK_COUNT) $(if $(SOAK_SEED),--seed $(SOAK_SEED)) --report $(BUILD)/soak/thin.md
 	$(BUILD)/bin/certet_thin_soak --method key --images $(SOAK_COUNT) --fields $(SOAK_COUNT) $(if $(SOAK_SEED),--seed $(SOAK_SEED)) --report $(BUILD)/soak/key.md
 	$(BUILD)/bin/certet_label_soak --count $(SOAK_COUNT) $(if $(SOAK_SEED),--seed $(SOAK_SEED)) --report $(BUILD)/soak/labels.md
+	$(BUILD)/bin/certet_graded_soak --count $(SOAK_COUNT) $(if $(SOAK_SEED),--seed $(SOAK_SEED)) --report $(BUILD)/soak/graded.md
 
 # A minute for each target; findings in build-fuzz/findings, the seed may be given.
 FUZZ_SECONDS ?= 60

@@ -255,6 +255,15 @@ std::vector<PlacedMaterialTet> settle_materials(Thresholds t, const certet::Latt
                                            cells[2]);
 }
 
+std::vector<PlacedMaterialTet> grade_materials(Thresholds t, bool settles, int levels,
+                                               const certet::Lattice& lattice,
+                                               const MaterialDomain& domain) {
+  const auto& [o, cells] = lattice;
+  return placed_by<closures::MaterialMesh>("certified.grade_materials", domain, t.long_edge,
+                                           t.short_edge, settles ? 1 : 0, levels, o.x, o.y, o.z,
+                                           cells[0], cells[1], cells[2]);
+}
+
 std::vector<PlacedMaterialTet> halve_materials(
     const certet::Lattice& lattice, const std::function<Material(Coord3)>& material) {
   const auto& [o, cells] = lattice;

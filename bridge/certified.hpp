@@ -222,4 +222,11 @@ std::vector<PlacedMaterialTet> settle_materials(Thresholds thresholds,
 std::vector<PlacedMaterialTet> halve_materials(
     const certet::Lattice& lattice, const std::function<Material(Coord3)>& material);
 
+/// The mesh of `settle_materials` or, where nobody settles, of `halve_materials`, graded by so
+/// many levels: names and what they stand for are the certificate's; cells are kept where
+/// points are of more than one material, or moved.  In an order of its own.
+std::vector<PlacedMaterialTet> grade_materials(Thresholds thresholds, bool settles, int levels,
+                                               const certet::Lattice& lattice,
+                                               const MaterialDomain& domain);
+
 }  // namespace certified

@@ -254,14 +254,26 @@ let emit_of_material frame (material, UT (a, b, c, d)) =
 let settle_materials frame long short ox oy oz nx ny nz =
   let lattice = lattice ox oy oz nx ny nz in
   let domain = Material_domain.within lattice (material_domain frame) in
-  let iter_tets, _ = Material_mesher.settled (thresholds long short) lattice domain in
-  iter_tets (emit_of_material frame)
+  Material_mesher.iter_tets
+    (Material_mesher.settle (thresholds long short) lattice domain)
+    lattice (emit_of_material frame)
 
 let halve_materials frame ox oy oz nx ny nz =
   let lattice = lattice ox oy oz nx ny nz in
   let domain = Material_domain.within lattice (material_domain frame) in
-  Material_mesher.iter_unmoved lattice (Material_domain.midpoint domain)
-    (emit_of_material frame)
+  Material_mesher.iter_tets
+    (Material_mesher.unmoved (Material_domain.midpoint domain))
+    lattice (emit_of_material frame)
+
+(* Graded, by points that settle or stay where they are. *)
+let grade_materials frame long short settles levels ox oy oz nx ny nz =
+  let lattice = lattice ox oy oz nx ny nz in
+  let domain = Material_domain.within lattice (material_domain frame) in
+  let mesh =
+    if settles <> 0 then Material_mesher.settle (thresholds long short) lattice domain
+    else Material_mesher.unmoved (Material_domain.midpoint domain)
+  in
+  Grader.iter_material_tets mesh levels lattice (emit_of_material frame)
 
 let () =
   Callback.register_exception "certified.parked" Parked;
@@ -288,4 +300,5 @@ let () =
   Callback.register "certified.material_tets" material_tets;
   Callback.register "certified.is_well_shaped" is_well_shaped;
   Callback.register "certified.settle_materials" settle_materials;
-  Callback.register "certified.halve_materials" halve_materials
+  Callback.register "certified.halve_materials" halve_materials;
+  Callback.register "certified.grade_materials" grade_materials

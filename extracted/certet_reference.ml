@@ -11,6 +11,7 @@ let usage =
   \  --signs FILE\n\
   \  --materials FILE\n\
    all in lattice units, of which a long edge has two.\n\
+   --grade N makes tetrahedra up to N times twice as large away from the surface.\n\
    Exit status: 0 done, 1 failed, 2 not understood."
 
 exception Usage of string
@@ -25,6 +26,7 @@ type request = {
   mutable materials : string option;
   mutable guarantee : guarantee;
   mutable midpoint : bool;
+  mutable grade : int;
   mutable output : string option;
 }
 
@@ -43,6 +45,7 @@ let read_request () =
       materials = None;
       guarantee = Pieces;
       midpoint = false;
+      grade = 0;
       output = None;
     }
   in
@@ -66,6 +69,9 @@ let read_request () =
       ( "--midpoint",
         Arg.Unit (fun () -> r.midpoint <- true),
         " cut edges in the middle, warp nothing" );
+      ( "--grade",
+        Arg.Int (fun n -> r.grade <- n),
+        "N levels of larger tetrahedra away from the surface, 0 to 3" );
     ]
   in
   (match Arg.parse_argv Sys.argv options (fun s -> r.output <- Some s) usage with
@@ -135,12 +141,19 @@ let mesh_of_one request =
   let made iter_tets position =
     numbered key position (fun visit -> iter_tets (fun tet -> visit (Z0, tet)))
   in
+  let graded mesh =
+    made
+      (Grader.iter_tets mesh request.grade lattice)
+      (fun v -> Convert.point_of_coord3 (mesh.positionIn v))
+  in
   let by_the_paper thresholds =
-    made (Mesher.iter_tets thresholds lattice domain) (Mesher.position thresholds domain)
+    if request.grade > 0 then graded (Mesher.mesh thresholds domain)
+    else made (Mesher.iter_tets thresholds lattice domain) (Mesher.position thresholds domain)
   in
   let settled diagonals thresholds =
     let settled = Settler.settle ~diagonals levelGap thresholds lattice domain in
-    made (Settler.iter_tets settled) (Settler.position settled)
+    if request.grade > 0 then graded (Settler.mesh settled)
+    else made (Settler.iter_tets settled) (Settler.position settled)
   in
   match request.guarantee with
   | _ when request.midpoint -> by_the_paper noWarpThresholds
@@ -153,16 +166,16 @@ let mesh_of_one request =
 let mesh_of_several request file =
   let lattice, domain = Sign_file.read_materials file in
   let domain = Material_domain.within lattice domain in
-  let iter_tets =
-    if request.midpoint then
-      Material_mesher.iter_unmoved lattice (Material_domain.midpoint domain)
-    else
-      let iter_tets, _ = Material_mesher.settled angleThresholds lattice domain in
-      iter_tets
+  let mesh =
+    if request.midpoint then Material_mesher.unmoved (Material_domain.midpoint domain)
+    else Material_mesher.settle angleThresholds lattice domain
   in
-  numbered Convert.point_of_coord3 Convert.point_of_coord3 iter_tets
+  numbered Convert.point_of_coord3 Convert.point_of_coord3
+    (if request.grade > 0 then Grader.iter_material_tets mesh request.grade lattice
+     else Material_mesher.iter_tets mesh lattice)
 
 let mesh_of = function
+  | { grade; _ } when grade < 0 || grade > 3 -> raise (Usage "--grade takes 0 to 3 levels")
   | { materials = Some file; signs = None; solid = None; lattice = None; guarantee = Pieces; _ }
     as request ->
       mesh_of_several request file

@@ -5,7 +5,7 @@ open Convert
 let parents below =
   closedCells (fun level c -> match level with O -> below c | S _ -> false) (S O)
 
-let octree sign levels =
+let octree_around is_kept levels =
   let remembered decide =
     let known = Hashtbl.create 4096 in
     fun c -> Domain.remembered known (point_of_coord3 c) (fun () -> decide c)
@@ -16,10 +16,18 @@ let octree sign levels =
       let cells = remembered cells in
       cells :: build (parents cells) (level + 1)
   in
-  let by_level = Array.of_list (build (isNearSurface sign) 0) in
+  let by_level = Array.of_list (build is_kept 0) in
   fun level c ->
     let n = int_of_nat level in
     n >= levels || by_level.(n) c
+
+let octree sign = octree_around (isNearSurface sign)
+
+(* Points of a cell that can be left out are all inside one material, as one of them is. *)
+let is_near_other_material material_in c =
+  match material_in (List.hd (pointsOfCell c)) with
+  | Some m when m <> outside -> isNearSurface (signAmongMaterials material_in m) c
+  | _ -> true
 
 let axis_orders = [ XYZ; XZY; YXZ; YZX; ZXY; ZYX ]
 let sides = [ false; true ]
@@ -69,3 +77,18 @@ let iter_tets mesh levels lattice visit =
   let cells = octree sign levels in
   iter_names cells levels lattice (fun name ->
       List.iter visit (gradedTetsWithin mesh name))
+
+let iter_material_tets mesh levels lattice visit =
+  let known = Hashtbl.create 4096 in
+  let material_in v =
+    Domain.remembered known (point_of_coord3 v) (fun () -> mesh.Material_mesher.material_in v)
+  in
+  let whole name =
+    match getGradedTet name with
+    | UT (a, _, _, _) as tet -> (Option.get (material_in a), mapTet (scale steps) tet)
+  in
+  let cells = octree_around (is_near_other_material material_in) levels in
+  iter_names cells levels lattice (fun name ->
+      match structuredName name with
+      | Some id -> Material_mesher.iter_within mesh id visit
+      | None -> visit (whole name))

@@ -10,3 +10,9 @@ val iter_names : Certified.cellSet -> int -> Lattice.t -> (Certified.gradedTetId
 
 val iter_tets : Certified.mesh -> int -> Lattice.t -> (Mesher.tet -> unit) -> unit
 (** Visits the tetrahedra of a mesh that is graded by so many levels. *)
+
+val iter_material_tets :
+  Material_mesher.mesh -> int -> Lattice.t -> (Material_mesher.tet -> unit) -> unit
+(** The same where several materials meet: cells are kept that have points of more than one, or
+    one that moved, among those that [IsNearSurface] looks at.  Names and what they stand for are
+    the certificate's; that they are put together so is not on it. *)

@@ -144,7 +144,7 @@ def _brain(bench, name, cuts, threads, rounds):
 def grading(bench, rounds=3):
     """A torus with graded interior beside that of one size: the same surface, one thread."""
     output = bench.folder / "graded.vtu"
-    solid = ["--shape", "torus:1,0.4", "--size", "0.0155", "--threads", 1, "-o", output]
+    solid = ["--shape", "torus:1,0.4", "--size", "0.01548", "--threads", 1, "-o", output]
     uniform, graded = [], []
     for _ in range(rounds):
         uniform.append(bench.mesh(*solid))

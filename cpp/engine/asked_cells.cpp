@@ -4,34 +4,47 @@
 #include <span>
 
 #include "layer_loop.hpp"
+#include "row_ranks.hpp"
 
 namespace certet::core {
 namespace {
 
-/// The most levels of the cells of a row of level 0, each as it is at the centre.
+/// The cells of a layer that do not exist, and so may be filled by larger ones.
+std::vector<Coord3> free_cells(const CellPlane& existing, int k) {
+  std::vector<Coord3> cells;
+  const LevelGrid& grid = existing.grid();
+  for (int j = 0; j < grid.cells[1]; ++j)
+    for (int w = 0; w < grid.words(); ++w)
+      for_each_bit(~existing.words(j, k)[w],
+                   [&](int b) { cells.push_back({64 * w + b, j, k}); });
+  return cells;
+}
+
+/// The most levels of cells of level 0, as each is at its centre.
 class MostLevels {
  public:
   MostLevels(const SignPlanes& planes, const Lattice& lattice, const Grading& grading)
       : planes_(planes), lattice_(lattice), grading_(grading) {}
 
-  void row(int j, int k, std::span<std::int32_t> most) const {
-    std::ranges::fill(most, grading_.levels);
-    if (grading_.at_points) {
-      grading_.at_points(lattice_.origin + Coord3{1, 2 * j + 1, 2 * k + 1}, most);
-      for (std::int32_t& levels : most) levels = std::clamp(levels, 0, grading_.levels);
+  [[nodiscard]] std::vector<std::int32_t> at(std::span<const Coord3> cells) const {
+    std::vector<std::int32_t> most(cells.size(), grading_.levels);
+    if (grading_.at_points && !cells.empty()) {
+      std::vector<Coord3> centres(cells.size());
+      std::ranges::transform(cells, centres.begin(), [this](Coord3 c) {
+        return lattice_.origin + Coord3{2 * c.x + 1, 2 * c.y + 1, 2 * c.z + 1};
+      });
+      grading_.at_points(centres, most);
     }
-    if (grading_.of_materials.empty()) return;
-    const MaterialPlanes* const materials = planes_.materials();
-    for (std::size_t i = 0; i < most.size(); ++i) {
-      const Material material =
-          materials == nullptr ? 1 : materials->at(odd, static_cast<int>(i), j, k);
-      most[i] = std::min(most[i], of_material(material));
-    }
+    for (std::size_t n = 0; n < cells.size(); ++n)
+      most[n] = std::clamp(std::min(most[n], of_material(cells[n])), 0, grading_.levels);
+    return most;
   }
 
  private:
-  [[nodiscard]] std::int32_t of_material(Material material) const {
-    const auto n = static_cast<std::size_t>(material) - 1;  // of the outside none
+  [[nodiscard]] std::int32_t of_material(Coord3 cell) const {
+    const MaterialPlanes* const materials = planes_.materials();
+    const Material material = materials == nullptr ? 1 : materials->at(odd, cell.x, cell.y, cell.z);
+    const auto n = static_cast<std::size_t>(material) - 1;
     return n < grading_.of_materials.size() ? grading_.of_materials[n] : grading_.levels;
   }
 
@@ -66,22 +79,18 @@ CellPlane around(const CellPlane& children, Context& context) {
 }  // namespace
 
 std::vector<CellPlane> asked_cells(const SignPlanes& planes, const Lattice& lattice,
-                                   const Grading& grading, Context& context) {
+                                   const CellPlane& existing, const Grading& grading,
+                                   Context& context) {
   if (grading.of_materials.empty() && !grading.at_points) return {};
-  std::vector<CellPlane> asked(static_cast<std::size_t>(grading.levels),
-                               CellPlane(LevelGrid(lattice)));
+  std::vector<CellPlane> asked(static_cast<std::size_t>(grading.levels), existing);
   const MostLevels most(planes, lattice, grading);
   for_each_layer(context, Stage::count, whole(lattice), [&](std::int32_t k) {
-    std::vector<std::int32_t> levels(static_cast<std::size_t>(lattice.cells[0]));
-    for (int j = 0; j < lattice.cells[1]; ++j) {
-      most.row(j, k, levels);
-      for (int level = 0; level < grading.levels; ++level) {
-        std::uint64_t* const row = asked[static_cast<std::size_t>(level)].words(j, k);
-        for (int i = 0; i < lattice.cells[0]; ++i)
-          if (levels[static_cast<std::size_t>(i)] > level)
-            row[i >> 6] &= ~(std::uint64_t{1} << (i & 63));
-      }
-    }
+    const std::vector<Coord3> cells = free_cells(existing, k);
+    const std::vector<std::int32_t> levels = most.at(cells);
+    for (std::size_t n = 0; n < cells.size(); ++n)
+      for (int level = levels[n]; level < grading.levels; ++level)
+        asked[static_cast<std::size_t>(level)].words(cells[n].y, k)[cells[n].x >> 6] |=
+            std::uint64_t{1} << (cells[n].x & 63);
   });
   for (int level = 1; level < grading.levels; ++level)
     for (int step = 0; step < level; ++step) {

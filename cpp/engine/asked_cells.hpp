@@ -12,8 +12,10 @@
 namespace certet::core {
 
 /// By level, those within which some cell of level 0 has no more levels than that: they are
-/// not to be filled by a larger one.  Nothing where all may have as many levels as there are.
+/// not to be filled by a larger one.  Of cells of level 0 that exist anyway nothing is asked.
+/// Nothing where all may have as many levels as there are.
 std::vector<CellPlane> asked_cells(const SignPlanes& planes, const Lattice& lattice,
-                                   const Grading& grading, Context& context);
+                                   const CellPlane& existing, const Grading& grading,
+                                   Context& context);
 
 }  // namespace certet::core

@@ -51,8 +51,20 @@ class BitRow {
   int count_;  ///< none of a row in which all bits are set
 };
 
+/// Every second bit of a word, in its lower half.
+constexpr std::uint64_t squeezed(std::uint64_t x) {
+  x &= 0x5555555555555555;
+  x = (x | x >> 1) & 0x3333333333333333;
+  x = (x | x >> 2) & 0x0f0f0f0f0f0f0f0f;
+  x = (x | x >> 4) & 0x00ff00ff00ff00ff;
+  x = (x | x >> 8) & 0x0000ffff0000ffff;
+  return (x | x >> 16) & 0x00000000ffffffff;
+}
+
 /// Every second bit of two words, from the lowest on.
-std::uint64_t every_second(std::uint64_t low, std::uint64_t high);
+constexpr std::uint64_t every_second(std::uint64_t low, std::uint64_t high) {
+  return squeezed(low) | squeezed(high) << 32;
+}
 
 /// A bit for each cell of a level.  Those that touch no index of the lattice have theirs set.
 class CellPlane {

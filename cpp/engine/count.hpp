@@ -17,9 +17,11 @@ namespace certet::core {
 /// window's tetrahedra use.
 class RowNumbers {
  public:
-  /// `graded`, if it is given, outlives the object.
-  RowNumbers(const SignPlanes& planes, const Lattice& lattice, Window window, Context& context,
-             const GradedCells* graded = nullptr);
+  RowNumbers(const SignPlanes& planes, const Lattice& lattice, Window window, Context& context);
+  /// Those of the same mesh once it is graded, by what it has then less of the lattice, and more:
+  /// `uniform` are those of the whole of it, `graded` outlives the object.
+  RowNumbers(const RowNumbers& uniform, const SignPlanes& planes, const Lattice& lattice,
+             Context& context, const GradedCells& graded);
 
   /// What the mesh is graded by, if it is.
   [[nodiscard]] const GradedCells* graded() const { return graded_; }
@@ -50,7 +52,10 @@ class RowNumbers {
     return static_cast<std::size_t>(k - window_.begin) * rows_ + static_cast<std::size_t>(j);
   }
 
-  const GradedCells* graded_;
+  /// From how many each row has to how many come before it.
+  void number_rows();
+
+  const GradedCells* graded_ = nullptr;
   Window window_;
   std::size_t rows_;  ///< of a layer
   std::vector<std::uint64_t> points_, tets_;  ///< by layer and row; one entry more at the end

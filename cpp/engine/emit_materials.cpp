@@ -47,17 +47,19 @@ void emit_graded_materials(const SignPlanes& planes, const Octree& octree, int j
                            Material* out) {
   const MaterialPlanes& materials = *planes.materials();
   for_each_graded_row(octree, j, k, [&](const GradedRow& row, int level, const RowOfCells& at) {
-    for (int w = 0; w < octree.grid(level).words(); ++w)
-      row.for_each(w, [&](GradedKind kind, std::size_t flag, std::uint64_t cells) {
-        if (level == 0) {
-          for_each_bit(cells, [&](int b) { *out++ = materials.at(odd, 64 * w + b, j, k); });
-          return;
-        }
-        const GradedVertices vertices(octree, level, at, kind, flag);
-        const MaterialRow first = materials.row(even, vertices.rows()[0].j, vertices.rows()[0].k);
-        for_each_bit(cells,
-                     [&](int b) { *out++ = first.at(vertices.index(0, 64 * w + b)); });
+    if (level == 0) {
+      row.for_each_in_row([&](int w, GradedKind, std::size_t, std::uint64_t cells) {
+        for_each_bit(cells, [&](int b) { *out++ = materials.at(odd, 64 * w + b, j, k); });
       });
+      return;
+    }
+    const GradedVertices vertices(octree, level, at);
+    row.for_each_in_row([&](int w, GradedKind kind, std::size_t flag, std::uint64_t cells) {
+      const CoarseVertex first = coarse_tets[static_cast<std::size_t>(kind)][flag][0];
+      const auto [y, z] = vertices.row(first.row);
+      const MaterialRow along = materials.row(even, y, z);
+      for_each_bit(cells, [&](int b) { *out++ = along.at(vertices.index(first, 64 * w + b)); });
+    });
   });
 }
 

@@ -11,6 +11,35 @@
 namespace certet::core {
 namespace {
 
+/// The numbers of the even points around a row of cells above level 0.
+template <class Index>
+class CoarsePoints {
+ public:
+  CoarsePoints(const GradedCells& graded, const RowNumbers& numbers, const GradedVertices& vertices)
+      : vertices_(vertices) {
+    const auto& cells = graded.octree().grid(0).cells;
+    for (std::size_t n = 0; n < coarse_row_count; ++n) {
+      const auto [j, k] = vertices.row(n);
+      if (j < 0 || j >= cells[1] || k < 0 || k >= cells[2]) continue;
+      rows_[n] = {static_cast<Index>(numbers.first_point(j, k)), graded.ranks(j, k)};
+    }
+  }
+
+  [[nodiscard]] Index number(CoarseVertex vertex, int cell) const {
+    const Row& row = rows_[vertex.row];
+    return static_cast<Index>(row.first + row.ranks[vertices_.index(vertex, cell)]);
+  }
+
+ private:
+  struct Row {
+    Index first = 0;
+    GradedCells::EvenRanks ranks{nullptr, nullptr};
+  };
+
+  GradedVertices vertices_;
+  std::array<Row, coarse_row_count> rows_{};
+};
+
 /// Emits row after row of one layer.
 template <class Index>
 class TetEmitter {
@@ -53,9 +82,9 @@ class TetEmitter {
   void emit_material_word(const MaterialCells& cells, int w) {
     const auto [any, whole] = cells.kinds(w);
     emit_cells(any, whole, w, [&](int b) {
-      known_ = 0;
+      const std::array<Index, cell_vertex_count> number = corner_numbers(w, b);
       cells.for_each_tet(64 * w + b, [&](std::size_t c, const UnstructuredTet& tet, Material) {
-        if (is_structured(c, b)) emit_tet(c, tet, w, b);
+        if (is_structured(c, b)) emit_tet(c, tet, number, w, b);
       });
     });
   }
@@ -64,7 +93,8 @@ class TetEmitter {
   /// bits of `any`, runs of the latter need neither signs nor stencils; what is left
   /// are the cells around the surface.
   template <class EmitOne>
-  void emit_cells(std::uint64_t any, std::uint64_t whole, int w, const EmitOne& emit_one) {
+  void emit_cells(std::uint64_t any, std::uint64_t inside, int w, const EmitOne& emit_one) {
+    std::uint64_t whole = inside;
     if (graded_ != nullptr && any != 0) keep_structured(w, any, whole);
     while (any != 0) {
       const int b = std::countr_zero(any);
@@ -72,10 +102,11 @@ class TetEmitter {
         const int length = std::countr_one(whole >> b);
         emit_interior(w, b, length);
         any = b + length == 64 ? 0 : any & ~below(b + length);
-      } else {
-        emit_one(b);
-        any &= any - 1;
+        continue;
       }
+      if ((inside >> b & 1) != 0) emit_some(w, b);
+      else emit_one(b);
+      any &= any - 1;
     }
   }
 
@@ -99,21 +130,21 @@ class TetEmitter {
   void emit_graded() {
     const Octree& octree = graded_->octree();
     for_each_graded_row(octree, j_, k_, [&](const GradedRow& row, int level, const RowOfCells& at) {
-      for (int w = 0; w < octree.grid(level).words(); ++w)
-        row.for_each(w, [&](GradedKind kind, std::size_t flag, std::uint64_t cells) {
-          if (level == 0)
-            emit_at_cells(kind, flag, w, cells);
-          else
-            emit_coarse(GradedVertices(octree, level, at, kind, flag), w, cells);
+      if (level == 0) {
+        row.for_each_in_row([&](int w, GradedKind, std::size_t flag, std::uint64_t cells) {
+          emit_pyramids(pyramids_at_cells[flag], w, cells);
         });
+        return;
+      }
+      const CoarsePoints<Index> points(*graded_, numbers_, GradedVertices(octree, level, at));
+      row.for_each_in_row([&](int w, GradedKind kind, std::size_t flag, std::uint64_t cells) {
+        emit_coarse(points, coarse_tets[static_cast<std::size_t>(kind)][flag], w, cells);
+      });
     });
   }
 
   /// At cells of level 0, whose vertices are those of the row.
-  void emit_at_cells(GradedKind kind, std::size_t flag, int w, std::uint64_t cells) {
-    std::array<VertexRef, 4> vertices;
-    for (std::size_t v = 0; v < 4; ++v)
-      vertices[v] = vertex_at(Coord3{1, 1, 1} + graded_tets[static_cast<std::size_t>(kind)][flag][v]);
+  void emit_pyramids(const std::array<VertexRef, 4>& vertices, int w, std::uint64_t cells) {
     for_each_bit(cells, [&](int b) {
       for (std::size_t v = 0; v < 4; ++v)
         (*out_)[v] = point(vertices[v].grid, vertices[v].shift, w, b);
@@ -121,17 +152,12 @@ class TetEmitter {
     });
   }
 
-  void emit_coarse(const GradedVertices& vertices, int w, std::uint64_t cells) {
-    for (std::size_t v = 0; v < 4; ++v) {
-      const auto& [j, k, x] = vertices.rows()[v];
-      const GradedCells::EvenRanks ranks = graded_->ranks(j, k);
-      const auto first = static_cast<Index>(numbers_.first_point(j, k));
-      Tet<Index>* to = out_;
-      for_each_bit(cells, [&](int b) {
-        (*to++)[v] = static_cast<Index>(first + ranks[vertices.index(v, 64 * w + b)]);
-      });
-    }
-    out_ += std::popcount(cells);
+  void emit_coarse(const CoarsePoints<Index>& points, const std::array<CoarseVertex, 4>& vertices,
+                   int w, std::uint64_t cells) {
+    for_each_bit(cells, [&](int b) {
+      for (std::size_t v = 0; v < 4; ++v) (*out_)[v] = points.number(vertices[v], 64 * w + b);
+      ++out_;
+    });
   }
 
   /// The number of a point `kind` whose owner is `owner` away from bit b, by its rank
@@ -144,11 +170,17 @@ class TetEmitter {
                               window_.row(y, z).rank(kind, at.w, at.b));
   }
 
-  /// Cells whose vertices are all inside: along the row every number grows by one.
-  void emit_interior(int w, int b, int length) {
+  /// The numbers of a cell's vertices; of those that are no points they mean nothing.
+  [[nodiscard]] std::array<Index, cell_vertex_count> corner_numbers(int w, int b) const {
     std::array<Index, cell_vertex_count> number;
     for (std::size_t v = 0; v < cell_vertex_count; ++v)
       number[v] = point(cell.vertices[v].grid, cell.vertices[v].shift, w, b);
+    return number;
+  }
+
+  /// Cells whose vertices are all inside: along the row every number grows by one.
+  void emit_interior(int w, int b, int length) {
+    const std::array<Index, cell_vertex_count> number = corner_numbers(w, b);
     std::array<Index, interior_size> current;
     for (std::size_t n = 0; n < interior_size; ++n) current[n] = number[interior_vertices[n]];
     Index* to = out_->data();
@@ -157,43 +189,43 @@ class TetEmitter {
     out_ += length * int{cell_tet_count};
   }
 
+  /// A cell whose vertices are all inside, and which has lost some of its tetrahedra.
+  void emit_some(int w, int b) {
+    const std::array<Index, cell_vertex_count> number = corner_numbers(w, b);
+    for (std::size_t c = 0; c < cell_tet_count; ++c) {
+      if (!is_structured(c, b)) continue;
+      for (std::size_t n = 0; n < 4; ++n) (*out_)[n] = number[interior_vertices[4 * c + n]];
+      ++out_;
+    }
+  }
+
   /// A cell with the surface in or near it: case by case, by the stencils
   /// (cpp/docs/pictures/stencils.svg).
   void emit_cell(const CellWord& word, int w, int b) {
     const std::array<Sign, cell_vertex_count> sign = word.signs(b);
-    known_ = 0;
+    const std::array<Index, cell_vertex_count> number = corner_numbers(w, b);
     for (std::size_t c = 0; c < cell_tet_count; ++c) {
       if (!is_structured(c, b)) continue;
       const auto& corner = cell.corner[c];
       const auto pattern = static_cast<std::size_t>(pattern_index(
           sign[corner[0]], sign[corner[1]], sign[corner[2]], sign[corner[3]]));
       for (const UnstructuredTet& tet : stencils[stencil_of_(pattern, c, w, b)])
-        emit_tet(c, tet, w, b);
+        emit_tet(c, tet, number, w, b);
     }
   }
 
-  void emit_tet(std::size_t c, const UnstructuredTet& tet, int w, int b) {
-    for (std::size_t n = 0; n < 4; ++n)
-      (*out_)[n] = vertex_number(c, tet[output_orders[c][n]], w, b);
+  void emit_tet(std::size_t c, const UnstructuredTet& tet,
+                const std::array<Index, cell_vertex_count>& number, int w, int b) {
+    for (std::size_t n = 0; n < 4; ++n) {
+      const StencilVertex v = tet[output_orders[c][n]];
+      (*out_)[n] = v.is_cut() ? cut_number(c, v, w, b) : number[cell.corner[c][v.a]];
+    }
     ++out_;
   }
 
-  [[nodiscard]] Index vertex_number(std::size_t c, StencilVertex v, int w, int b) {
-    if (v.is_cut()) {
-      const EdgeRef& edge = cell.edge[c][v.a][v.b];
-      return point(edge.kind, edge.owner, w, b);
-    }
-    return corner_number(cell.corner[c][v.a], w, b);
-  }
-
-  /// Many tetrahedra of a cell share a vertex.
-  [[nodiscard]] Index corner_number(std::size_t vertex, int w, int b) {
-    if ((known_ >> vertex & 1) == 0) {
-      const VertexRef& corner = cell.vertices[vertex];
-      corners_[vertex] = point(corner.grid, corner.shift, w, b);
-      known_ |= 1U << vertex;
-    }
-    return corners_[vertex];
+  [[nodiscard]] Index cut_number(std::size_t c, StencilVertex v, int w, int b) const {
+    const EdgeRef& edge = cell.edge[c][v.a][v.b];
+    return point(edge.kind, edge.owner, w, b);
   }
 
   const SignPlanes& planes_;
@@ -204,8 +236,6 @@ class TetEmitter {
   RowWindow window_;  ///< rows j..j+1 of layers k..k+1
   StencilChoice stencil_of_;
   std::array<std::array<Index, 2>, 2> first_point_{};
-  std::array<Index, cell_vertex_count> corners_{};  ///< of the cell that is emitted
-  unsigned known_ = 0;                              ///< those that are
   Tet<Index>* out_;
 };
 

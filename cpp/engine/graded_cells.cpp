@@ -32,6 +32,16 @@ void add_vertices(const Octree& octree, int level, int j, int k, std::uint64_t* 
   }
 }
 
+/// The centres of the two cells in which a structured tetrahedron of each case lies, among the
+/// vertices of a cell.
+constexpr auto centres_of_cases = [] {
+  std::array<std::array<std::uint8_t, 2>, cell_tet_count> table{};
+  for (std::size_t c = 0; c < cell_tet_count; ++c)
+    for (std::size_t n = 0; const std::uint8_t corner : cell.corner[c])
+      if (cell.vertices[corner].grid == odd && n < 2) table[c][n++] = corner;
+  return table;
+}();
+
 }  // namespace
 
 GradedCells::GradedCells(const SignPlanes& planes, const Lattice& lattice,
@@ -59,18 +69,30 @@ void GradedCells::find_even(const SignPlanes& planes, int j, int k) {
 }
 
 OfCases GradedCells::structured(int j, int k, int w) const {
-  std::array<std::uint64_t, cell_vertex_count> exists;
-  for (std::size_t v = 0; v < cell_vertex_count; ++v) {
-    const auto& [grid, shift] = cell.vertices[v];
-    exists[v] = grid == odd ? octree_.cells(0, j + shift.y, k + shift.z).shifted(w, shift.x)
-                            : ~std::uint64_t{0};
-  }
+  std::array<std::uint64_t, cell_vertex_count> exists{};
+  for (std::size_t v = 0; v < cell_vertex_count; ++v)
+    if (const auto& [grid, shift] = cell.vertices[v]; grid == odd)
+      exists[v] = octree_.cells(0, j + shift.y, k + shift.z).shifted(w, shift.x);
   OfCases both;
-  for (std::size_t c = 0; c < cell_tet_count; ++c) {
-    both[c] = ~std::uint64_t{0};
-    for (const std::uint8_t corner : cell.corner[c]) both[c] &= exists[corner];
-  }
+  for (std::size_t c = 0; c < cell_tet_count; ++c)
+    both[c] = exists[centres_of_cases[c][0]] & exists[centres_of_cases[c][1]];
   return both;
+}
+
+std::uint64_t GradedCells::points_left_out(const SignPlanes& planes, int j, int k) const {
+  int count = 0;
+  for (const Grid grid : grids) {
+    const std::uint64_t* const plus = planes.plus(grid, j, k);
+    for (int w = 0; w < planes.words(); ++w) count += std::popcount(plus[w] & ~used(grid, j, k, w));
+  }
+  return static_cast<std::uint64_t>(count);
+}
+
+std::uint64_t GradedCells::tets_left_out(int j, int k) const {
+  int count = 0;
+  for (int w = 0; w < even_.grid().words(); ++w)
+    for (const std::uint64_t of_case : structured(j, k, w)) count += std::popcount(~of_case);
+  return static_cast<std::uint64_t>(count);
 }
 
 std::int32_t GradedCells::layers_behind() const {

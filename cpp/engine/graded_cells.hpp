@@ -35,6 +35,11 @@ class GradedCells {
   /// which one lies exist.
   [[nodiscard]] OfCases structured(int j, int k, int w) const;
 
+  /// How many points and tetrahedra of a row of the lattice the mesh has not: those are inside,
+  /// and within cells that do not exist.
+  [[nodiscard]] std::uint64_t points_left_out(const SignPlanes& planes, int j, int k) const;
+  [[nodiscard]] std::uint64_t tets_left_out(int j, int k) const;
+
   /// Of a row of the lattice: how many points come before an even vertex that is used.
   class EvenRanks {
    public:

@@ -5,7 +5,7 @@
 namespace certet::core {
 
 GradedRow::GradedRow(const Octree& octree, int level, int j, int k)
-    : octree_(octree), level_(level), j_(j), k_(k) {
+    : octree_(octree), level_(level), j_(j), k_(k), words_(octree.grid(level).words()) {
   constexpr std::uint64_t every_other = 0x5555555555555555;
   const auto& first = octree.grid(level).first;
   const auto all_if = [](bool condition) { return condition ? ~std::uint64_t{0} : 0; };
@@ -70,13 +70,24 @@ RowOfCells row_of_cells(const Octree& octree, int level, int j, int k) {
   return {begins(j, 1) && begins(k, 2), cell(j, 1), cell(k, 2)};
 }
 
+std::uint64_t GradedRow::count() const {
+  int count = 0;
+  for (int w = 0; level_ == 0 && w < words_; ++w) {
+    const Beside beside = look(w);
+    // On each square that no cell lies behind stand the two halves of a pyramid.
+    for (const std::uint64_t across : beside.across) count += 2 * std::popcount(beside.exists & ~across);
+  }
+  if (level_ > 0)
+    for_each_in_row([&](int, GradedKind, std::size_t, std::uint64_t cells) {
+      count += std::popcount(cells);
+    });
+  return static_cast<std::uint64_t>(count);
+}
+
 std::uint64_t count_graded_tets(const Octree& octree, int j, int k) {
   std::uint64_t count = 0;
-  for_each_graded_row(octree, j, k, [&](const GradedRow& row, int level, const RowOfCells&) {
-    for (int w = 0; w < octree.grid(level).words(); ++w)
-      row.for_each(w, [&](GradedKind, std::size_t, std::uint64_t cells) {
-        count += static_cast<std::uint64_t>(std::popcount(cells));
-      });
+  for_each_graded_row(octree, j, k, [&](const GradedRow& row, int, const RowOfCells&) {
+    count += row.count();
   });
   return count;
 }

@@ -38,31 +38,22 @@ class GradedRow {
  public:
   GradedRow(const Octree& octree, int level, int j, int k);
 
-  /// Calls visit(kind, flag, cells) for each kind and flag by which any of the cells of word w
-  /// name a tetrahedron of it: `InGradedMesh`.  Those of the first kind at level 0 are left
-  /// out, as the lattice has them.
+  /// How many tetrahedra those are that `for_each_in_row` tells of.
+  [[nodiscard]] std::uint64_t count() const;
+
+  /// Calls visit(w, kind, flag, cells) for each word, and each kind and flag by which any of
+  /// its cells name a tetrahedron: `InGradedMesh`.  Those of the first kind at level 0 are
+  /// left out, as the lattice has them.
   template <class Visit>
-  void for_each(int w, const Visit& visit) const {
-    const Beside beside = look(w);
-    if (beside.filled == 0 || (level_ == 0 && has_all_across(beside))) return;
-    for (std::size_t n = 0; n < flag_count; ++n) {
-      const std::uint64_t present = beside.exists & ~beside.at[flag_places[n].child];
-      if (present == 0) continue;
-      const std::uint64_t whole = present & beside.across[flag_places[n].face];
-      const std::uint64_t face = beside.at[flag_places[n].face_middle];
-      const std::uint64_t edge = beside.at[flag_places[n].edge_middle];
-      const auto tell = [&](GradedKind kind, std::uint64_t cells) {
-        if (cells != 0) visit(kind, n, cells);
+  void for_each_in_row(const Visit& visit) const {
+    for (int w = 0; w < words_; ++w) {
+      const Beside beside = look(w);
+      if (beside.filled == 0) continue;
+      const auto tell = [&](GradedKind kind, std::size_t flag, std::uint64_t cells) {
+        if (cells != 0) visit(w, kind, flag, cells);
       };
-      if (level_ > 0) {
-        if (names_tet(GradedKind::bcc, flags[n])) tell(GradedKind::bcc, whole & ~face & ~edge);
-        if (names_tet(GradedKind::edge_half, flags[n]))
-          tell(GradedKind::edge_half, whole & ~face & edge);
-        if (names_tet(GradedKind::face_half, flags[n]))
-          tell(GradedKind::face_half, whole & face & ~edge);
-        tell(GradedKind::quarter, whole & face & edge);
-      }
-      tell(GradedKind::pyramid, present & ~whole & names_pyramid(flags[n]));
+      if (level_ == 0) for_each_pyramid(beside, tell);
+      else for_each_kind(beside, tell);
     }
   }
 
@@ -75,11 +66,40 @@ class GradedRow {
     std::array<std::uint64_t, 27> at{};      ///< a child at a corner; at middles: is used
   };
   [[nodiscard]] Beside look(int w) const;
-  /// Then no pyramid stands on any cell.
-  [[nodiscard]] static bool has_all_across(const Beside& beside) {
-    std::uint64_t all = beside.exists;
-    for (const std::uint64_t across : beside.across) all &= across;
-    return all == beside.exists;
+
+  /// At level 0: on the faces across which no cell exists, which few cells have.
+  template <class Tell>
+  void for_each_pyramid(const Beside& beside, const Tell& tell) const {
+    std::array<std::uint64_t, 6> bare;
+    std::uint64_t any = 0;
+    for (std::size_t face = 0; face < bare.size(); ++face)
+      any |= bare[face] = beside.exists & ~beside.across[face];
+    if (any == 0) return;
+    for (std::size_t n = 0; n < flag_count; ++n)
+      if (const std::uint64_t cells = bare[flag_places[n].face]; cells != 0)
+        tell(GradedKind::pyramid, n, cells & names_pyramid(flags[n]));
+  }
+
+  template <class Tell>
+  void for_each_kind(const Beside& beside, const Tell& tell) const {
+    for (std::size_t n = 0; n < flag_count; ++n) {
+      const std::uint64_t present = beside.exists & ~beside.at[flag_places[n].child];
+      if (present == 0) continue;
+      const std::uint64_t whole = present & beside.across[flag_places[n].face];
+      if (whole != 0) {
+        const std::uint64_t face = beside.at[flag_places[n].face_middle];
+        const std::uint64_t edge = beside.at[flag_places[n].edge_middle];
+        if (names_tet(GradedKind::bcc, flags[n]))
+          tell(GradedKind::bcc, n, whole & ~face & ~edge);
+        if (names_tet(GradedKind::edge_half, flags[n]))
+          tell(GradedKind::edge_half, n, whole & ~face & edge);
+        if (names_tet(GradedKind::face_half, flags[n]))
+          tell(GradedKind::face_half, n, whole & face & ~edge);
+        tell(GradedKind::quarter, n, whole & face & edge);
+      }
+      if (present != whole)
+        tell(GradedKind::pyramid, n, present & ~whole & names_pyramid(flags[n]));
+    }
   }
   void look_at_children(int w, Beside& beside) const;
   void look_at_middles(int w, Beside& beside) const;
@@ -95,6 +115,7 @@ class GradedRow {
 
   const Octree& octree_;
   int level_, j_, k_;
+  int words_;
   std::array<std::uint64_t, 3> even_;  ///< cells whose index along an axis is even
 };
 

@@ -93,11 +93,12 @@ void add_cells(const CellPlane& asked, CellPlane& cells, Context& context) {
 
 Octree::Octree(const SignPlanes& planes, const Lattice& lattice, const Grading& grading,
                Context& context) {
-  const std::vector<CellPlane> asked = asked_cells(planes, lattice, grading, context);
   grids_.emplace_back(lattice);
+  std::vector<CellPlane> asked;
   for (int level = 0; level < grading.levels; ++level) {
     if (level == 0) {
       cells_.push_back(cells_near_surface(planes, lattice, context));
+      asked = asked_cells(planes, lattice, cells_.front(), grading, context);
     } else {
       const CellPlane& children = cells_.back();
       cells_.push_back(made(grids_.back(), context, [&children](int j, int k, int w) {

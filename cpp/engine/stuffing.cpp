@@ -235,7 +235,9 @@ void Stuffing::grade(const Grading& grading, Context& context) {
     auto graded = levels == 0 ? nullptr
                               : std::make_unique<const GradedCells>(s.warped.planes, s.lattice,
                                                                     grading, context);
-    RowNumbers numbers(s.warped.planes, s.lattice, all, context, graded.get());
+    RowNumbers numbers =
+        s.graded ? RowNumbers(s.warped.planes, s.lattice, all, context) : s.numbers;
+    if (graded) numbers = RowNumbers(numbers, s.warped.planes, s.lattice, context, *graded);
     s.uniform_tets = uniform_tet_count();
     s.numbers = std::move(numbers);
     s.graded = std::move(graded);

@@ -28,6 +28,7 @@
 #include "pieces.hpp"
 #include "python_mesh.hpp"
 #include "shapes.hpp"
+#include "sizes.hpp"
 #include "solids.hpp"
 #include "voxelise.hpp"
 
@@ -244,18 +245,23 @@ void translate(std::exception_ptr pointer) {
 
 PYBIND11_MODULE(_certet, module) {
   py::register_exception_translator(translate);
+  declare_sizes(module);
   py::class_<Options>(module, "Options")
       .def(py::init([](const std::string& method, int threads, int order, bool curved,
                        double optimise, bool automatic, std::optional<double> features,
-                       std::int32_t grade) {
+                       std::int32_t grade, std::optional<SizeField> sizes) {
              const std::optional<Method> named = method_named(method);
              if (!named)
                throw Error(ErrorCode::bad_option,
                            "method is one of " + method_names() + ", not '" + method + "'");
-             return Options{*named, threads, order, curved, optimise, {automatic, features}, grade};
+             return Options{*named,   threads,
+                            order,    curved,
+                            optimise, {automatic, features},
+                            grade,    std::move(sizes)};
            }),
            py::arg("method"), py::arg("threads"), py::arg("order"), py::arg("curved"),
-           py::arg("optimise"), py::arg("automatic"), py::arg("features"), py::arg("grade"));
+           py::arg("optimise"), py::arg("automatic"), py::arg("features"), py::arg("grade"),
+           py::arg("sizes"));
   py::class_<PythonMesh, std::shared_ptr<PythonMesh>>(module, "Mesh")
       .def_property_readonly("points", [](const py::object& self) {
         const auto& world = self.cast<const PythonMesh&>().world;

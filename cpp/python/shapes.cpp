@@ -28,6 +28,7 @@ void fill(const Shape& shape, double size, const Options& options, Context& cont
   if (options.grade != 0) {
     Grading grading;
     grading.levels = options.grade;
+    if (options.sizes) keep_within(*options.sizes, domain->frame(), grading);
     stuffing.grade(grading, context);
   }
   result.mesh = mesh(*domain, stuffing, context);

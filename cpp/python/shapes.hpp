@@ -14,6 +14,7 @@
 #include "certet/features.hpp"
 #include "certet/kept.hpp"
 #include "certet/method.hpp"
+#include "certet/size_field.hpp"
 #include "certet/surface.hpp"
 #include "python_mesh.hpp"
 
@@ -28,7 +29,8 @@ struct Options {
   bool curved = false;  ///< whether middle nodes of the surfaces are put on these
   double optimise = 0;  ///< degrees that vertices move for; 0: they stay
   FeatureChoice features = {};
-  std::int32_t grade = 0;  ///< levels by which the mesh is graded
+  std::int32_t grade = 0;  ///< levels by which the mesh is graded, at most
+  std::optional<SizeField> sizes = {};  ///< how large tetrahedra may be
 };
 
 /// A shape that can be put on lattices of several sizes, and what is doubtful about it.

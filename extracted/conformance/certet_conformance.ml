@@ -34,6 +34,7 @@ let sections page =
     ("settled", Json.List (Settled_cases.all ()));
     ("material_stencils", Json.List (Material_stencil_cases.all ()));
     ("materials", Json.List (Material_cases.all ()));
+    ("graded", Json.List (Graded_cases.all ()));
   ]
 
 let () =

@@ -75,17 +75,8 @@ let all_cases =
       (random 26 ~outside:20 ~materials:4 anywhere);
   ]
 
-let with_materials tets materials =
-  List (List.map2 (fun tet m -> match tet with List l -> List (Int m :: l) | t -> t) tets materials)
-
-let judged { name; lattice; cuts; domain } =
-  let sampled = Material_domain.within lattice domain in
-  let midpoint = cuts = Mesh_domains.Midpoint in
-  let iter, place =
-    if midpoint then
-      (Material_mesher.iter_unmoved lattice (Material_domain.midpoint sampled), fun _ -> Stays)
-    else Material_mesher.settled angleThresholds lattice sampled
-  in
+(* Each tetrahedron led by its material. *)
+let numbered iter =
   let materials = ref [] in
   let iter_tets visit =
     iter (fun (m, tet) ->
@@ -93,6 +84,17 @@ let judged { name; lattice; cuts; domain } =
         visit tet)
   in
   let points, tets = Sampled.numbered Convert.point_of_coord3 iter_tets in
+  let led m tet = match tet with List l -> List (Int m :: l) | t -> t in
+  (points, List (List.map2 led (List.rev !materials) tets))
+
+let judged { name; lattice; cuts; domain } =
+  let sampled = Material_domain.within lattice domain in
+  let midpoint = cuts = Mesh_domains.Midpoint in
+  let mesh =
+    if midpoint then Material_mesher.unmoved (Material_domain.midpoint sampled)
+    else Material_mesher.settle angleThresholds lattice sampled
+  in
+  let points, tets = numbered (Material_mesher.iter_tets mesh lattice) in
   let edges =
     if midpoint then []
     else Sampled.cut_edges (Sampled.from_higher_to_lower sampled.material) lattice
@@ -106,9 +108,9 @@ let judged { name; lattice; cuts; domain } =
       ("even", Sampled.material_grid domain.material lattice 0);
       ("odd", Sampled.material_grid domain.material lattice 1);
       ("cut", List (List.map (Sampled.explicit_cut sampled.cut) edges));
-      ("moved", Sampled.moved place lattice);
+      ("moved", Sampled.moved mesh.place lattice);
       ("points", points);
-      ("tets", with_materials tets (List.rev !materials));
+      ("tets", tets);
     ]
 
 let all () = List.map judged all_cases

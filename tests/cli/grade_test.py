@@ -1,7 +1,10 @@
-"""Graded interiors, by --grade, --max-size and --interior-size."""
+"""Graded interiors, by --grade, --max-size, --interior-size and --size-field."""
 
+import math
 import unittest
 
+import vtu
+from images import voxels, write_nrrd
 from program import ProgramTest
 
 SHAPE = ["--shape", "torus:1,0.4", "--size", "0.05"]
@@ -104,11 +107,101 @@ class Grade(ProgramTest):
                 (("--grade", "-1"), "--grade"),
                 (("--interior-size", "3"), "--interior-size takes labels"),
                 (("--interior-size", "1=1,1=2"), "twice"),
-                (("--interior-size", "7=1"), "label 7, which the mesh has not")):
+                (("--interior-size", "7=1"), "label 7, which the mesh has not"),
+                (("--size-field", "0.1", "--optimise"), "do not go with --optimise"),
+                (("--size-field", "sphere:1"), "takes a formula or an image"),
+                (("--size-field", "a.stl"), "takes a formula or an image")):
             self.assert_fails(2, [sentence], "mesh", *SHAPE, "-o", "a.vtu", *options)
         self.assert_fails(2, ["not with --method paper"], "mesh", "--material", "a=sphere:1",
                           "--material", "b=sphere:0.5", "--size", "0.1", "--method", "paper",
                           "--grade", "1", "-o", "a.vtu")
+
+
+BALL = ["--shape", "sphere:1", "--size", "0.05"]
+STEEP = 0.25
+
+
+def wanted(x, y, z):
+    """As the formula below has it."""
+    return max(0.04, 0.1037 + STEEP * x)
+
+
+FORMULA = f"max(0.04, 0.1037 + {STEEP}*x)"
+
+
+class SizeField(ProgramTest):
+    def write_sizes(self, name, value, side=11, reach=1.1):
+        """An image of sizes over a cube around the ball."""
+        step = 2 * reach / (side - 1)
+        at = lambda n: -reach + step * n
+        write_nrrd(self.folder / name, (side,) * 3,
+                   voxels((side,) * 3, lambda i, j, k: value(at(i), at(j), at(k))), kind="d",
+                   directions=((step, 0, 0), (0, step, 0), (0, 0, step)), origin=(-reach,) * 3)
+
+    def test_the_same_size_everywhere_is_max_size(self):
+        self.write_sizes("sizes.nrrd", lambda x, y, z: 0.2)
+        plain = self.mesh(*BALL, "--max-size", "0.2", "-o", "a.vtu")
+        for field in ("0.2", "sizes.nrrd"):
+            told = self.mesh(*BALL, "--size-field", field, "-o", "b.vtu")
+            self.assertEqual(told["mesh"]["file_checksum"], plain["mesh"]["file_checksum"])
+
+    def test_no_tetrahedron_is_larger_than_wanted(self):
+        run = self.mesh(*BALL, "--size-field", FORMULA, "-o", "a.vtu")
+        self.assertEqual(run["mesh"]["graded"]["size_field"], FORMULA)
+        self.check("a.vtu")
+        all_levels = self.mesh(*BALL, "--grade", "3", "--dry-run")
+        self.assertGreater(run["mesh"]["tets"], all_levels["mesh"]["tets"])
+        self.assertLess(run["mesh"]["tets"], run["mesh"]["graded"]["uniform_tets"])
+        points = vtu.points(self.folder / "a.vtu")
+        large = 0
+        for tet in vtu.tets(self.folder / "a.vtu"):
+            corners = [points[n] for n in tet]
+            longest = max(math.dist(a, b) for a in corners for b in corners)
+            # Of one size at the surface, where edges move; else sizes hold at centres of cells,
+            # for long edges, of which pyramids have diagonals.
+            if longest > 0.05 * 1.5:
+                least = min(wanted(*corner) for corner in corners)
+                self.assertLessEqual(longest, math.sqrt(2) * (least + STEEP * 0.05))
+                large += longest > 0.15
+        self.assertGreater(large, 10)
+
+    def test_an_image_is_the_formula_that_it_was_made_of(self):
+        self.write_sizes("sizes.nrrd", lambda x, y, z: 0.311 + 0.17 * x - 0.11 * y + 0.05 * z)
+        by_image = self.mesh(*BALL, "--size-field", "sizes.nrrd", "-o", "a.vtu")
+        by_formula = self.mesh(*BALL, "--size-field", "0.311 + 0.17*x - 0.11*y + 0.05*z",
+                               "-o", "b.vtu")
+        self.assertEqual(by_image["mesh"]["file_checksum"], by_formula["mesh"]["file_checksum"])
+
+    def test_threads_and_streaming(self):
+        files = [f"{n}.vtu" for n in (1, 2, 3)]
+        for threads, file in zip((1, 2, 3), files):
+            self.mesh(*BALL, "--size-field", FORMULA, "-o", file, "--threads", threads)
+        self.assertEqual(len({(self.folder / file).read_bytes() for file in files}), 1)
+
+    def test_other_options_say_how_many_levels_at_most(self):
+        most = self.mesh(*BALL, "--size-field", "9", "--grade", "1", "--dry-run")
+        self.assertEqual(most["mesh"]["graded"]["levels"], 1)
+        plain = self.mesh(*BALL, "--grade", "1", "--dry-run")
+        self.assertEqual(most["mesh"]["tets"], plain["mesh"]["tets"])
+
+    def test_a_formula_in_a_file_and_the_table(self):
+        (self.folder / "sizes.txt").write_text("# fine in the middle\n0.05 + hypot(x, y, z) / 4\n")
+        run = self.run_certet("mesh", *BALL, "--size-field", "@sizes.txt", "-o", "a.vtu")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("within the size field @sizes.txt", run.stdout)
+
+    def test_what_is_refused(self):
+        self.write_sizes("small.nrrd", lambda x, y, z: 0.2, reach=0.4)
+        self.write_sizes("zero.nrrd", lambda x, y, z: x)
+        for field, words in (
+                ("x", ["formula 'x', is -", " at (", "positive"]),
+                ("0", ["formula '0', is 0 at ("]),
+                ("sqrt(x)", ["formula 'sqrt(x)', is ", "nan at ("]),
+                ("x +", ["formula"]),
+                ("small.nrrd", ["image 'small.nrrd', does not cover the shape: (", "is beyond it"]),
+                ("zero.nrrd", ["image 'zero.nrrd', is -", " at ("]),
+                ("nowhere.nrrd", ["nowhere.nrrd"])):
+            self.assert_fails(3, words, "mesh", *BALL, "-o", "a.vtu", "--size-field", field)
 
 
 if __name__ == "__main__":

@@ -2,14 +2,14 @@
 
 usage: check.py KIT.json      exit status 0: it conforms, 1: it does not
 
-`settling`, with what it takes from `conforming`, is the implementation; put your own in its
+`grading`, with what it takes from `settling` and `conforming`, is the implementation; put your own in its
 place.
 """
 
 import json
 import sys
 
-import settling
+import grading
 
 
 def plain(value):
@@ -105,12 +105,20 @@ def materials(mine, kit):
             yield f"materials '{case['name']}', {key}", answer, case[key]
 
 
+def graded(mine, kit):
+    for case in kit["graded"]:
+        answers = mine.graded_mesh(*(case[key] for key in (
+            "origin", "cells", "levels", "even", "odd", "cut")))
+        for key, answer in answers.items():
+            yield f"graded '{case['name']}', {key}", answer, case[key]
+
+
 def differences(mine, kit):
     """A sentence for each answer that is not the kit's."""
     if kit["certet_conformance"] != 1:
         raise ValueError("this kit is of another version")
     for section in (constants, stencils, bisect, warp, lattice, meshes, material_stencils,
-                    materials, settled, disks):
+                    materials, settled, disks, graded):
         for what, answer, expected in section(mine, kit):
             if plain(answer) != expected:
                 yield f"{what}: {str(plain(answer))[:200]} instead of {str(expected)[:200]}"
@@ -118,7 +126,7 @@ def differences(mine, kit):
 
 def main(file):
     with open(file, encoding="utf-8") as opened:
-        found = list(differences(settling, json.load(opened)))
+        found = list(differences(grading, json.load(opened)))
     print("\n".join(found[:20]))
     print(f"{len(found)} differences")
     return 1 if found else 0

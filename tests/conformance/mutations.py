@@ -1,4 +1,4 @@
-"""Plants bugs in conforming.py and settling.py, one at a time; the kit must catch each.
+"""Plants bugs in conforming.py, settling.py and grading.py, one at a time; the kit must catch each.
 
 usage: mutations.py KIT.json [BUG...]      exit status 1 if one is not caught
 """
@@ -11,7 +11,7 @@ import types
 import check
 
 SOURCES = {name: pathlib.Path(__file__).with_name(f"{name}.py").read_text(encoding="utf-8")
-           for name in ("conforming", "settling")}
+           for name in ("conforming", "settling", "grading")}
 
 # A name, what stands in the source once, and what is put there.
 MUTATIONS = [
@@ -104,6 +104,18 @@ MUTATIONS = [
     ("no fill", "if name == pattern:", "if False:"),
     ("the outside filled", "            if material == 0:\n                continue\n", ""),
     ("a shared tetrahedron of the higher material", "material = min(self.pair(points[0]", "material = max(self.pair(points[0]"),
+    ("centres two cells away looked at", "(0, 0, 0), *DIRECTIONS[:6]", "(0, 0, 0), *(times(2, d) for d in DIRECTIONS[:6])"),
+    ("cells across faces not looked at", "*DIRECTIONS[:6], *itertools", "*itertools"),
+    ("an octree balanced by faces alone", "if not set(d) <= {-1, 2}]", "if sum(n in (-1, 2) for n in d) < 2]"),
+    ("an octree balanced by corners too", "if not set(d) <= {-1, 2}]", "]"),
+    ("a level too few", "if level == self.levels:", "if level >= self.levels - 1:"),
+    ("flags where a child is", "int(sign > 0)", "int(sign < 0)"),
+    ("middles that are not used", "if level == 0:\n            return False", "if level <= 1:\n            return False"),
+    ("a middle looked at from one side", "for d in itertools.product((0, 1), repeat=3))", "for d in [(0, 0, 0)])"),
+    ("the other diagonal of a pyramid", "r = far if k in (p, opposite_p) else k", "p, opposite_p, r = k, minus(times(2, m), k), p"),
+    ("a pyramid's corner nearest along one axis", "cell[axis] % 2 == 0", "cell[axis] % 2 == 0 or axis == 2"),
+    ("a tetrahedron that is inside out", "determinant(*tet) > 0", "determinant(*tet) < 0"),
+    ("an octree counted from the lattice", "range(o // 2 >> level, (o // 2 + n - 1 >> level) + 1)", "range(o // 2 + n >> level)"),
 ]
 
 

@@ -1,9 +1,10 @@
 /// \file
-/// The engine passes the kit's cases of the warp that keeps the shape, and of several
-/// materials.
+/// The engine passes the kit's cases of the warp that keeps the shape, of several materials,
+/// and of graded interiors.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <set>
@@ -124,8 +125,7 @@ struct NumberedMesh {
 
 using Engine = std::function<NumberedMesh(const certet::Domain&, const Lattice&, Method)>;
 
-NumberedMesh engine(const certet::Domain& domain, const Lattice& lattice, Method method) {
-  const certet::Mesh mesh = whole_mesh(domain, lattice, method, 2);
+NumberedMesh numbered_mesh(const certet::Mesh& mesh) {
   NumberedMesh numbered{{mesh.points.begin(), mesh.points.end()}, {}};
   std::ranges::sort(numbered.points);
   std::visit(
@@ -140,6 +140,10 @@ NumberedMesh engine(const certet::Domain& domain, const Lattice& lattice, Method
       },
       mesh.tets);
   return numbered;
+}
+
+NumberedMesh engine(const certet::Domain& domain, const Lattice& lattice, Method method) {
+  return numbered_mesh(whole_mesh(domain, lattice, method, 2));
 }
 
 Lattice lattice_of(const json& c) {
@@ -184,6 +188,28 @@ materials::Positional materials_of(const json& c) {
           }};
 }
 
+/// Graded, in the kit's order: each tetrahedron with its least number first and the least of the
+/// others second, and all of them sorted.
+NumberedMesh graded_engine(const certet::Domain& domain, const Lattice& lattice, int levels) {
+  certet::Context context;
+  certet::Stuffing stuffing(domain, lattice, Method::embedded, context);
+  certet::Grading grading;
+  grading.levels = levels;
+  stuffing.grade(grading, context);
+  NumberedMesh numbered = numbered_mesh(certet::emit(stuffing, {}, context));
+  for (auto& tet : numbered.tets) {
+    const auto least = std::ranges::min_element(tet) - tet.begin();
+    if (least > 1) std::rotate(tet.begin(), tet.begin() + 2, tet.end());
+    if (least % 2 == 1) {
+      std::swap(tet[0], tet[1]);
+      std::swap(tet[2], tet[3]);
+    }
+    std::rotate(tet.begin() + 1, std::min_element(tet.begin() + 1, tet.end()), tet.end());
+  }
+  std::ranges::sort(numbered.tets);
+  return numbered;
+}
+
 void compare(Differences& differences, const json& c, const NumberedMesh& mesh) {
   const std::string name = c.at("name");
   expect(differences, name + ", points", mesh.points, c.at("points"));
@@ -205,6 +231,17 @@ Differences several_materials(const Engine& production) {
                        c.at("cuts") == "midpoint" ? Method::midpoint : Method::embedded));
   return differences;
 }
+
+Differences graded(int by) {
+  Differences differences;
+  for (const json& c : kit().at("graded"))
+    compare(differences, c,
+            graded_engine(domain_of(c), lattice_of(c), c.at("levels").get<int>() + by));
+  return differences;
+}
+
+TEST(Conformance, OfGradedMeshes) { expect_none(graded(0), 2 * 2); }
+TEST(Conformance, CatchesALevelThatIsForgotten) { EXPECT_FALSE(graded(-1).empty()); }
 
 TEST(Conformance, OfMeshesThatKeepTheShape) { expect_none(settled(engine), 2 * 13); }
 TEST(Conformance, OfMeshesOfMaterials) { expect_none(several_materials(engine), 2 * 8); }

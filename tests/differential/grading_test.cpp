@@ -13,6 +13,8 @@
 #include "certified.hpp"
 #include "domains.hpp"
 #include "holes.hpp"
+#include "materials.hpp"
+#include "placed_materials.hpp"
 #include "placed_mesh.hpp"
 #include "seed.hpp"
 #include "seen.hpp"
@@ -137,6 +139,95 @@ TEST(GradedMesh, CatchesAnOctreeInAnotherPlace) {
     std::ranges::sort(mesh.tets);
     return mesh;
   }));
+}
+
+// -- Several materials --------------------------------------------------------------------
+
+using MaterialEngine = std::function<MaterialMesh(const materials::Positional&, const Lattice&,
+                                                  Method, int levels)>;
+
+void sort(MaterialMesh& mesh) {
+  std::ranges::sort(mesh, {}, [](const certified::PlacedMaterialTet& tet) {
+    return std::pair(tet.vertices, tet.material);
+  });
+}
+
+MaterialMesh material_engine(const materials::Positional& domain, const Lattice& lattice,
+                             Method method, int levels) {
+  certet::Context context;
+  context.threads = 1;
+  certet::Stuffing stuffing(domain, lattice, method, context);
+  stuffing.grade({.levels = levels, .of_materials = {}, .at_points = {}}, context);
+  MaterialMesh placed = placed_by_material(certet::emit(stuffing, {}, context));
+  sort(placed);
+  return placed;
+}
+
+Differences compare(const MaterialEngine& production, const materials::Positional& domain,
+                    const Lattice& lattice, Method method, int levels) {
+  const certet::Thresholds alpha = certet::facts(method).thresholds;
+  MaterialMesh theirs = certified::grade_materials({alpha.long_edge, alpha.short_edge},
+                                                   certet::facts(method).settles, levels, lattice,
+                                                   seen_on(lattice, domain));
+  sort(theirs);
+  return compare_by_material(production(domain, lattice, method, levels), theirs);
+}
+
+/// Two balls side by side, of a material each, in a third.
+const materials::Positional& two_balls() {
+  static const materials::Positional domain({1, 2, 3}, [](Coord3 p) -> certet::Material {
+    constexpr double unit = certet::steps;
+    const double x = p.x / unit, y = p.y / unit, z = p.z / unit;
+    if (domains::sphere(-9.3, 0.2, 0.1, 9.5)(x, y, z) < 0) return 1;
+    if (domains::sphere(9.1, 0.7, -0.4, 9)(x, y, z) < 0) return 3;
+    return domains::sphere(0, 0, 0, 19)(x, y, z) < 0 ? 2 : 0;
+  });
+  return domain;
+}
+
+const Lattice two_balls_lattice{{-22, -20, -22}, {22, 21, 22}};
+
+TEST(GradedMesh, OfTwoBallsInAThirdIsTheSame) {
+  for (const Method method : {Method::embedded, Method::midpoint})
+    for (int levels = 1; levels <= certet::most_grading_levels; ++levels) {
+      const Differences differences =
+          compare(material_engine, two_balls(), two_balls_lattice, method, levels);
+      EXPECT_TRUE(differences.empty()) << differences;
+      EXPECT_GT(differences.compared(), 1000);
+    }
+}
+
+/// Cubes of random materials, large and small.
+TEST(GradedMesh, OfRandomMaterialsIsTheSame) {
+  for (std::uint64_t trial = 0; trial < 12; ++trial) {
+    std::mt19937_64 random(trial_seed(test_seed(), 50 + trial));
+    const auto place = [&] { return 2 * between(random, -40, 40); };
+    const auto extent = [&] { return between(random, 6, 12); };
+    const Lattice lattice{{place(), place(), place()}, {extent(), extent(), extent()}};
+    const materials::Positional domain = materials::cubes(
+        random(), between(random, 5, 14), {1, 2, 3}, static_cast<unsigned>(between(random, 0, 90)));
+    const Differences differences =
+        compare(material_engine, domain, lattice,
+                trial % 3 == 0 ? Method::midpoint : Method::embedded, between(random, 1, 3));
+    EXPECT_TRUE(differences.empty()) << "trial " << trial << ": " << differences;
+  }
+}
+
+TEST(GradedMesh, CatchesALargeTetrahedronOfAnotherMaterial) {
+  const Differences differences = compare(
+      [](const auto& domain, const Lattice& lattice, Method method, int levels) {
+        MaterialMesh mesh = material_engine(domain, lattice, method, levels);
+        const auto reach = [](const certified::PlacedMaterialTet& tet) {
+          return certet::six_volume(tet.vertices[0], tet.vertices[1], tet.vertices[2],
+                                    tet.vertices[3]);
+        };
+        auto& largest = *std::ranges::max_element(mesh, {}, reach);
+        largest.material = largest.material % 3 + 1;
+        sort(mesh);
+        return mesh;
+      },
+      two_balls(), two_balls_lattice, Method::midpoint, 2);
+  EXPECT_FALSE(differences.empty());
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "differences.hpp"
 #include "domains.hpp"
 #include "materials.hpp"
+#include "placed_materials.hpp"
 #include "seed.hpp"
 #include "whole_mesh.hpp"
 
@@ -229,77 +230,24 @@ TEST(Materials, CatchesAnotherTestOfShapes) {
 
 // -- Whole meshes -------------------------------------------------------------------------
 
-using MaterialMesh = std::vector<PlacedMaterialTet>;
 using Engine = std::function<MaterialMesh(const materials::Positional&, const Lattice&, Method)>;
 
 MaterialMesh engine(const materials::Positional& domain, const Lattice& lattice, Method method) {
-  const certet::Mesh mesh = whole_mesh(domain, lattice, method);
-  MaterialMesh placed;
-  std::visit(
-      [&](const auto& tets) {
-        for (std::size_t n = 0; n < tets.size(); ++n) {
-          const auto& [a, b, c, d] = tets[n];
-          placed.push_back({mesh.labels[n],
-                            {mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]}});
-        }
-      },
-      mesh.tets);
-  return placed;
-}
-
-/// The material of a lattice point; the outermost are outside.
-certet::Material sample(const materials::Positional& domain, const Lattice& lattice, Coord3 v) {
-  const auto is_inner = [](std::int32_t from_origin, std::int32_t cells) {
-    return 2 <= from_origin && from_origin / 2 < cells - 1;
-  };
-  const Coord3 d = v - lattice.origin;
-  const auto [nx, ny, nz] = lattice.cells;
-  if (!is_inner(d.x, nx) || !is_inner(d.y, ny) || !is_inner(d.z, nz)) return 0;
-  return domain.material_at(certet::steps * v);
-}
-
-/// Where an edge leaves the higher of two materials, in steps from that end.
-std::int64_t cut_of(const materials::Positional& domain, const Lattice& lattice, Coord3 higher,
-                    Coord3 lower) {
-  const certet::Material last = sample(domain, lattice, lower);
-  return certified::bisect([&](std::int64_t t) {
-    const bool beyond = domain.material_at(certified::point_on_edge(higher, lower, t)) == last;
-    return beyond ? certet::Sign::minus : certet::Sign::plus;
-  });
+  return placed_by_material(whole_mesh(domain, lattice, method));
 }
 
 MaterialMesh reference(const materials::Positional& domain, const Lattice& lattice,
                        Method method) {
-  const auto material = [&](Coord3 v) -> certified::Material {
-    return domain.material_at(certet::steps * v);
-  };
-  if (method == Method::midpoint) return certified::halve_materials(lattice, material);
+  const certified::MaterialDomain seen = seen_on(lattice, domain);
+  if (method == Method::midpoint) return certified::halve_materials(lattice, seen.material);
   const certet::Thresholds alpha = certet::facts(method).thresholds;
-  return certified::settle_materials(
-      {alpha.long_edge, alpha.short_edge}, lattice,
-      {material,
-       [&](Coord3 higher, Coord3 lower) { return cut_of(domain, lattice, higher, lower); }});
+  return certified::settle_materials({alpha.long_edge, alpha.short_edge}, lattice, seen);
 }
 
 Differences compare(const Engine& production_engine, const materials::Positional& domain,
                     const Lattice& lattice, Method method) {
-  Differences differences;
-  const MaterialMesh ours = production_engine(domain, lattice, method);
-  const MaterialMesh theirs = reference(domain, lattice, method);
-  differences.expect(ours.size() == theirs.size(), [&] {
-    return std::to_string(ours.size()) + " tetrahedra instead of " + std::to_string(theirs.size());
-  });
-  for (std::size_t n = 0; n < std::min(ours.size(), theirs.size()); ++n)
-    differences.expect(ours[n] == theirs[n], [&] {
-      std::ostringstream out;
-      out << "seed " << test_seed() << ", tetrahedron " << n;
-      for (const auto* tet : {&ours[n], &theirs[n]}) {
-        out << (tet == &theirs[n] ? " instead of " : ": ") << tet->material;
-        for (const Coord3 v : tet->vertices) out << " (" << materials::text(v) << ')';
-      }
-      return out.str();
-    });
-  return differences;
+  return compare_by_material(production_engine(domain, lattice, method),
+                             reference(domain, lattice, method));
 }
 
 /// Three balls that overlap, of three materials.

@@ -53,11 +53,15 @@ class ReferenceProgram : public testing::Test {
 
 /// In lattice units, in which the program writes.
 PlacedTets engine(const certet::Domain& domain, const Lattice& lattice,
-                  certet::Method method = certet::Method::angles) {
+                  certet::Method method = certet::Method::angles, int levels = 0) {
   certet::Frame units;
   units.size = 2;
   certet::Context context;
-  const certet::Mesh mesh = certet::stuff(domain, lattice, units, method, context);
+  certet::Stuffing stuffing(domain, lattice, method, context);
+  certet::Grading grading;
+  grading.levels = levels;
+  stuffing.grade(grading, context);
+  const certet::Mesh mesh = certet::emit(stuffing, units, context);
   PlacedTets placed;
   const auto world = [&](auto i) { return units.world(mesh.points[i]); };
   std::visit(
@@ -212,6 +216,42 @@ TEST_F(ReferenceProgram, MeshesSeveralMaterials) {
   }
 }
 
+/// Which tetrahedra come first is each one's own affair.
+PlacedTets sorted(PlacedTets tets) {
+  std::ranges::sort(tets);
+  return tets;
+}
+
+TEST_F(ReferenceProgram, GradesABall) {
+  const Lattice lattice{{-12, -12, -10}, {13, 12, 12}};
+  const auto ball = domains::of_level(domains::sphere(0.3, 0.2, 0.1, 9.3));
+  const std::string given = "--solid 'sphere 0.3 0.2 0.1 9.3' --lattice '-12 -12 -10 13 12 12'";
+  for (const int levels : {1, 2}) {
+    const PlacedTets theirs = reference(given + " --grade " + std::to_string(levels));
+    EXPECT_TRUE(sorted(engine(ball, lattice, certet::Method::embedded, levels)) == sorted(theirs));
+    EXPECT_FALSE(sorted(engine(ball, lattice, certet::Method::embedded)) == sorted(theirs));
+  }
+  EXPECT_TRUE(sorted(engine(ball, lattice, certet::Method::midpoint, 2)) ==
+              sorted(reference(given + " --midpoint --grade 2")));
+}
+
+TEST_F(ReferenceProgram, GradesSeveralMaterials) {
+  constexpr Lattice lattice{{2, 4, -6}, {13, 12, 11}};
+  const materials::Positional halves({1, 2}, [=](Coord3 p) -> certet::Material {
+    const Coord3 d = p - certet::steps * lattice.origin;
+    const auto inner = [](std::int32_t c, std::int32_t cells) {
+      return c > certet::steps && c < (2 * cells - 3) * certet::steps;
+    };
+    if (!inner(d.x, 13) || !inner(d.y, 12) || !inner(d.z, 11)) return 0;
+    return d.x < 12 * certet::steps ? 1 : 2;
+  });
+  write_materials(folder / "two.materials", halves, lattice);
+  const PlacedTets theirs =
+      reference("--materials " + (folder / "two.materials").string() + " --midpoint --grade 2");
+  EXPECT_TRUE(sorted(engine(halves, lattice, certet::Method::midpoint, 2)) == sorted(theirs));
+  EXPECT_LT(theirs.size(), engine(halves, lattice, certet::Method::midpoint).size());
+}
+
 TEST_F(ReferenceProgram, SaysWhatIsWrong) {
   const auto expect = [&](const std::string& arguments, int status, const std::string& words) {
     EXPECT_EQ(run(arguments), status) << arguments;
@@ -231,6 +271,8 @@ TEST_F(ReferenceProgram, SaysWhatIsWrong) {
   expect(out, 2, "give --signs, --materials, or --solid and --lattice");
   expect("--solid 'sphere 90 0 0 1' --lattice '0 0 0 3 3 3'" + out, 1,
          "nothing is inside: there is no mesh to make");
+  expect("--grade 4 --solid 'sphere 0 0 0 1' --lattice '0 0 0 3 3 3'" + out, 2,
+         "--grade takes 0 to 3 levels");
   expect("--signs /nowhere/a" + out, 1, "/nowhere/a: No such file or directory");
 }
 

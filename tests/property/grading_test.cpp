@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iostream>
 #include <map>
 #include <random>
 #include <set>
@@ -15,121 +16,20 @@
 #include "certet/error.hpp"
 #include "certet/stuffing.hpp"
 #include "domains.hpp"
+#include "graded_mesh.hpp"
 #include "holes.hpp"
-#include "exact.hpp"
 #include "materials.hpp"
 #include "seed.hpp"
 
 namespace {
 
-using certet::Coord3;
+using namespace graded;
 using certet::Lattice;
-using certet::Method;
-
-using Triangle = std::array<Coord3, 3>;
-
-/// Of some material; 0 where there is but one.
-struct PlacedTet {
-  std::array<Coord3, 4> corners;
-  std::int32_t label = 0;
-  friend bool operator==(const PlacedTet&, const PlacedTet&) = default;
-};
-
-struct PlacedMesh {
-  std::vector<Coord3> points;
-  std::vector<PlacedTet> tets;
-};
 
 certet::Grading levels_of(std::int32_t levels) {
   certet::Grading grading;
   grading.levels = levels;
   return grading;
-}
-
-PlacedMesh placed(const certet::Stuffing& stuffing) {
-  certet::Context context;
-  context.threads = 2;
-  const certet::Mesh mesh = certet::emit(stuffing, {}, context);
-  PlacedMesh placed;
-  placed.points.assign(mesh.points.begin(), mesh.points.end());
-  std::visit(
-      [&](const auto& tets) {
-        for (std::size_t t = 0; t < tets.size(); ++t) {
-          const auto& [a, b, c, d] = tets[t];
-          placed.tets.push_back({{mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]},
-                                 mesh.labels.empty() ? 0 : mesh.labels[t]});
-        }
-      },
-      mesh.tets);
-  return placed;
-}
-
-/// The same vertices the same way round, starting from the least.
-Triangle turned(Triangle face) {
-  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-  return face;
-}
-
-Triangle other_side(const Triangle& face) { return turned({face[0], face[2], face[1]}); }
-
-/// The faces of tetrahedra by who is on their inner side.
-using Faces = std::map<Triangle, std::int32_t>;
-
-/// Which faces have no tetrahedron of the same label behind them: the surface and the interfaces.
-/// `twice` says whether two tetrahedra are on one side of a face.
-Faces single_faces(const PlacedMesh& mesh, bool& twice) {
-  Faces faces;
-  for (const auto& [corners, label] : mesh.tets) {
-    const auto& [a, b, c, d] = corners;
-    for (const Triangle& face : {Triangle{b, c, d}, {a, d, c}, {a, b, d}, {a, c, b}})
-      twice = twice || !faces.emplace(turned(face), label).second;
-  }
-  Faces single;
-  for (const auto& [face, label] : faces) {
-    const auto behind = faces.find(other_side(face));
-    if (behind == faces.end() || behind->second != label) single.emplace(face, label);
-  }
-  return single;
-}
-
-exact::Wide six_volume(const PlacedMesh& mesh) {
-  exact::Wide sum = 0;
-  for (const PlacedTet& tet : mesh.tets) sum += exact::six_volume(tet.corners);
-  return sum;
-}
-
-std::map<std::int32_t, exact::Wide> volumes(const PlacedMesh& mesh) {
-  std::map<std::int32_t, exact::Wide> sums;
-  for (const PlacedTet& tet : mesh.tets) sums[tet.label] += exact::six_volume(tet.corners);
-  return sums;
-}
-
-/// The first property that a graded mesh breaks, in words; empty if it has them all.
-std::string fault(const PlacedMesh& graded, const PlacedMesh& uniform,
-                  const exact::AngleRange& range) {
-  std::set<Coord3> used;
-  for (const PlacedTet& tet : graded.tets) used.insert(tet.corners.begin(), tet.corners.end());
-  const std::set<Coord3> points(graded.points.begin(), graded.points.end());
-  if (points.size() != graded.points.size()) return "two points are at one place";
-  if (points != used) return "a point is not used";
-  for (const PlacedTet& tet : graded.tets) {
-    if (exact::six_volume(tet.corners) <= 0) return "a tetrahedron is not positive";
-    for (const exact::Dihedral& angle : exact::dihedrals(tet.corners))
-      if (!range.contains(angle))
-        return "an angle of " + std::to_string(static_cast<double>(angle.degrees())) + " degrees";
-  }
-  bool twice = false;
-  const Faces single = single_faces(graded, twice);
-  if (twice) return "two tetrahedra are on one side of a face";
-  if (single != single_faces(uniform, twice)) return "the boundary is another one";
-  if (six_volume(graded) != six_volume(uniform)) return "the volume is another one";
-  return "";
-}
-
-const exact::AngleRange& range_of(Method method) {
-  static const exact::AngleRange midpoint(29.9999, 135.0001);  // both are attained
-  if (method == Method::midpoint) return midpoint;
-  return method == Method::embedding ? exact::embedding_range : exact::angles_range;
 }
 
 struct Graded {
@@ -242,17 +142,6 @@ TEST(Grading, OfMaterialsWithoutInterfacesIsRefused) {
   EXPECT_THROW(stuffing.grade(levels_of(1), context), certet::Error);
 }
 
-/// The length of the longest edge, in long edges of the lattice.
-double longest_edge(const PlacedTet& tet) {
-  double longest = 0;
-  for (std::size_t a = 0; a < 4; ++a)
-    for (std::size_t b = 0; b < a; ++b) {
-      const Coord3 d = tet.corners[a] - tet.corners[b];
-      longest = std::max(longest, std::hypot(d.x, d.y, d.z) / (2 * certet::steps));
-    }
-  return longest;
-}
-
 /// Where fewer levels are asked for, no tetrahedron is larger than these give, and elsewhere
 /// some are.
 TEST(Grading, KeepsToTheSizesThatAreAskedFor) {
@@ -265,9 +154,8 @@ TEST(Grading, KeepsToTheSizesThatAreAskedFor) {
   stuffing.grade(levels_of(3), context);
   const std::uint64_t all = stuffing.tet_count();
   stuffing.grade({.levels = 3, .of_materials = {},
-                  .at_points = [&](Coord3 first, std::span<std::int32_t> levels) {
-                    for (std::size_t i = 0; i < levels.size(); ++i)
-                      levels[i] = most(first.x + 2.0 * static_cast<double>(i));
+                  .at_points = [&](std::span<const Coord3> points, std::span<std::int32_t> levels) {
+                    for (std::size_t i = 0; i < levels.size(); ++i) levels[i] = most(points[i].x);
                   }},
                  context);
   const PlacedMesh graded = placed(stuffing);
@@ -304,6 +192,62 @@ TEST(Grading, KeepsToTheLevelsOfMaterials) {
   EXPECT_LT(longest[5], 1.8);
   EXPECT_GT(longest[6], 3.9);
   EXPECT_LT(longest[6], 6);
+}
+
+/// The triangles of a mesh whose three vertices are on its surface, but for those with two
+/// tetrahedra behind them, in an order of their own: its boundary.
+std::vector<Triangle> boundary(const certet::Stuffing& stuffing, exact::Wide& volume) {
+  certet::Context context;
+  const certet::Mesh mesh = certet::emit(stuffing, {}, context);
+  std::vector<std::uint8_t> surface(mesh.points.size());
+  stuffing.mark_surface(0, stuffing.layers(), surface, context);
+  std::vector<Triangle> faces;
+  volume = 0;
+  for (const auto& tet : std::get<certet::Buffer<certet::Tet<std::uint32_t>>>(mesh.tets)) {
+    std::array<Coord3, 4> corners;
+    for (std::size_t n = 0; n < 4; ++n) corners[n] = mesh.points[tet[n]];
+    volume += exact::six_volume(corners);
+    using Face = std::array<std::size_t, 3>;
+    for (const auto& [a, b, c] : {Face{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}})
+      if (surface[tet[a]] && surface[tet[b]] && surface[tet[c]])
+        faces.push_back(turned({corners[a], corners[b], corners[c]}));
+  }
+  std::ranges::sort(faces);
+  std::vector<Triangle> single;
+  for (const Triangle& face : faces)
+    if (!std::ranges::binary_search(faces, other_side(face))) single.push_back(face);
+  return single;
+}
+
+/// Of a torus of so many long edges to its greater radius.
+void compare_surfaces(double radius) {
+  const auto wide = static_cast<std::int32_t>(1.4 * radius) + 2;
+  const auto high = static_cast<std::int32_t>(0.4 * radius) + 2;
+  const domains::Positional torus =
+      domains::of_level(domains::torus(0, 0, 0, 2 * radius, 0.8 * radius));
+  certet::Context context;
+  certet::Stuffing stuffing(torus, {{-2 * wide, -2 * wide, -2 * high}, {2 * wide, 2 * wide, 2 * high}},
+                            Method::embedded, context);
+  exact::Wide before = 0, after = 0;
+  const std::vector<Triangle> uniform = boundary(stuffing, before);
+  const std::uint64_t tets = stuffing.tet_count();
+  stuffing.grade(levels_of(3), context);
+  EXPECT_EQ(boundary(stuffing, after), uniform);
+  EXPECT_EQ(after, before);
+  EXPECT_GT(uniform.size(), 1000U);
+  std::cout << tets << " tetrahedra of one size, " << stuffing.tet_count() << " graded, "
+            << uniform.size() << " triangles\n";
+}
+
+TEST(Grading, KeepsTheSurfaceOfATorusTriangleByTriangle) { compare_surfaces(1 / 0.05); }
+
+/// The same at ten million tetrahedra, some seconds of an optimised build.
+TEST(Grading, KeepsTheSurfaceOfTenMillionTetrahedra) {
+#ifdef NDEBUG
+  compare_surfaces(1 / 0.0155);
+#else
+  GTEST_SKIP() << "not optimised";
+#endif
 }
 
 TEST(Grading, OfNoiseIsTheUniformMesh) {

@@ -5,22 +5,29 @@
 #include <CLI/App.hpp>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "certet/context.hpp"
+#include "certet/size_field.hpp"
 #include "certet/stuffing.hpp"
 #include "json.hpp"
 #include "table.hpp"
 
 namespace certet::command {
 
-/// --grade or --max-size, and --interior-size.
+/// --grade or --max-size, --interior-size and --size-field.
 struct GradeChoice {
   std::int32_t levels = 0;
   double max_size = 0;  ///< 0: as many levels as `levels` says
   std::map<std::int32_t, double> of_labels;  ///< the greatest edges within some labels
 
-  [[nodiscard]] bool any() const { return levels != 0 || max_size != 0 || !of_labels.empty(); }
+  std::string size_field;  ///< a formula or an image; empty: sizes are the same everywhere
+  std::optional<SizeField> sizes = {};  ///< that one, once it is open
+
+  [[nodiscard]] bool any() const {
+    return levels != 0 || max_size != 0 || !of_labels.empty() || !size_field.empty();
+  }
 };
 
 /// What --max-size and --interior-size say.
@@ -33,14 +40,19 @@ void declare_grade(CLI::App& app, GradeChoice& choice, RawGrade& raw);
 /// tetrahedra are of one size.
 void check_grade(GradeChoice& choice, const RawGrade& raw, bool moves);
 
-/// Grades a counted mesh whose long edges have this size, if it is to be.  \throws Error
-/// `bad_option` where the mesh is not one that can be.
-void grade(const GradeChoice& choice, double size, Stuffing& stuffing, Context& context);
+/// Opens the size field, if there is one.  \throws Error `bad_input`, `too_large`.
+void open_size_field(GradeChoice& choice, std::uint64_t max_bytes);
+
+/// Grades a counted mesh in this frame, if it is to be.  \throws Error
+/// `bad_option` where the mesh is not one that can be, `bad_input` where the size field is not
+/// positive or does not cover it.
+void grade(const GradeChoice& choice, const Frame& frame, Stuffing& stuffing, Context& context);
 
 /// What is told of a graded mesh.
 struct GradeReport {
   std::int32_t levels = 0;  ///< 0: it is not graded
   std::uint64_t uniform_tets = 0;
+  std::string size_field = {};  ///< empty: none
 };
 
 void add_grade(Lines& lines, const GradeReport& report, std::uint64_t tets, double size);

@@ -148,7 +148,7 @@ Counted count(const MeshOptions& options, const Source& source, Context& context
     PlacedSource placed = source.place(size);
     check_lattice(placed, options.method, report.memory_limit);
     Stuffing stuffing(*placed.domain, placed.lattice, options.method, context);
-    grade(options.grade, placed.frame.size, stuffing, context);
+    grade(options.grade, placed.frame, stuffing, context);
     return Counted{std::move(placed), std::move(stuffing)};
   };
   if (options.target_tets != 0)
@@ -187,7 +187,8 @@ void describe(const MeshOptions& options, const Counted& counted, const Progress
   report.warp = stuffing.warp_figures();
   report.points = stuffing.point_count();
   report.tets = stuffing.tet_count();
-  report.graded = {stuffing.grading_levels(), stuffing.uniform_tet_count()};
+  report.graded = {stuffing.grading_levels(), stuffing.uniform_tet_count(),
+                   options.grade.size_field};
   report.sample_seconds = progress.seconds(Stage::sample);
   report.cut_seconds = progress.seconds(Stage::cut);
   report.warp_seconds = progress.seconds(Stage::warp);
@@ -240,7 +241,7 @@ void drop_pieces(const MeshOptions& options, Counted& counted, Context& context,
   if (!options.keep) return;
   auto& [source, stuffing] = counted;
   const Stuffing rest = stuffing.keep(*options.keep, context);
-  grade(options.grade, source.frame.size, stuffing, context);
+  grade(options.grade, source.frame, stuffing, context);
   report.keep = options.keep_text;
   report.dropped.tets = rest.tet_count();
   report.dropped.pieces = rest.pieces(source.frame, context).whole.by_faces;
@@ -286,14 +287,16 @@ void describe_materials(const PlacedSource& source, const Context& context,
                          std::make_move_iterator(sentences.end()));
 }
 
-MeshReport run(const MeshOptions& options, Context& context) {
+MeshReport run(const MeshOptions& asked, Context& context) {
   const Stopwatch clock;
+  MeshOptions options = asked;
   MeshReport report;
   report.memory_limit = memory_limit(options);
   limit_memory(report.memory_limit + base_bytes);
   check_outputs(options);
   LabelNames names;
   if (!options.label_names.empty()) names = read_label_names(options.label_names);
+  open_size_field(options.grade, report.memory_limit);
   const Source source = open_source(options, report.memory_limit, context);
   names.insert(source.names.begin(), source.names.end());
   report.read_seconds = clock.seconds();

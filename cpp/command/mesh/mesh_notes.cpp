@@ -176,7 +176,9 @@ With --grade tetrahedra away from the surface and from where labels meet belong 
 cells, each level of which doubles the edges; beside one are none of more than twice its size.
 What touches the surface is, bit by bit, as without.  Several labels are graded where they are
 cut apart, so not by --method paper; vertices do not move, so that --features auto stays off.
---target-tets counts what there is once graded.
+--target-tets counts what there is once graded.  A size field is asked for its size at the centre of
+each cell inside, in the input's coordinates and before --scale; an image of sizes is trilinear
+between voxel centres and has to cover the shape.
 
 Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file, format,
 bytes, origin, frame (lps, ras, or input where the axes are not known), scale}, lattice {cells,
@@ -185,7 +187,8 @@ violated, stayed, shortened, missed (the surface, by shortened moves) {greatest,
 greatest_edges, rms_edges}, clamped {cuts and the same}}, theorem, mesh {points, tets, volume,
 volume_fraction (of shapes without an end), checksum, file_checksum, pieces {by_faces,
 by_vertices, largest_tets}, of a graded mesh: graded {levels, greatest_edge, uniform_tets (of one
-size, in the place of which it is), interior {theorem, min_dihedral, max_dihedral}}, nonmanifold {edges, vertices, edge_places, vertex_places: in the
+size, in the place of which it is), interior {theorem, min_dihedral, max_dihedral}, size_field
+(where there is one)}, nonmanifold {edges, vertices, edge_places, vertex_places: in the
 world, of the first 8}}, where the boundary has others than surface, and the format has patches: patches [{name, triangles,
 area (of the output)}], with --order 2: order2 {middle_nodes, curved, and with --curved:
 surface_edges, moved, on_surface, straight {guarded (would spoil an element), far (from the

@@ -2,6 +2,7 @@
 
 #include "certet/error.hpp"
 #include "certet/formula.hpp"
+#include "certet/size_fields.hpp"
 
 namespace certet {
 namespace {
@@ -34,6 +35,8 @@ void FormulaDomain::at(std::span<const Coord3>, std::span<Sign>) const {}
 Extent FormulaDomain::extent(const LatticeBox&) const { return Extent::outside; }
 
 Solid formula_solid(const std::string&, const Bounds&) { refuse(); }
+
+SizeField formula_sizes(const std::string&) { refuse(); }
 
 bool can_read_formulas() { return false; }
 

@@ -21,9 +21,10 @@ struct Grading {
   std::int32_t levels = 0;  ///< at most; 0: all tetrahedra are of one size
   /// Of each material, from 1 on, its own most levels; those that are not told have `levels`.
   std::vector<std::int32_t> of_materials;
-  /// Writes the most levels at each of a row of points: `first`, in lattice units, and others
-  /// two units further along x each; called from several threads.  None: `levels` everywhere.
-  std::function<void(Coord3 first, std::span<std::int32_t> levels)> at_points;
+  /// Writes the most levels at each of some points, the centres of those cells of a layer that
+  /// larger ones could fill, in lattice units; called from several threads.  None: `levels`
+  /// everywhere.  `keep_within` of size_field.hpp makes one of sizes.
+  std::function<void(std::span<const Coord3> points, std::span<std::int32_t> levels)> at_points;
 };
 
 }  // namespace certet

@@ -24,7 +24,8 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _arguments, _certet
+from . import _arguments, _certet, _sizes
+from ._sizes import SizeField
 
 __all__ = ["CheckReport", "Curve", "Distance", "Distances", "Features", "FileMesh", "Interface",
            "LossWarning", "Mesh", "Optimised", "Patch", "Pieces", "Quality", "Solid", "Warp", "check",
@@ -594,7 +595,7 @@ def mesh(shape: Any, **options: Any) -> Mesh:
     shape : a function that is negative inside, as `mesh_function` takes; a pair (points,
         triangles), as `mesh_surface` does; a dictionary of these, as `mesh_solids` does; an
         array of voxels, as `mesh_image` does; or a `Solid`, with `size`, `margin`, `method`,
-        `threads`, `order`, `curved`, `optimise`, `features` and `grade` as options
+        `threads`, `order`, `curved`, `optimise`, `features`, `grade` and `size_field` as options
     options : those of that function, by name; `bounds` is required for a function
 
     Raises
@@ -725,6 +726,7 @@ def mesh_image(
     optimise: bool | float = False,
     features: float | Literal["auto", "off"] = "auto",
     grade: int = 0,
+    size_field: SizeField | None = None,
 ) -> Mesh:
     """Meshes voxels: chosen labels, or where a grayscale image is above `iso`.
 
@@ -775,6 +777,11 @@ def mesh_image(
     grade : 0 to 3: away from the surface, and from where labels meet, tetrahedra are larger, by
         up to so many levels, each of which doubles the edges; what touches the surface stays as it
         is.  Vertices of such a mesh do not move
+    size_field : the greatest long edges wanted, place by place, in world units: a formula of x, y
+        and z, a function of points, called as that of `mesh_function` is and with points inside
+        alone, or (array, spacing, origin) or (array, spacing, origin, direction) of an image of
+        sizes, trilinear between voxel centres.  The mesh is graded by as many levels as stay
+        within, 3 or `grade` at most, and nowhere finer than `size`
 
     Warns of labels that the mesh has lost, with a size that keeps them, of labels asked for one by
     one that no voxel has, and of gray values taken for labels; `Mesh.warnings` has the sentences.
@@ -797,7 +804,8 @@ def mesh_image(
         _arguments.three("spacing", spacing, one_will_do=True),
         _arguments.three("origin", origin), _arguments.direction(direction), ranges, levels,
         None if smooth is None else float(smooth), merges, _arguments.size(size), _arguments.whole("margin", margin),
-        _options(method, cuts, guarantee, threads, order, curved, optimise, features, grade)))
+        _options(method, cuts, guarantee, threads, order, curved, optimise, features, grade,
+                 size_field)))
 
 
 def mesh_function(
@@ -816,6 +824,7 @@ def mesh_function(
     optimise: bool | float = False,
     features: float | Literal["auto", "off"] = "auto",
     grade: int = 0,
+    size_field: SizeField | None = None,
 ) -> Mesh:
     """Meshes where a function is negative.
 
@@ -829,7 +838,8 @@ def mesh_function(
         outside
     size : the long edge of the lattice (default: a 64th of the longest side of the box)
     batch : how many points `f` is called with at most; the mesh is the same for any number
-    margin, method, cuts, guarantee, threads, order, curved, optimise, features, grade : as `mesh_image` has them
+    margin, method, cuts, guarantee, threads, order, curved, optimise, features, grade,
+        size_field : as `mesh_image` has them
 
     Raises
     ------
@@ -841,7 +851,8 @@ def mesh_function(
     return _told(_certet.mesh_function(
         _arguments.signs(f), low, high, _arguments.batch(batch), _arguments.size(size),
         _arguments.whole("margin", margin),
-        _options(method, cuts, guarantee, threads, order, curved, optimise, features, grade)))
+        _options(method, cuts, guarantee, threads, order, curved, optimise, features, grade,
+                 size_field)))
 
 
 def mesh_surface(
@@ -860,6 +871,7 @@ def mesh_surface(
     optimise: bool | float = False,
     features: float | Literal["auto", "off"] = "auto",
     grade: int = 0,
+    size_field: SizeField | None = None,
 ) -> Mesh:
     """Meshes the inside of a closed surface.
 
@@ -874,7 +886,8 @@ def mesh_surface(
         solid is thin, as far as some 4 million tetrahedra)
     repair : of an open surface, mesh what it winds around by more than one half (the
         generalised winding number); `Mesh.notes` says how many holes that closed
-    margin, method, cuts, guarantee, threads, order, curved, optimise, features, grade : as `mesh_image` has them
+    margin, method, cuts, guarantee, threads, order, curved, optimise, features, grade,
+        size_field : as `mesh_image` has them
 
     Raises
     ------
@@ -885,7 +898,8 @@ def mesh_surface(
     return _told(_certet.mesh_surface(
         _arguments.points(points), _arguments.triangles(triangles), _arguments.size(size),
         _arguments.whole("margin", margin), bool(repair),
-        _options(method, cuts, guarantee, threads, order, curved, optimise, features, grade)))
+        _options(method, cuts, guarantee, threads, order, curved, optimise, features, grade,
+                 size_field)))
 
 
 def mesh_solids(
@@ -907,6 +921,7 @@ def mesh_solids(
     optimise: bool | float = False,
     features: float | Literal["auto", "off"] = "auto",
     grade: int = 0,
+    size_field: SizeField | None = None,
 ) -> Mesh:
     """Meshes several solids as the materials of one mesh, cut apart where they meet.
 
@@ -929,7 +944,8 @@ def mesh_solids(
     size : the long edge of the lattice (default: the spacing of the first image or, without one, a
         64th of the longest side of the box around all)
     repair : of surfaces, as `mesh_surface` has it
-    margin, method, cuts, guarantee, threads, order, curved, optimise, features, grade : as `mesh_image` has them; with the paper's methods the
+    margin, method, cuts, guarantee, threads, order, curved, optimise, features, grade,
+        size_field : as `mesh_image` has them; with the paper's methods the
         solids are meshed as one, and a tetrahedron has the label at its centre
 
     Raises
@@ -944,7 +960,8 @@ def mesh_solids(
              for name, one in solids.items()]
     return _told(_certet.mesh_solids(inner, list(priority), _arguments.size(size),
                                      _arguments.whole("margin", margin),
-                                     _options(method, cuts, guarantee, threads, order, curved, optimise, features, grade)))
+                                     _options(method, cuts, guarantee, threads, order, curved, optimise, features, grade,
+                 size_field)))
 
 
 def _mesh_solid(
@@ -961,10 +978,12 @@ def _mesh_solid(
     optimise: bool | float = False,
     features: float | Literal["auto", "off"] = "auto",
     grade: int = 0,
+    size_field: SizeField | None = None,
 ) -> Mesh:
     return _told(_certet.mesh_solid(solid._inner, _arguments.size(size),
                                     _arguments.whole("margin", margin),
-                                    _options(method, cuts, guarantee, threads, order, curved, optimise, features, grade)))
+                                    _options(method, cuts, guarantee, threads, order, curved, optimise, features, grade,
+                 size_field)))
 
 
 def _one_of_several(name: str, solid: Any, bounds: Sequence[Sequence[float]] | None,
@@ -1082,7 +1101,8 @@ def _inner(mesh: Any) -> Any:
 def _options(method: str | None, cuts: str, guarantee: str | None, threads: int,
              order: int = 1, curved: bool = False,
              optimise: bool | float = False,
-             features: float | str = "auto", grade: int = 0) -> _certet.Options:
+             features: float | str = "auto", grade: int = 0,
+             sizes: SizeField | None = None) -> _certet.Options:
     if order not in (1, 2):
         raise ValueError(f"order is 1 or 2, not {order!r}")
     if curved and order != 2:
@@ -1101,10 +1121,13 @@ def _options(method: str | None, cuts: str, guarantee: str | None, threads: int,
     levels = _arguments.whole("grade", grade)
     if levels not in (0, 1, 2, 3):
         raise ValueError(f"grade is a number of levels from 0 to 3, not {grade!r}")
+    field = _sizes.size_field(sizes)
+    if field is not None and levels == 0:
+        levels = 3
     if levels and (optimise or angle is not None):
-        raise ValueError("vertices move where all tetrahedra are of one size: grade does not go with "
-                         "optimise or an angle for features")
+        raise ValueError("vertices move where all tetrahedra are of one size: grade and size_field do "
+                         "not go with optimise or an angle for features")
     return _certet.Options(_arguments.word("method", method), _arguments.whole("threads", threads),
                            int(order), bool(curved),
                            25.0 if optimise is True else float(optimise), features == "auto", angle,
-                           levels)
+                           levels, field)
