@@ -20,31 +20,35 @@ using optimising::operator*;
 constexpr double middle_reach = 0.4 * long_edge;
 /// Rays around that, in steps: far enough for a normal to be known to a tenth of a degree.
 constexpr double around = 1024, looking_reach = 6 * around;
-constexpr std::size_t sectors = 16;
-using Hits = std::span<const Hit, sectors>;
+constexpr std::size_t ring = 24;
+using Hits = std::span<const Hit, ring>;
+/// Three rays so far from each other tell a normal; the one in the middle has no part in it, as that
+/// may be near the end of its face.
+constexpr std::size_t stride = ring / 8;
+using Normals = std::array<std::optional<Vector>, ring>;
 
-/// Normals in degrees: of all sectors of a smooth place, and of two neighbours on one face.
+/// In degrees: normals all around a smooth place, and two neighbours on one face.
 constexpr double smooth_within = 8, same_face = 4;
 
-std::array<std::optional<Vector>, sectors> normals_of(const Vector& middle, Hits hits) {
-  std::array<std::optional<Vector>, sectors> normals;
-  for (std::size_t i = 0; i < sectors; ++i) {
-    const Hit &a = hits[i], &b = hits[(i + 1) % sectors];
-    if (!a.found || !b.found) continue;
-    const Vector normal = unit(cross(a.place - middle, b.place - middle));
+Normals normals_of(Hits hits) {
+  Normals normals;
+  for (std::size_t i = 0; i < ring; ++i) {
+    const Hit &a = hits[i], &b = hits[(i + stride) % ring], &c = hits[(i + 2 * stride) % ring];
+    if (!a.found || !b.found || !c.found) continue;
+    const Vector normal = unit(cross(b.place - a.place, c.place - a.place));
     if (normal != Vector{0, 0, 0}) normals[i] = normal;
   }
   return normals;
 }
 
-/// Where faces meet, always one on the same side: of those that two neighbouring sectors agree on,
-/// or of all, what is farthest along a direction that no shape is aligned with.
-std::optional<Vector> one_of(const std::array<std::optional<Vector>, sectors>& normals) {
+/// Where faces meet, always one on the same side: of those that two neighbours agree on, or of
+/// all, what is farthest along a direction that no shape is aligned with.
+std::optional<Vector> one_of(const Normals& normals) {
   constexpr Vector aside{0.5313, 0.3571, 0.7683};
   std::optional<Vector> best;
   for (const bool any : {false, true}) {
-    for (std::size_t i = 0; i < sectors; ++i) {
-      const auto &own = normals[i], &next = normals[(i + 1) % sectors];
+    for (std::size_t i = 0; i < ring; ++i) {
+      const auto &own = normals[i], &next = normals[(i + 1) % ring];
       if (!own || (!any && (!next || angle_between(*own, *next) > same_face))) continue;
       if (!best || dot(*own, aside) > dot(*best, aside)) best = own;
     }
@@ -55,7 +59,7 @@ std::optional<Vector> one_of(const std::array<std::optional<Vector>, sectors>& n
 
 std::optional<Facing> facing_of(const Hit& middle, Hits hits) {
   if (!middle.found) return std::nullopt;
-  const auto normals = normals_of(middle.place, hits);
+  const auto normals = normals_of(hits);
   Vector sum{0, 0, 0};
   bool all = true;
   for (const auto& normal : normals) {
@@ -102,21 +106,21 @@ std::vector<std::optional<Facing>> facing(const Domain& domain, std::span<const 
     std::vector<Ray> rays;
     for (std::size_t i = begin; i < end; ++i)
       rays.push_back({looks[i].place, looks[i].axis, middle_reach});
-    std::vector<Hit> middles(rays.size()), hits(sectors * rays.size());
+    std::vector<Hit> middles(rays.size()), hits(ring * rays.size());
     cast(domain, rays, middles);
     rays.clear();
     for (std::size_t i = begin; i < end; ++i) {
       const auto [u, v] = across(looks[i].axis);
       const Hit& middle = middles[i - begin];
-      for (std::size_t s = 0; s < sectors; ++s) {
-        const double turn = 2 * std::numbers::pi * static_cast<double>(s) / sectors;
+      for (std::size_t s = 0; s < ring; ++s) {
+        const double turn = 2 * std::numbers::pi * static_cast<double>(s) / ring;
         const Vector aside = (around * std::cos(turn)) * u + (around * std::sin(turn)) * v;
         rays.push_back({middle.place + aside, looks[i].axis, middle.found ? looking_reach : 0});
       }
     }
     cast(domain, rays, hits);
     for (std::size_t i = begin; i < end; ++i)
-      found[i] = facing_of(middles[i - begin], Hits(hits.data() + sectors * (i - begin), sectors));
+      found[i] = facing_of(middles[i - begin], Hits(hits.data() + ring * (i - begin), ring));
   });
   return found;
 }

@@ -16,9 +16,9 @@ using optimising::operator+;
 using optimising::operator-;
 using optimising::operator*;
 
-/// The faces seen at the ends of an edge turn at least so much less than their own edge does, which
-/// they are bent away from or towards.
-constexpr double slack = 0.6;
+/// Two vertices may turn by so much less than the edge between them does, as faces are bent on the way
+/// to it.
+constexpr double slack = 0.25;
 /// Halvings, after which two places are a 128th of an edge apart.
 constexpr int halvings = 8;
 

@@ -70,7 +70,7 @@ void bisect(const Domain& domain, std::span<const Ray> rays, std::vector<Bracket
 }  // namespace
 
 void cast(const Domain& domain, std::span<const Ray> rays, std::span<Hit> hits) {
-  constexpr double first_reach = 64, growth = 8;
+  constexpr double first_reach = 64, growth = 2;
   std::ranges::fill(hits, Hit{});
   std::vector<std::size_t> rest(rays.size());
   std::iota(rest.begin(), rest.end(), std::size_t{0});
