@@ -40,8 +40,7 @@ void fill(const Shape& shape, double size, const Options& options, Context& cont
     result.features.why = "the mesh is graded";
   }
   if (result.features.angle)
-    result.kept = keep_features(result.mesh,
-                                features_of(*domain, *result.features.angle), context);
+    result.kept = keep_features(result.mesh, *domain, *result.features.angle, context);
   if (result.kept && !result.kept->all_followed()) result.warnings.push_back(sentence_on(*result.kept));
   if (options.order == 2) result.middles = middles_of(result.mesh, *domain, options, context);
   result.warp = stuffing.warp_figures();

@@ -97,6 +97,50 @@ class Features(ProgramTest):
         self.assertTrue(any("of the length of the sharp edges" in w for w in report["warnings"]))
         self.assertTrue(report["guarantee"]["holds"])
 
+    def kept(self, *arguments, length, corners):
+        """What is told of a solid whose edges have a known length."""
+        report = self.mesh(*arguments, "-o", "a.vtu", "--features", "40")
+        told = report["features"]
+        self.assertEqual((told["chosen"], told["why"]), (40, "as asked"))
+        self.assertAlmostEqual(told["length"] / length, 1, delta=2e-3)
+        self.assertEqual((told["corners"], told["kept_corners"]), (corners, corners))
+        self.assertGreater(told["followed_percent"], 97)
+        self.assertEqual(report["guarantee"]["angles"], "checked")
+        self.assertTrue(report["guarantee"]["holds"])
+        self.check("a.vtu")
+        off = self.mesh(*arguments, "-o", "b.vtu")  # auto: nothing is known beforehand
+        self.assertEqual(off["features"]["chosen"], "off")
+        self.assertNotIn("moved", off["features"])
+
+    def test_a_duct_has_its_rims(self):
+        """The box's faces that a formula leaves are openings, flat and round."""
+        for formula, length, corners in (("hypot(x,y)-0.25", 0, 0), ("0.25-hypot(x,y)", 12, 8)):
+            self.kept(f"--expr={formula}", "--bounds=-0.5,-0.5,-0.5,0.5,0.5,0.5", "--size", "0.0625",
+                      length=length + math.pi, corners=corners)
+            truth = math.pi / 16 if corners == 0 else 1 - math.pi / 16
+            area = {}
+            for name, options in (("before", ()), ("after", ("--features", "40"))):
+                report = self.mesh(f"--expr={formula}", "--bounds=-0.5,-0.5,-0.5,0.5,0.5,0.5",
+                                   "--size", "0.0625", "-o", "c.msh", *options)
+                area[name] = [patch["area"] for patch in report["patches"]
+                              if patch["name"] == "zmax"][0]
+            self.assertLess(abs(area["after"] / truth - 1), 0.006)
+            self.assertGreater(abs(area["before"] / truth - 1), 0.02)
+
+    def test_parts_meet_in_edges(self):
+        """A box from which a cylinder is taken, what two balls share, and a formula's half spaces."""
+        self.kept("--shape", "box:2,2,1", "--subtract", "cylinder:0.5,3", "--size", "0.1",
+                  length=4 * (2 + 2 + 1) + 2 * math.pi, corners=8)
+        self.kept("--expr=max(x+y+z-1,max(-x,max(-y,-z)))", "--bounds=-1,-1,-1,2,2,2", "--size",
+                  "0.07", length=3 + 3 * math.sqrt(2), corners=4)
+        self.kept("--expr=max(hypot(x-0.3,y,z),hypot(x+0.3,y,z))-0.6", "--bounds=-1,-1,-1,1,1,1",
+                  "--size", "0.08", length=2 * math.pi * math.sqrt(0.27), corners=0)
+
+    def test_nothing_is_sharp(self):
+        told = self.mesh("--shape", "torus:1,0.4", "--size", "0.2", "-o", "a.vtu", "--features",
+                         "30")["features"]
+        self.assertEqual((told["length"], told["moved"]), (0, 0))
+
     def test_the_table_says_what_was_chosen(self):
         self.write("box.stl", BOX)
         run = self.run_certet("mesh", "box.stl", "--size", "0.17", "-o", "a.vtu")
@@ -137,8 +181,6 @@ class Features(ProgramTest):
                               f"--features={angle}")
         self.assert_fails(2, ["--features", "midpoint"], "mesh", "box.stl", "-o", "a.vtu",
                           "--features", "30", "--method", "midpoint")
-        self.assert_fails(2, ["sharp edges are known of"], "mesh", "--shape", "torus:1,0.4",
-                          "--size", "0.2", "-o", "a.vtu", "--features", "30")
         self.assertEqual(self.mesh("box.stl", "--size", "0.2", "-o", "a.vtu", "--method",
                                    "midpoint")["features"]["chosen"], "off")
 

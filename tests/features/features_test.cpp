@@ -118,6 +118,19 @@ TEST(Features, NearlyAllOfPartsIsKept) {
   EXPECT_GE(share / count, 99.7);
 }
 
+TEST(Features, CurvesMayEndWhereTheyBegin) {
+  for (int trial = 0; trial < 4; ++trial) {
+    std::mt19937_64 random(trial_seed(test_seed(), 250 + unsigned(trial)));
+    parts::Part part = parts::drop(real(random, 0.8, 1.4), 60);
+    if (trial > 0) part = parts::placed(std::move(part), random);
+    const Kept kept = keep(part, real(random, 0.1, 0.16));
+    ASSERT_EQ(judge::fault(kept.before, kept.after, kept.features), "") << trial;
+    EXPECT_EQ(kept.features.corners.size(), 2U) << trial;
+    EXPECT_EQ(kept.figures.kept_corners, 2U) << trial;
+    EXPECT_GE(kept.figures.followed_percent(), 97) << trial;
+  }
+}
+
 /// Parts that are too acute for their size, so that the guard stops many a move.
 TEST(Features, TheBoundsHoldWhereEdgesAreAcute) {
   for (int trial = 0; trial < 12; ++trial) {

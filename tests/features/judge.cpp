@@ -102,7 +102,11 @@ class Edges {
 
 }  // namespace
 
-std::string fault(const Mesh& before, const Mesh& after, const certet::Features& features) {
+namespace {
+
+using FarFromSurface = std::function<bool(Coord3)>;
+
+std::string fault(const Mesh& before, const Mesh& after, const FarFromSurface& is_far) {
   const auto tets = numbers_of(after);
   if (numbers_of(before) != tets) return "tetrahedra have other points";
   if (!std::ranges::equal(before.labels, after.labels)) return "labels have changed";
@@ -116,14 +120,29 @@ std::string fault(const Mesh& before, const Mesh& after, const certet::Features&
   }
   std::set<std::uint64_t> surface;
   for (const auto& face : boundary_of(after)) surface.insert(face.begin(), face.end());
-  for (const std::uint64_t v : surface) {
-    if (before.points[v] == after.points[v]) continue;
-    const Point p = in_doubles(after.points[v]);
-    double least = 1e9;
-    for (const auto& triangle : features.triangles) least = std::min(least, from_triangle(p, triangle));
-    if (least > 2) return "point " + std::to_string(v) + " is off the surface";
-  }
+  for (const std::uint64_t v : surface)
+    if (before.points[v] != after.points[v] && is_far(after.points[v]))
+      return "point " + std::to_string(v) + " is off the surface";
   return "";
+}
+
+}  // namespace
+
+std::string fault(const Mesh& before, const Mesh& after, const certet::Features& features) {
+  return fault(before, after, [&](Coord3 place) {
+    double least = 1e9;
+    for (const auto& triangle : features.triangles)
+      least = std::min(least, from_triangle(in_doubles(place), triangle));
+    return least > 2;
+  });
+}
+
+std::string fault(const Mesh& before, const Mesh& after,
+                  const std::function<double(certet::Point3)>& distance, double steps) {
+  const double step = after.frame.size / (2 * certet::steps);
+  return fault(before, after, [&](Coord3 place) {
+    return std::fabs(distance(after.frame.world(place))) > steps * step;
+  });
 }
 
 Nearness nearness(const Mesh& mesh, const certet::Features& features) {

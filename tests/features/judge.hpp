@@ -3,6 +3,7 @@
 /// What a mesh must be once vertices have moved onto features, found out without the library's
 /// own trees, chains and guard.
 
+#include <functional>
 #include <string>
 
 #include "certet/features.hpp"
@@ -14,6 +15,11 @@ namespace judge {
 /// on the boundary lie on the triangles of the surface, to two steps.
 std::string fault(const certet::Mesh& before, const certet::Mesh& after,
                   const certet::Features& features);
+
+/// The same of a solid that a function tells, as its distance or about that, in world units; negative
+/// inside.  Vertices lie on its surface to `steps`.
+std::string fault(const certet::Mesh& before, const certet::Mesh& after,
+                  const std::function<double(certet::Point3)>& distance, double steps = 24);
 
 /// How far the sharp edges are from the edges of the boundary, in long edges.
 struct Nearness {

@@ -101,6 +101,13 @@ Part rounded_block(double radius, double length, double height, int sides) {
   return prism(polygon, {0, 0}, height);
 }
 
+Part drop(double height, int sides) {
+  Polygon polygon;
+  add_arc(polygon, 1, pi / 4, 7 * pi / 4, sides, 0);
+  polygon.push_back({std::sqrt(2.0), 0});
+  return prism(polygon, {0, 0}, height);
+}
+
 Part placed(Part part, std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   std::array<double, 4> q;

@@ -27,6 +27,9 @@ Part star(double outer, double inner, double height);
 /// Half a cylinder against a block: sharp edges of which one runs into the other smoothly.
 Part rounded_block(double radius, double length, double height, int sides);
 
+/// A drop of radius 1 with a tip of 90 degrees: the edge of its top ends at the corner where it begins.
+Part drop(double height, int sides);
+
 /// Turned and shifted at random.
 Part placed(Part part, std::mt19937_64& random);
 /// Made finer, by cutting each triangle in four, and rough: its points are moved by noise.

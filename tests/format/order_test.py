@@ -163,7 +163,7 @@ class Files(Order):
         self.assertIn("several", run.stdout)
 
     def test_refusals(self):
-        for name in ("a.stl", "a.ply", "a.vtp", "a.mfem", "polyMesh"):
+        for name in ("a.stl", "a.ply", "a.vtp", "polyMesh"):
             self.assert_fails(2, ["--order 2", "ten nodes"], "mesh", *SOLIDS, "--order", 2,
                               "-o", name)
         self.assert_fails(2, ["--curved", "--order 2"], "mesh", *SOLIDS, "--curved", "-o", "a.vtu")
@@ -266,6 +266,41 @@ class Text(Order):
 
         self.assert_fields("a.k", elements, points)
         self.assertIn("         1        16\n", (self.folder / "a.k").read_text())
+
+    def test_mfem(self):
+        """Nodes of each element by themselves, by growing multiples of a half along its edges from the
+        first corner: as MFEM's L2_T1_3D_P2 has them."""
+        told, _ = self.make("a.mfem")
+        text = (self.folder / "a.mfem").read_text()
+        head, nodes = text.split("\nnodes\n")
+        words = head.split("\nelements\n")[1].split()
+        elements = np.array(words[1:1 + 6 * int(words[0])], np.int64).reshape(-1, 6)
+        self.assertTrue((elements[:, 1] == 4).all())
+        corners = int(head.split("\nvertices\n")[1])
+        self.assertEqual(len(np.unique(elements[:, 2:])), corners)
+        self.assertEqual(elements[:, 2:].max(), corners - 1)
+        heading, numbers = nodes.split("Ordering: 1\n")
+        self.assertEqual(heading, "FiniteElementSpace\nFiniteElementCollection: L2_T1_3D_P2\nVDim: 3\n")
+        places = np.array(numbers.split(), float).reshape(-1, 10, 3)
+        self.assertEqual(len(places), len(elements))
+        halves = [(i, j, k) for k in range(3) for j in range(3 - k) for i in range(3 - j - k)]
+        points = np.full((corners, 3), np.nan)
+        own = np.zeros((len(elements), 10), np.int64)  # as VTK has them
+        for place, (i, j, k) in enumerate(halves):
+            ends = [c for c, times in enumerate((2 - i - j - k, i, j, k)) for _ in range(times)]
+            if ends[0] == ends[1]:
+                own[:, ends[0]] = place
+                known = points[elements[:, 2 + ends[0]]]
+                self.assertTrue((np.isnan(known) | (known == places[:, place])).all())
+                points[elements[:, 2 + ends[0]]] = places[:, place]
+            else:
+                own[:, 4 + VTK.index(tuple(ends))] = place
+        # Elements side by side have nodes at the same places, to the last bit.
+        shared, numbers = np.unique(places.reshape(-1, 3), axis=0, return_inverse=True)
+        cells = numbers[own + 10 * np.arange(len(elements))[:, None]]
+        self.assert_in_the_middle(shared, cells, VTK, told)
+        cells[0, [8, 9]] = cells[0, [9, 8]]  # planted
+        self.assertGreater(misplaced(shared, cells, 4, VTK), 0)
 
 
 @unittest.skipIf(h5py is None, "h5py was not found")

@@ -45,6 +45,22 @@ class Features(unittest.TestCase):
         self.assertIsNone(ball.features.angle)
         self.assertIn("no sharp edges are known", ball.features.why)
 
+    def test_parts_meet_in_edges(self):
+        """Half a ball, cut off by a plane, and by its bounds."""
+        def half(p):
+            return np.maximum(np.sqrt((p**2).sum(1)) - 1, p[:, 2])
+
+        for function, bounds in ((half, ((-1.1,) * 3, (1.1,) * 3)),
+                                 (lambda p: np.sqrt((p**2).sum(1)) - 1,
+                                  ((-1.1, -1.1, -1.1), (1.1, 1.1, 0)))):
+            mesh = certet.mesh_function(function, bounds, 0.13, features=40)
+            self.assertAlmostEqual(mesh.features.length / (2 * np.pi), 1, delta=1e-3)
+            self.assertGreater(mesh.features.followed_percent, 98)
+            self.assertEqual(mesh.features.corners, 0)
+            self.assertTrue(certet.quality(mesh).holds)
+            flat = mesh.points[np.abs(mesh.points[:, 2]) < 1e-5]
+            self.assertAlmostEqual(np.hypot(*flat[:, :2].T).max(), 1, delta=1e-4)
+
     def test_copies(self):
         mesh = box()
         for other in (copy.deepcopy(mesh), pickle.loads(pickle.dumps(mesh))):
@@ -55,9 +71,6 @@ class Features(unittest.TestCase):
         for angle in (0, 180, float("nan"), "sharp", None, True):
             with self.assertRaisesRegex(ValueError, "features"):
                 box(features=angle)
-        with self.assertRaisesRegex(ValueError, "sharp edges are known of"):
-            certet.mesh_function(lambda p: (p**2).sum(1) - 1, ((-1.1,) * 3, (1.1,) * 3), 0.2,
-                                 features=30)
 
 
 if __name__ == "__main__":

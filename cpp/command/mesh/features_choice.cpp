@@ -11,10 +11,13 @@ void declare_features(CLI::App& app, std::string& text) {
   app.add_option("--features", text,
                  "Vertices move onto edges at which the normals of a surface differ by more than "
                  "ANGLE degrees, and onto the corners of these, as far as all angles stay within the "
-                 "method's bounds; the mesh is held in memory.  auto (default): by 40 degrees, where "
+                 "method's bounds; the mesh is held in memory.  Of surfaces, boxes and cylinders "
+                 "they are known; elsewhere they are found on the mesh: where parts of a solid or of "
+                 "a formula meet, and where it is cut off, of images the latter alone.  auto "
+                 "(default): by 40 degrees, of surfaces, boxes and cylinders where "
                  "at least nine tenths of the length of the surface's edges are flat (20 degrees at "
                  "most) or sharp (more than 40), some are, and at most a tenth of the points of sharp ones "
-                 "are loose ends; of surfaces, boxes and cylinders; off: none")
+                 "are loose ends; off: none")
       ->option_text("ANGLE|auto|off");
 }
 

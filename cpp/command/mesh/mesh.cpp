@@ -217,7 +217,7 @@ void keep_sharp(const MeshOptions& options, const Counted& counted, std::optiona
     made = mesh(domain, counted.stuffing, context);
   }
   report.features.figures =
-      keep_features(*made, features_of(domain, *report.features.decision.angle), context);
+      keep_features(*made, domain, *report.features.decision.angle, context);
   report.features_seconds = clock.seconds();
 }
 

@@ -67,6 +67,7 @@ class CroppedDomain final : public PlacedDomain {
     whole_->materials_of(tets, out);
   }
   [[nodiscard]] std::span<const BorderBox> border() const override { return border_; }
+  [[nodiscard]] bool is_sampled() const override { return whole_->is_sampled(); }
   [[nodiscard]] LabelNames names() const override { return whole_->names(); }
   [[nodiscard]] const Frame& frame() const override { return whole_->frame(); }
   [[nodiscard]] const Lattice& lattice() const override { return lattice_; }

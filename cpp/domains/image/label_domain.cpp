@@ -99,6 +99,7 @@ class LabelDomain final : public PlacedDomain {
   }
 
   [[nodiscard]] std::span<const BorderBox> border() const override { return placement_.border; }
+  [[nodiscard]] bool is_sampled() const override { return true; }
   [[nodiscard]] LabelNames names() const override { return image_->names; }
 
   [[nodiscard]] std::span<const std::int32_t> labels() const override { return table_.labels(); }

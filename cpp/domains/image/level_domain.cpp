@@ -151,6 +151,7 @@ class LevelDomain final : public PlacedDomain {
   [[nodiscard]] const Frame& frame() const override { return placement_.frame; }
   [[nodiscard]] const Lattice& lattice() const override { return placement_.lattice; }
   [[nodiscard]] std::span<const BorderBox> border() const override { return placement_.border; }
+  [[nodiscard]] bool is_sampled() const override { return true; }
   [[nodiscard]] double longest_side() const override { return placement_.longest_side; }
   [[nodiscard]] std::uint64_t bytes() const override {
     return voxels_.size() * sizeof(T) + ranges_.bytes();

@@ -125,6 +125,7 @@ class SmoothedDomain final : public PlacedDomain {
   [[nodiscard]] std::uint64_t bytes() const override { return level_->bytes() + bytes_; }
 
   [[nodiscard]] std::span<const BorderBox> border() const override { return level_->border(); }
+  [[nodiscard]] bool is_sampled() const override { return true; }
   [[nodiscard]] LabelNames names() const override { return nearest_.names(); }
 
   [[nodiscard]] std::span<const std::int32_t> labels() const override { return table_.labels(); }

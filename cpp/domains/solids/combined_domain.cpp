@@ -31,6 +31,7 @@ class OneMaterial : public PlacedDomain {
   [[nodiscard]] double longest_side() const override { return domain_->longest_side(); }
   [[nodiscard]] std::uint64_t bytes() const override { return domain_->bytes(); }
   [[nodiscard]] std::span<const BorderBox> border() const override { return domain_->border(); }
+  [[nodiscard]] bool is_sampled() const override { return domain_->is_sampled(); }
   [[nodiscard]] std::size_t batch() const override { return domain_->batch(); }
   void row(Coord3 first, std::span<Sign> out) const override { domain_->row(first, out); }
   void at(std::span<const Coord3> positions, std::span<Sign> out) const override {
@@ -93,6 +94,7 @@ class CombinedDomain : public PlacedDomain {
   [[nodiscard]] double longest_side() const override { return side_; }
   [[nodiscard]] std::uint64_t bytes() const override { return a_->bytes() + b_->bytes(); }
   [[nodiscard]] std::span<const BorderBox> border() const override { return border_; }
+  [[nodiscard]] bool is_sampled() const override { return a_->is_sampled() || b_->is_sampled(); }
   [[nodiscard]] std::size_t batch() const override { return std::max(a_->batch(), b_->batch()); }
 
   void row(Coord3 first, std::span<Sign> out) const override {

@@ -127,6 +127,9 @@ class MaterialsDomain final : public PlacedDomain {
   }
   [[nodiscard]] std::span<const std::int32_t> labels() const override { return labels_; }
   [[nodiscard]] std::span<const BorderBox> border() const override { return border_; }
+  [[nodiscard]] bool is_sampled() const override {
+    return std::ranges::any_of(parts_, [](const SolidPart& part) { return part.domain->is_sampled(); });
+  }
   [[nodiscard]] std::size_t batch() const override {
     std::size_t most = 0;
     for (const SolidPart& part : parts_) most = std::max(most, part.domain->batch());

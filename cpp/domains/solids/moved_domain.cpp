@@ -101,6 +101,7 @@ class MovedDomain final : public PlacedDomain {
   [[nodiscard]] double longest_side() const override { return domain_->longest_side(); }
   [[nodiscard]] std::uint64_t bytes() const override { return domain_->bytes(); }
   [[nodiscard]] std::span<const BorderBox> border() const override { return border_; }
+  [[nodiscard]] bool is_sampled() const override { return domain_->is_sampled(); }
   [[nodiscard]] std::size_t batch() const override { return domain_->batch(); }
   [[nodiscard]] std::span<const std::int32_t> labels() const override { return domain_->labels(); }
   [[nodiscard]] LabelNames names() const override { return domain_->names(); }

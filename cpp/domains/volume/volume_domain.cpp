@@ -134,6 +134,7 @@ class VolumeDomain final : public PlacedDomain {
   [[nodiscard]] std::uint64_t bytes() const override {
     return volume_->grid->memUsage() + blocks_.bytes();
   }
+  [[nodiscard]] bool is_sampled() const override { return true; }
 
   void row(Coord3 first, std::span<Sign> out) const override {
     Sampler sampler(*this);

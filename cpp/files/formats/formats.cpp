@@ -153,6 +153,7 @@ bool holds_middle_nodes(Format format) {
     case Format::febio:
     case Format::nastran:
     case Format::dyna:
+    case Format::mfem:
     case Format::xdmf:
     case Format::vtkhdf:
     case Format::tetgen: return true;

@@ -1,6 +1,11 @@
 // MFEM mesh v1.0: tetrahedra with their regions, triangles with their patches and interfaces, and
-// then the points.
+// then the points, or the ten nodes of each tetrahedron.
 
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "certet/middle_nodes.hpp"
 #include "line.hpp"
 #include "numbered_groups.hpp"
 #include "registry.hpp"
@@ -13,6 +18,16 @@ namespace {
 
 /// MFEM's numbers of shapes.
 constexpr int mfem_triangle = 2, mfem_tetrahedron = 4;
+
+/// The ten nodes of an element, two of which two corners have between them, one the other: by growing
+/// multiples of a half along its third edge from the first corner, then its second, then its first.
+constexpr std::array<std::array<std::uint8_t, 2>, 10> mfem_nodes{
+    {{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 2}, {2, 2}, {0, 3}, {1, 3}, {2, 3}, {3, 3}}};
+
+/// Each element has its own nodes, so that none is named by an edge, which only MFEM numbers; those of
+/// two elements side by side are at the same places.
+constexpr std::string_view l2_heading =
+    "\nnodes\nFiniteElementSpace\nFiniteElementCollection: L2_T1_3D_P2\nVDim: 3\nOrdering: 1\n\n";
 
 /// What is known before the first number, names in comments too.
 std::string heading_of(const NumberedGroups& groups, std::uint64_t tets) {
@@ -37,15 +52,24 @@ struct ElementLine {
   std::size_t attribute_digits = 1, point_digits;
 };
 
+std::uint64_t vertex_count(const MeshSize& size) {
+  return size.middles == nullptr ? size.points : size.middles->corners();
+}
+
 class MfemWriter final : public StreamedWriter {
  public:
   MfemWriter(const std::filesystem::path& file, const MeshSize& size)
       : StreamedWriter(file, size), groups_(survey()), latest_(groups_),
-        element_(groups_, size.points), tets_(file_, 0), text_(file_, 0) {
+        element_(groups_, vertex_count(size)), tets_(file_, 0), text_(file_, 0) {
     tets_.append_text(heading_of(groups_, size.tets));
     text_ = {file_, tets_.end() + size.tets * element_.bytes()};
     put_boundary();
-    text_.append(Line() << "\nvertices\n" << size.points << "\n3\n");
+    if (size_.middles == nullptr) {
+      text_.append(Line() << "\nvertices\n" << size.points << "\n3\n");
+    } else {
+      text_.append(Line() << "\nvertices\n" << size_.middles->corners() << '\n');
+      text_.append_text(l2_heading);
+    }
   }
 
  private:
@@ -58,8 +82,23 @@ class MfemWriter final : public StreamedWriter {
   }
 
   void put_points(std::uint64_t, std::span<const Point3> points) override {
-    for (const Point3& p : points)
-      text_.append(Line() << p[0] << ' ' << p[1] << ' ' << p[2] << '\n');
+    if (size_.middles != nullptr) {
+      points_.insert(points_.end(), points.begin(), points.end());
+      return;
+    }
+    for (const Point3& p : points) put_point(p);
+  }
+
+  void put_point(const Point3& p) {
+    text_.append(Line() << p[0] << ' ' << p[1] << ' ' << p[2] << '\n');
+  }
+
+  void put_nodes(const Tet<std::uint64_t>& tet) {
+    for (const auto& [from, to] : mfem_nodes) {
+      const std::uint64_t corner = tet[from];
+      put_point(points_[from == to ? corner
+                                   : size_.middles->corners() + size_.middles->between(corner, tet[to])]);
+    }
   }
 
   void put_tets(std::uint64_t, std::span<const Tet<std::uint64_t>> tets,
@@ -70,6 +109,7 @@ class MfemWriter final : public StreamedWriter {
       line << Padded{attribute, element_.attribute_digits} << ' ' << mfem_tetrahedron;
       for (const std::uint64_t point : tets[i]) line << ' ' << Padded{point, element_.point_digits};
       tets_.append_all((line << '\n').text());
+      if (size_.middles != nullptr) put_nodes(tets[i]);
     }
   }
 
@@ -81,6 +121,7 @@ class MfemWriter final : public StreamedWriter {
   NumberedGroups groups_;
   LatestGroup latest_;
   ElementLine element_;
+  std::vector<Point3> points_;  ///< where elements have ten nodes
   Section tets_, text_;
 };
 
@@ -94,9 +135,10 @@ std::uint64_t mfem_bytes(const MeshSize& size) {
   const Survey& survey = survey_of(size);
   const NumberedGroups groups(survey);
   const SheetText text(survey, NameRule::quoted);
-  return heading_of(groups, size.tets).size() + size.tets * ElementLine(groups, size.points).bytes() +
-         text.faces * (2 + 3 * (1 + digits_of(size.points)) + 1) + text.number_digits + 60 +
-         size.points * 60;
+  const std::uint64_t corners = vertex_count(size);
+  const std::uint64_t nodes = size.middles == nullptr ? corners : mfem_nodes.size() * size.tets;
+  return heading_of(groups, size.tets).size() + size.tets * ElementLine(groups, corners).bytes() +
+         text.faces * (2 + 3 * (1 + digits_of(corners)) + 1) + text.number_digits + 160 + nodes * 60;
 }
 
 std::vector<std::string> mfem_label_losses(const Survey& survey) {

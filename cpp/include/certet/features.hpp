@@ -44,6 +44,15 @@ Features features_of(std::span<const TriangleCorners> triangles, double angle);
 /// \throws Error as that; what the domain throws.
 Features features_of(const PlacedDomain& domain, double angle);
 
+/// The sharp edges of any domain, found by where its surface turns between vertices of its mesh: the
+/// edges and corners of parts that meet, and the rim where it is cut off; of what samples of a grid
+/// tell of that rim alone.  To a few steps where faces are flat or little bent.  Without triangles;
+/// patches are those of the mesh's vertices.  An edge that no edge of the mesh crosses is not found.
+/// The result does not depend on the number of threads.
+/// \throws Error `cancelled`, `too_large` (out of memory), `bad_option` as the others; what the domain
+/// throws.
+Features features_of(const Mesh& mesh, const PlacedDomain& domain, double angle, Context& context);
+
 /// How the edges of a surface are, by their lengths.
 struct Creases {
   double flat = 0;       ///< share whose normals differ by 20 degrees at most
@@ -71,9 +80,9 @@ struct FeatureDecision {
   std::string why;                 ///< the end of a sentence
 };
 
-/// Decides by the facets of a domain.
-/// \throws Error `bad_option` where an angle is asked for that makes no sense, of a domain whose
-/// faces are not known, or of cuts in the middle of edges.
+/// Decides by the facets of a domain; where there are none, only an angle has sharp edges looked for.
+/// \throws Error `bad_option` where an angle is asked for that makes no sense, or of cuts in the
+/// middle of edges.
 FeatureDecision decide_features(const FeatureChoice& choice, const PlacedDomain& domain,
                                 Method method);
 
@@ -121,5 +130,11 @@ inline FeatureFigures keep_features(Mesh& mesh, const Features& features) {
   Context context;
   return keep_features(mesh, features, context);
 }
+
+/// The same for all edges of the domain that the mesh was made of, which are sharper than an angle, in
+/// degrees: as its facets tell them or, where there are none, as `features_of` finds them.  Then
+/// vertices in faces where the shape is cut off move too, along these.
+/// \throws Error as that, and as `features_of`.
+FeatureFigures keep_features(Mesh& mesh, const PlacedDomain& domain, double angle, Context& context);
 
 }  // namespace certet

@@ -32,6 +32,9 @@ class PlacedDomain : public Domain {
   /// Triangles around the solid, to a step, where they are known: they tell its sharp edges and
   /// the faces between.  None where it is cut off, or more than one material.
   [[nodiscard]] virtual std::vector<TriangleCorners> facets() const { return triangles(); }
+  /// Whether samples of a grid are all that is known of its surface: where that turns between them
+  /// nothing is told.
+  [[nodiscard]] virtual bool is_sampled() const { return false; }
   /// Bytes that the object holds, where they are many.
   [[nodiscard]] virtual std::uint64_t bytes() const { return 0; }
 };

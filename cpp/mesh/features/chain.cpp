@@ -9,10 +9,10 @@
 namespace certet::features {
 namespace {
 
-/// In long edges: how far from a curve a vertex may be that goes there, and one that counts for on it.
+/// In long edges: how far from a curve a vertex may be that goes there, and one that is on it already.
 constexpr double greatest_way = 1.6, on_it = 1e-3;
-/// Along a curve, in long edges: no edge of a chain goes on by less, and one that goes on by less
-/// than the second costs more.
+/// Along a curve, in long edges: no edge of a chain goes on by less than the first, but from and to
+/// corners, and one that goes on by less than the second costs more.
 constexpr double least_advance = 0.02, fair_advance = 0.3;
 constexpr double cost_of_edge = 0.03, cost_of_sagitta = 200;
 /// The sagitta of a chord that is short enough, in long edges.
@@ -67,10 +67,12 @@ class Search {
                : none;
   }
   [[nodiscard]] bool is_beside(Number v) const;
+  /// Along the curve, in long edges.
   [[nodiscard]] double advance(const Candidate& from, const Candidate& to) const;
   [[nodiscard]] std::vector<Number> around();
+  void close(std::vector<Number>& loop) const;
   [[nodiscard]] std::vector<Number> from_end_to_end() const;
-  /// The best way from candidates to candidates; `round`: it ends where it began.
+  /// The best way from some candidates to others, which may be the same.
   [[nodiscard]] std::vector<Number> best(const std::vector<std::uint8_t>& starts,
                                          const std::vector<std::uint8_t>& ends) const;
   [[nodiscard]] bool are_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
@@ -115,8 +117,6 @@ void Search::collect(bool strip) {
   for (const Number v : near_) {
     if (!may_be(v)) continue;
     CurvePoint near = curve_.nearest(in_doubles(zone.place(v)));
-    if (v == first_) near.at = 0;
-    else if (v == last_) near.at = curve_.length();
     const bool end = v == first_ || v == last_;
     if (!end && near.away > greatest_way * long_edge) continue;
     if (!end && strip && near.away > on_it * long_edge && !is_beside(v)) continue;
@@ -129,8 +129,9 @@ void Search::collect(bool strip) {
   connect();
 }
 
+/// A curve that ends at the corner where it begins has both ends at one vertex.
 double Search::advance(const Candidate& from, const Candidate& to) const {
-  double by = to.at - from.at;
+  double by = (to.vertex == last_ ? curve_.length() : to.at) - (from.vertex == first_ ? 0 : from.at);
   if (curve_.is_loop()) by -= std::floor(by / curve_.length() + 0.5) * curve_.length();
   return by / long_edge;
 }
@@ -148,7 +149,8 @@ void Search::connect() {
       const bool at_end = own.vertex == first_ || next == last_;
       if (by < (at_end ? 0 : least_advance)) continue;
       const double away = candidates_[to].away;
-      const double sagitta = sagitta_of(curve_, own.at, own.at + by * long_edge);
+      const double begin = own.vertex == first_ ? 0 : own.at;
+      const double sagitta = sagitta_of(curve_, begin, begin + by * long_edge);
       edges_.push_back({c, to,
                         away * away + cost_of_edge + 2 * std::max(0.0, fair_advance - by) +
                             cost_of_sagitta * std::max(0.0, sagitta - bent) +
@@ -207,8 +209,9 @@ std::vector<Number> Search::from_end_to_end() const {
   return best(starts, ends);
 }
 
-/// Around from the nearest vertex; then from where that way is the farthest from its beginning,
-/// which the beginning no longer had a say in.
+/// All edges go on along the curve, so that a way that comes back has been around.  First from the
+/// nearest vertex; then from where that way is the farthest from its beginning, which the beginning
+/// no longer had a say in.
 std::vector<Number> Search::around() {
   if (candidates_.empty()) return {};
   const auto nearest = std::ranges::min_element(candidates_, [](const auto& a, const auto& b) {
@@ -224,7 +227,18 @@ std::vector<Number> Search::around() {
     way = std::move(found);
     begin = index_of(way[way.size() / 2]);
   }
+  close(way);
   return way;
+}
+
+/// Where the way goes on no three are a triangle; where it ends and begins they may be, and then the
+/// one between is left out.
+void Search::close(std::vector<Number>& way) const {
+  constexpr std::size_t least = 5;
+  while (way.size() > least && search_.zone.are_on_edge(way[way.size() - 2], way[1])) {
+    way.erase(way.begin());
+    way.back() = way.front();
+  }
 }
 
 /// Where the vertices of a chain are to be: the nearest points of the curve, but those of its bends
@@ -323,7 +337,8 @@ void Targets::pin(double at) {
   }
 }
 
-/// Between two that are pinned no two are nearer to each other than a third of their mean distance.
+/// Between two that are pinned no two neighbours are nearer to each other than a part of their mean
+/// distance.
 void Targets::spread() {
   constexpr double least_share = 0.4;
   for (std::size_t a = 0; a + 1 < at_.size();) {

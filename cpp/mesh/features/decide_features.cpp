@@ -27,11 +27,9 @@ FeatureDecision by_angle(double angle, const std::vector<TriangleCorners>& facet
   if (facts(method).cuts == Cuts::midpoint)
     throw Error(ErrorCode::bad_option,
                 "sharp edges cannot be kept where the surface passes the middles of edges");
-  if (facets.empty())
-    throw Error(ErrorCode::bad_option,
-                "sharp edges are known of a closed surface, a box or a cylinder that is meshed "
-                "alone, and of nothing else");
-  return {angle, creases_of(facets), "as asked"};
+  FeatureDecision decision{angle, {}, "as asked"};
+  if (!facets.empty()) decision.creases = creases_of(facets);
+  return decision;
 }
 
 }  // namespace
@@ -41,7 +39,7 @@ FeatureDecision decide_features(const FeatureChoice& choice, const PlacedDomain&
   if (!choice.automatic && !choice.angle) return {{}, {}, "as asked"};
   const std::vector<TriangleCorners> facets = domain.facets();
   if (choice.angle) return by_angle(*choice.angle, facets, method);
-  if (facets.empty()) return {{}, {}, "of what is meshed no sharp edges are known"};
+  if (facets.empty()) return {{}, {}, "of what is meshed no sharp edges are known beforehand"};
   const Creases creases = creases_of(facets);
   if (!creases.are_drawn())
     return {{}, creases, "the surface is not one that was drawn: " + sentence_on(creases)};

@@ -11,6 +11,7 @@
 #include "chain.hpp"
 #include "kept_length.hpp"
 #include "mover.hpp"
+#include "traced_patches.hpp"
 
 namespace certet {
 namespace features {
@@ -20,6 +21,13 @@ using optimising::between;
 using optimising::length;
 using optimising::operator+;
 using optimising::operator*;
+
+/// What is to be kept, and the surface between.
+struct Kept {
+  const Features& features;
+  const Patches& patches;
+  bool holds_border;  ///< vertices where the shape is cut off stay
+};
 
 /// A vertex that is to go somewhere, and what it is on from then on.
 struct Pending {
@@ -38,13 +46,12 @@ constexpr double corner_reach = 1.6;  ///< long edges
 class Keeper {
  public:
   /// `dislike`: what earlier ones have learnt, of vertices; or empty.
-  Keeper(const Mesh& mesh, const Features& features, const std::vector<double>& dislike,
-         Context& context)
-      : features_(features), context_(context), curves_(curves_of(features)),
-        patches_(features), zone_(mesh, features.edges), sites_(zone_, patches_, curves_),
+  Keeper(const Mesh& mesh, const Kept& kept, const std::vector<double>& dislike, Context& context)
+      : features_(kept.features), context_(context), curves_(curves_of(features_)),
+        zone_(mesh, features_.edges, kept.holds_border), sites_(zone_, kept.patches, curves_),
         limits_(limits_of(mesh.method)), mover_(zone_, sites_, limits_), taken_(zone_.size()),
         is_corner_(zone_.size()), dislike_(dislike), lessons_(dislike),
-        corners_(features.corners.size(), none), chains_(curves_.size()),
+        corners_(features_.corners.size(), none), chains_(curves_.size()),
         home_(zone_.size(), none) {
     dislike_.resize(zone_.size());
     lessons_.resize(zone_.size());
@@ -92,7 +99,6 @@ class Keeper {
   const Features& features_;
   Context& context_;
   std::vector<Curve> curves_;
-  Patches patches_;
   Zone zone_;
   Sites sites_;
   AngleLimits limits_;
@@ -383,13 +389,13 @@ bool is_hopeless(const FeatureFigures& figures) {
 }
 
 /// Begins anew where something is lost, as long as that helps, and has the best.
-FeatureFigures keep(Mesh& mesh, const Features& features, Context& context) {
+FeatureFigures keep(Mesh& mesh, const Kept& kept, Context& context) {
   std::unique_ptr<Keeper> best;
   FeatureFigures figures;
   std::vector<double> dislike;
   int in_vain = 0;
   for (int turn = 0; turn < tries_of_all && in_vain < tries_in_vain; ++turn) {
-    auto keeper = std::make_unique<Keeper>(mesh, features, dislike, context);
+    auto keeper = std::make_unique<Keeper>(mesh, kept, dislike, context);
     const FeatureFigures found = keeper->run();
     dislike = keeper->lessons();
     if (!best || is_better(found, figures))
@@ -402,19 +408,48 @@ FeatureFigures keep(Mesh& mesh, const Features& features, Context& context) {
   return figures;
 }
 
+void refuse_steps(const Mesh& mesh) {
+  if (facts(mesh.method).cuts == Cuts::midpoint)
+    throw Error(ErrorCode::bad_option,
+                "vertices cannot move onto sharp edges from a surface that passes the middles of edges");
+}
+
+template <class Work>
+auto within_memory(const Work& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorCode::too_large, "out of memory to keep sharp edges");
+  }
+}
+
 }  // namespace
 }  // namespace features
 
 FeatureFigures keep_features(Mesh& mesh, const Features& features, Context& context) {
-  if (facts(mesh.method).cuts == Cuts::midpoint)
-    throw Error(ErrorCode::bad_option,
-                "vertices cannot move onto sharp edges from a surface that passes the middles of edges");
+  features::refuse_steps(mesh);
   if (features.none() || mesh.tet_count() == 0) return {};
-  try {
-    return features::keep(mesh, features, context);
-  } catch (const std::bad_alloc&) {
-    throw Error(ErrorCode::too_large, "out of memory to keep sharp edges");
-  }
+  return features::within_memory([&] {
+    return features::keep(mesh, {features, features::TrianglePatches(features), true}, context);
+  });
+}
+
+FeatureFigures keep_features(Mesh& mesh, const PlacedDomain& domain, double angle,
+                             Context& context) {
+  features::refuse_steps(mesh);
+  if (mesh.tet_count() == 0) return {};
+  if (const Features known = features_of(domain, angle); !known.triangles.empty())
+    return keep_features(mesh, known, context);
+  return features::within_memory([&]() -> FeatureFigures {
+    const features::Traced traced = features::trace(mesh, domain, angle, context);
+    if (traced.features.none()) return {};
+    return features::keep(mesh, {traced.features, features::TracedPatches(traced, domain), false},
+                          context);
+  });
+}
+
+Features features_of(const Mesh& mesh, const PlacedDomain& domain, double angle, Context& context) {
+  return features::within_memory([&] { return features::trace(mesh, domain, angle, context); }).features;
 }
 
 }  // namespace certet

@@ -28,7 +28,7 @@ std::vector<std::uint32_t> all_of(const Features& features) {
 
 }  // namespace
 
-Patches::Patches(const Features& features)
+TrianglePatches::TrianglePatches(const Features& features)
     : of_(features.patches), all_(tree_of(features, all_of(features))) {
   const std::uint32_t count = *std::ranges::max_element(of_) + 1;
   std::vector<std::vector<std::uint32_t>> members(count);
@@ -36,14 +36,16 @@ Patches::Patches(const Features& features)
   for (const auto& triangles : members) each_.push_back(tree_of(features, triangles));
 }
 
-std::uint32_t Patches::at(const Vector& point) const { return of_[all_.nearest(point).triangle]; }
+std::uint32_t TrianglePatches::at(std::uint64_t, const Vector& place) const {
+  return of_[all_.nearest(place).triangle];
+}
 
-Vector Patches::nearest(std::uint32_t patch, const Vector& point) const {
+Vector TrianglePatches::nearest(std::uint32_t patch, const Vector& point) const {
   const distance::TriangleTree& tree = each_[patch];
   return distance::nearest_on(tree.corners(tree.nearest(point).triangle), point);
 }
 
-Vector Patches::normal(std::uint32_t patch, const Vector& point) const {
+Vector TrianglePatches::normal(std::uint32_t patch, const Vector& point) const {
   const distance::TriangleTree& tree = each_[patch];
   const auto& [a, b, c] = tree.corners(tree.nearest(point).triangle);
   const Vector n = optimising::cross(b - a, c - a);
@@ -56,7 +58,7 @@ Sites::Sites(const Zone& zone, const Patches& patches, const std::vector<Curve>&
   for (Number v = 0; v < zone.size(); ++v) {
     if (!zone.is_free(v)) continue;
     if (zone.on_surface(v))
-      sites_[v] = {Role::face, patches.at(in_doubles(zone.place(v)))};
+      sites_[v] = {Role::face, patches.at(zone.in_mesh(v), in_doubles(zone.place(v)))};
     else
       sites_[v] = {Role::inside, none};
   }

@@ -22,15 +22,27 @@ struct Site {
   std::uint32_t which = none;  ///< patch or curve
 };
 
-/// The patches of a surface.
+/// The patches of a surface: what hangs together but for sharp edges.
 class Patches {
  public:
-  explicit Patches(const Features& features);
+  virtual ~Patches() = default;
+  /// That of a vertex of the boundary.
+  [[nodiscard]] virtual std::uint32_t at(std::uint64_t vertex, const Vector& place) const = 0;
+  /// About the nearest point of a patch.
+  [[nodiscard]] virtual Vector nearest(std::uint32_t patch, const Vector& point) const = 0;
+  /// There, of length 1.
+  [[nodiscard]] virtual Vector normal(std::uint32_t patch, const Vector& point) const = 0;
+};
+
+/// Of triangles.
+class TrianglePatches final : public Patches {
+ public:
+  explicit TrianglePatches(const Features& features);
   /// That of the nearest triangle.
-  [[nodiscard]] std::uint32_t at(const Vector& point) const;
-  [[nodiscard]] Vector nearest(std::uint32_t patch, const Vector& point) const;
-  /// Of the nearest triangle of a patch, of length 1.
-  [[nodiscard]] Vector normal(std::uint32_t patch, const Vector& point) const;
+  [[nodiscard]] std::uint32_t at(std::uint64_t vertex, const Vector& place) const override;
+  [[nodiscard]] Vector nearest(std::uint32_t patch, const Vector& point) const override;
+  /// Of the nearest triangle of a patch.
+  [[nodiscard]] Vector normal(std::uint32_t patch, const Vector& point) const override;
 
  private:
   std::vector<std::uint32_t> of_;

@@ -93,9 +93,9 @@ void Zone::find_fans(const Mesh& mesh, std::span<const std::int32_t> labels) {
         fans_[v].push_back(
             {static_cast<Number>(face.others[0]), static_cast<Number>(face.others[1])});
     }
-    // Where the surface is no manifold, or is that of a box, nothing moves.
+    // Where the surface is no manifold, or that of a box that is to stay, nothing moves.
     if (!put_in_order(fans_[v])) stays[v] = 1;
-    if (!fans_[v].empty() && !mesh.border.empty() &&
+    if (holds_border_ && !fans_[v].empty() && !mesh.border.empty() &&
         core::is_on_border(places_[v], mesh.border, Cuts::bisect))
       stays[v] = 1;
   }
@@ -118,7 +118,8 @@ std::vector<Number> Zone::near(std::span<const Vector> line) const {
   return found;
 }
 
-Zone::Zone(const Mesh& mesh, std::span<const FeatureEdge> edges) {
+Zone::Zone(const Mesh& mesh, std::span<const FeatureEdge> edges, bool holds_border)
+    : holds_border_(holds_border) {
   std::visit(
       [&]<class Index>(const Buffer<Tet<Index>>& tets) {
         gather(mesh, std::span<const Tet<Index>>(tets), edges);

@@ -21,8 +21,8 @@ using Number = std::uint32_t;  ///< of a vertex, in the zone
 /// Vertices of the zone may move if all of their tetrahedra are in it.
 class Zone {
  public:
-  /// Of all vertices near one of the edges.
-  Zone(const Mesh& mesh, std::span<const FeatureEdge> edges);
+  /// Of all vertices near one of the edges.  `holds_border`: those where the shape is cut off stay.
+  Zone(const Mesh& mesh, std::span<const FeatureEdge> edges, bool holds_border);
 
   [[nodiscard]] std::size_t size() const { return numbers_.size(); }
   [[nodiscard]] std::uint64_t in_mesh(Number v) const { return numbers_[v]; }
@@ -55,6 +55,8 @@ class Zone {
   void gather(const Mesh& mesh, std::span<const Tet<Index>> tets,
               std::span<const FeatureEdge> edges);
   void find_fans(const Mesh& mesh, std::span<const std::int32_t> labels);
+
+  bool holds_border_;
 
   std::vector<std::uint64_t> numbers_;
   std::vector<Coord3> places_, origins_;

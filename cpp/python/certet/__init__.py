@@ -771,9 +771,10 @@ def mesh_image(
     features : "auto" (default), "off", or an angle in degrees: vertices of the boundary move onto
         edges of the shape at which normals differ by more than that, and onto the corners of these,
         as far as all angles stay within the method's bounds.  "auto" does so by 40 degrees for
-        surfaces of which nine tenths of the edges are flat or sharp, boxes and cylinders; of
-        voxels, functions and several solids no sharp edges are known.  `Mesh.features` says what
-        was chosen, and why
+        surfaces of which nine tenths of the edges are flat or sharp, boxes and cylinders.  Of
+        functions, several solids and whatever bounds cut off an angle has them looked for on the
+        mesh; of voxels those alone at which these end.  `Mesh.features` says what was chosen, and
+        why
     grade : 0 to 3: away from the surface, and from where labels meet, tetrahedra are larger, by
         up to so many levels, each of which doubles the edges; what touches the surface stays as it
         is.  Vertices of such a mesh do not move

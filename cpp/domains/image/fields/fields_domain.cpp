@@ -54,6 +54,7 @@ class FieldsDomain final : public InterfaceDomain {
   [[nodiscard]] double longest_side() const override { return placement_.longest_side; }
   [[nodiscard]] std::uint64_t bytes() const override { return image_.bytes() + fields_.bytes(); }
   [[nodiscard]] std::span<const BorderBox> border() const override { return placement_.border; }
+  [[nodiscard]] bool is_sampled() const override { return true; }
   [[nodiscard]] LabelNames names() const override { return image_.image().names; }
   [[nodiscard]] std::span<const std::int32_t> labels() const override { return image_.labels(); }
 
