@@ -44,7 +44,7 @@ Extraction "certified.ml"
   WidestAngles IsWellShaped AreDisks FillsWouldTouch MaterialsInTurn
   Material.SettleMaterials.SettleMaterials SettledMaterialTets
   (* diagonals by key *)
-  KeyThresholds EdgeRank CutKey MeshKey GetKeyTets KeyNames KeyTets KeyStuffTet
+  KeyThresholds Lattice.EdgeRank.EdgeRank CutKey MeshKey GetKeyTets KeyNames KeyTets KeyStuffTet
   FaceTriangles
   (* graded interiors *)
   IsNearSurface OctreeAround GradedOctree HalfSide CentreInHalfSides

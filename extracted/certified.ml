@@ -1318,8 +1318,8 @@ let corners tid =
 (** val placedSign :
     signField -> (coord3 -> warping) -> meshVertex -> sign **)
 
-let placedSign before warping0 = function
-| Corner c -> warpedSign (before c) (warping0 c)
+let placedSign before0 warping0 = function
+| Corner c -> warpedSign (before0 c) (warping0 c)
 | Cut (_, _) -> OnSurface
 
 (** val placedPosition :
@@ -1333,12 +1333,12 @@ let placedPosition warping0 cut = function
     signField -> (coord3 -> warping) -> cutField -> structuredTetId -> coord3
     unstructuredTet list **)
 
-let placedTets before warping0 cut = function
+let placedTets before0 warping0 cut = function
 | STId (c, case) ->
   let ST (v1, v2, v3, v4, _, _, _, _) = getStructuredTet (STId (c, case)) in
   map (mapTet (placedPosition warping0 cut))
     (map (orient (caseHandedness case))
-      (getUnstructuredTets (placedSign before warping0) meshIntersection
+      (getUnstructuredTets (placedSign before0 warping0) meshIntersection
         (Corner v1) (Corner v2) (Corner v3) (Corner v4)))
 
 (** val widestAngles : angleBounds **)
@@ -1352,11 +1352,11 @@ let widestAngles =
     signField -> (coord3 -> warping) -> structuredTetId -> meshVertex
     unstructuredTet list **)
 
-let placedNames before warping0 = function
+let placedNames before0 warping0 = function
 | STId (c, case) ->
   let ST (v1, v2, v3, v4, _, _, _, _) = getStructuredTet (STId (c, case)) in
   map (orient (caseHandedness case))
-    (getUnstructuredTets (placedSign before warping0) meshIntersection
+    (getUnstructuredTets (placedSign before0 warping0) meshIntersection
       (Corner v1) (Corner v2) (Corner v3) (Corner v4))
 
 (** val kindBetween : coord3 -> coord3 -> edgeKind **)
@@ -2114,18 +2114,18 @@ let warpMaterialVertex th material0 cut v =
 (** val placedMaterial :
     materialField -> (coord3 -> warping) -> coord3 -> material option **)
 
-let placedMaterial before warping0 c =
+let placedMaterial before0 warping0 c =
   match warping0 c with
-  | Stays -> before c
+  | Stays -> before0 c
   | Moves (_, _) -> None
 
 (** val placedMaterialTets :
     materialField -> (coord3 -> warping) -> cutField -> (structuredTetId ->
     material) -> structuredTetId -> (material * coord3 unstructuredTet) list **)
 
-let placedMaterialTets before warping0 cut shared tid =
+let placedMaterialTets before0 warping0 cut shared tid =
   map (fun t0 -> ((fst t0), (mapTet (placedPosition warping0 cut) (snd t0))))
-    (materialNames (placedMaterial before warping0) shared tid)
+    (materialNames (placedMaterial before0 warping0) shared tid)
 
 (** val placedWhole :
     (coord3 -> warping) -> cutField -> structuredTetId -> coord3
@@ -2642,6 +2642,349 @@ let gradedTetsWithin mesh0 tid =
   match structuredName tid with
   | Some stid -> mesh0.tetsWithin stid
   | None -> (mapTet (fun x -> Corner x) (getGradedTet tid)) :: []
+
+(** val mirrored : handedness -> handedness **)
+
+let mirrored = function
+| RightHanded -> LeftHanded
+| LeftHanded -> RightHanded
+
+(** val handed : handedness -> 'a1 unstructuredTet -> 'a1 unstructuredTet **)
+
+let handed h t0 =
+  match h with
+  | RightHanded -> t0
+  | LeftHanded -> let UT (a, b, c, d) = t0 in UT (a, b, d, c)
+
+(** val before : ('a1 -> 'a1 -> z) -> 'a1 -> 'a1 -> 'a1 -> 'a1 -> bool **)
+
+let before getKey a e b f =
+  Z.ltb (getKey a e) (getKey b f)
+
+(** val pyramidInOrder :
+    ('a1 -> 'a1 -> 'a1) -> handedness -> 'a1 -> 'a1 -> 'a1 -> 'a1 -> 'a1
+    unstructuredTet list **)
+
+let pyramidInOrder getIntersection h a b e z0 =
+  map (handed (mirrored h)) ((UT (b, a, (getIntersection a e), z0)) :: ((UT
+    (b, (getIntersection a e), (getIntersection b e), z0)) :: []))
+
+(** val pyramid :
+    ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> handedness -> 'a1 -> 'a1 ->
+    'a1 -> 'a1 -> 'a1 unstructuredTet list **)
+
+let pyramid getIntersection getKey h a b e z0 =
+  if before getKey a e b e
+  then pyramidInOrder getIntersection h a b e z0
+  else pyramidInOrder getIntersection (mirrored h) b a e z0
+
+(** val prismInOrder :
+    ('a1 -> 'a1 -> 'a1) -> handedness -> 'a1 -> 'a1 -> 'a1 -> 'a1 -> 'a1
+    unstructuredTet list **)
+
+let prismInOrder getIntersection h a b c e =
+  map (handed h) ((UT (c, b, (getIntersection a e), a)) :: ((UT (c, b,
+    (getIntersection b e), (getIntersection a e))) :: ((UT (c,
+    (getIntersection b e), (getIntersection c e),
+    (getIntersection a e))) :: [])))
+
+(** val prism :
+    ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> handedness -> 'a1 -> 'a1 ->
+    'a1 -> 'a1 -> 'a1 unstructuredTet list **)
+
+let prism getIntersection getKey h a b c e =
+  if before getKey a e b e
+  then if before getKey b e c e
+       then prismInOrder getIntersection h a b c e
+       else if before getKey a e c e
+            then prismInOrder getIntersection (mirrored h) a c b e
+            else prismInOrder getIntersection h c a b e
+  else if before getKey a e c e
+       then prismInOrder getIntersection (mirrored h) b a c e
+       else if before getKey b e c e
+            then prismInOrder getIntersection h b c a e
+            else prismInOrder getIntersection (mirrored h) c b a e
+
+(** val wedgeAcross :
+    ('a1 -> 'a1 -> 'a1) -> handedness -> 'a1 -> 'a1 -> 'a1 -> 'a1 -> 'a1
+    unstructuredTet list **)
+
+let wedgeAcross getIntersection h a b e f =
+  map (handed h) ((UT (a, b, (getIntersection b e),
+    (getIntersection a f))) :: ((UT (a, (getIntersection b e),
+    (getIntersection a e), (getIntersection a f))) :: ((UT (b,
+    (getIntersection b e), (getIntersection a f),
+    (getIntersection b f))) :: [])))
+
+(** val wedgeBeside :
+    ('a1 -> 'a1 -> 'a1) -> handedness -> 'a1 -> 'a1 -> 'a1 -> 'a1 -> 'a1
+    unstructuredTet list **)
+
+let wedgeBeside getIntersection h a b e f =
+  map (handed h) ((UT (a, b, (getIntersection b e),
+    (getIntersection b f))) :: ((UT (a, (getIntersection b e),
+    (getIntersection a f), (getIntersection b f))) :: ((UT (a,
+    (getIntersection b e), (getIntersection a e),
+    (getIntersection a f))) :: [])))
+
+(** val wedgeTowards :
+    ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> handedness -> 'a1 -> 'a1 ->
+    'a1 -> 'a1 -> 'a1 unstructuredTet list **)
+
+let wedgeTowards getIntersection getKey h a b e f =
+  if before getKey b f b e
+  then wedgeBeside getIntersection h a b e f
+  else wedgeBeside getIntersection (mirrored h) a b f e
+
+(** val wedge :
+    ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> handedness -> 'a1 -> 'a1 ->
+    'a1 -> 'a1 -> 'a1 unstructuredTet list **)
+
+let wedge getIntersection getKey h a b e f =
+  if before getKey a e b e
+  then if before getKey a f b f
+       then wedgeTowards getIntersection getKey (mirrored h) b a e f
+       else wedgeAcross getIntersection (mirrored h) a b f e
+  else if before getKey a f b f
+       then wedgeAcross getIntersection h a b e f
+       else wedgeTowards getIntersection getKey h a b e f
+
+(** val getKeyTets :
+    ('a1 -> sign) -> ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> 'a1 -> 'a1
+    -> 'a1 -> 'a1 -> 'a1 unstructuredTet list **)
+
+let getKeyTets getSign getIntersection getKey v1 v2 v3 v4 =
+  match getSign v1 with
+  | Plus ->
+    (match getSign v2 with
+     | Plus ->
+       (match getSign v3 with
+        | Plus ->
+          (match getSign v4 with
+           | Minus -> prism getIntersection getKey RightHanded v1 v2 v3 v4
+           | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4)
+        | OnSurface ->
+          (match getSign v4 with
+           | Minus -> pyramid getIntersection getKey LeftHanded v1 v2 v4 v3
+           | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4)
+        | Minus ->
+          (match getSign v4 with
+           | Plus -> prism getIntersection getKey LeftHanded v1 v2 v4 v3
+           | OnSurface ->
+             pyramid getIntersection getKey RightHanded v1 v2 v3 v4
+           | Minus -> wedge getIntersection getKey RightHanded v1 v2 v3 v4))
+     | OnSurface ->
+       (match getSign v3 with
+        | Plus ->
+          (match getSign v4 with
+           | Minus -> pyramid getIntersection getKey RightHanded v1 v3 v4 v2
+           | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4)
+        | OnSurface -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4
+        | Minus ->
+          (match getSign v4 with
+           | Plus -> pyramid getIntersection getKey LeftHanded v1 v4 v3 v2
+           | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4))
+     | Minus ->
+       (match getSign v3 with
+        | Plus ->
+          (match getSign v4 with
+           | Plus -> prism getIntersection getKey RightHanded v1 v3 v4 v2
+           | OnSurface ->
+             pyramid getIntersection getKey LeftHanded v1 v3 v2 v4
+           | Minus -> wedge getIntersection getKey LeftHanded v1 v3 v2 v4)
+        | OnSurface ->
+          (match getSign v4 with
+           | Plus -> pyramid getIntersection getKey RightHanded v1 v4 v2 v3
+           | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4)
+        | Minus ->
+          (match getSign v4 with
+           | Plus -> wedge getIntersection getKey RightHanded v1 v4 v2 v3
+           | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4)))
+  | OnSurface ->
+    (match getSign v2 with
+     | Plus ->
+       (match getSign v3 with
+        | Plus ->
+          (match getSign v4 with
+           | Minus -> pyramid getIntersection getKey LeftHanded v2 v3 v4 v1
+           | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4)
+        | OnSurface -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4
+        | Minus ->
+          (match getSign v4 with
+           | Plus -> pyramid getIntersection getKey RightHanded v2 v4 v3 v1
+           | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4))
+     | OnSurface -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4
+     | Minus ->
+       (match getSign v3 with
+        | Plus ->
+          (match getSign v4 with
+           | Plus -> pyramid getIntersection getKey LeftHanded v3 v4 v2 v1
+           | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4)
+        | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4))
+  | Minus ->
+    (match getSign v2 with
+     | Plus ->
+       (match getSign v3 with
+        | Plus ->
+          (match getSign v4 with
+           | Plus -> prism getIntersection getKey LeftHanded v2 v3 v4 v1
+           | OnSurface ->
+             pyramid getIntersection getKey RightHanded v2 v3 v1 v4
+           | Minus -> wedge getIntersection getKey RightHanded v2 v3 v1 v4)
+        | OnSurface ->
+          (match getSign v4 with
+           | Plus -> pyramid getIntersection getKey LeftHanded v2 v4 v1 v3
+           | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4)
+        | Minus ->
+          (match getSign v4 with
+           | Plus -> wedge getIntersection getKey LeftHanded v2 v4 v1 v3
+           | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4))
+     | OnSurface ->
+       (match getSign v3 with
+        | Plus ->
+          (match getSign v4 with
+           | Plus -> pyramid getIntersection getKey RightHanded v3 v4 v1 v2
+           | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4)
+        | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4)
+     | Minus ->
+       (match getSign v3 with
+        | Plus ->
+          (match getSign v4 with
+           | Plus -> wedge getIntersection getKey RightHanded v3 v4 v1 v2
+           | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4)
+        | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4))
+
+(** val edgeRank : coord3 -> coord3 -> z **)
+
+let edgeRank a b =
+  let C3 (dx, dy, dz) = difference a b in
+  let C3 (x, _, _) = a in
+  if Z.even dx
+  then Z0
+  else if eqb (Z.even x) (Z.eqb (Z.mul (Z.mul dx dy) dz) (Zpos XH))
+       then Zpos XH
+       else Zpos (XO XH)
+
+(** val cutKey : cutField -> coord3 -> coord3 -> z **)
+
+let cutKey cut plus minus =
+  Z.add (Z.mul (Zpos (XI XH)) (cut plus minus)) (edgeRank plus minus)
+
+(** val meshKey : (coord3 -> coord3 -> z) -> meshVertex -> meshVertex -> z **)
+
+let meshKey key0 a b =
+  match a with
+  | Corner plus ->
+    (match b with
+     | Corner minus -> key0 plus minus
+     | Cut (_, _) -> Z0)
+  | Cut (_, _) -> Z0
+
+(** val keyThresholds : thresholds **)
+
+let keyThresholds =
+  TH ((Zpos (XO (XO (XO (XO (XO (XO XH))))))), (Zpos (XI (XI (XI (XI (XI (XO
+    XH))))))))
+
+(** val orderedNames :
+    (coord3 -> coord3 -> z) -> signField -> (coord3 -> warping) ->
+    structuredTetId -> meshVertex unstructuredTet list **)
+
+let orderedNames key0 before0 warping0 = function
+| STId (c, case) ->
+  let ST (v1, v2, v3, v4, _, _, _, _) = getStructuredTet (STId (c, case)) in
+  map (orient (caseHandedness case))
+    (getKeyTets (placedSign before0 warping0) meshIntersection (meshKey key0)
+      (Corner v1) (Corner v2) (Corner v3) (Corner v4))
+
+(** val keyNames :
+    signField -> (coord3 -> warping) -> cutField -> structuredTetId ->
+    meshVertex unstructuredTet list **)
+
+let keyNames before0 warping0 cut =
+  orderedNames (cutKey cut) before0 warping0
+
+(** val keyTets :
+    signField -> (coord3 -> warping) -> cutField -> structuredTetId -> coord3
+    unstructuredTet list **)
+
+let keyTets before0 warping0 cut tid =
+  map (mapTet (placedPosition warping0 cut))
+    (keyNames before0 warping0 cut tid)
+
+(** val keyStuffTet :
+    thresholds -> signField -> cutField -> structuredTetId -> meshVertex
+    unstructuredTet list **)
+
+let keyStuffTet th sign0 cut =
+  keyNames sign0 (warpVertex th sign0 cut) cut
+
+type 'vertex triangle = ('vertex * 'vertex) * 'vertex
+
+(** val halves :
+    ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> 'a1 -> 'a1 -> 'a1 -> 'a1
+    triangle list **)
+
+let halves getIntersection getKey a b e =
+  if before getKey a e b e
+  then ((a, b), (getIntersection a e)) :: (((b, (getIntersection a e)),
+         (getIntersection b e)) :: [])
+  else ((a, b), (getIntersection b e)) :: (((a, (getIntersection a e)),
+         (getIntersection b e)) :: [])
+
+(** val faceTriangles :
+    ('a1 -> sign) -> ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> 'a1 -> 'a1
+    -> 'a1 -> 'a1 triangle list **)
+
+let faceTriangles getSign getIntersection getKey f1 f2 f3 =
+  match getSign f1 with
+  | Plus ->
+    (match getSign f2 with
+     | Plus ->
+       (match getSign f3 with
+        | Minus -> halves getIntersection getKey f1 f2 f3
+        | _ -> ((f1, f2), f3) :: [])
+     | OnSurface ->
+       (match getSign f3 with
+        | Minus -> ((f1, f2), (getIntersection f1 f3)) :: []
+        | _ -> ((f1, f2), f3) :: [])
+     | Minus ->
+       (match getSign f3 with
+        | Plus -> halves getIntersection getKey f1 f3 f2
+        | OnSurface -> ((f1, f3), (getIntersection f1 f2)) :: []
+        | Minus ->
+          ((f1, (getIntersection f1 f2)), (getIntersection f1 f3)) :: []))
+  | OnSurface ->
+    (match getSign f2 with
+     | Plus ->
+       (match getSign f3 with
+        | Minus -> ((f1, f2), (getIntersection f2 f3)) :: []
+        | _ -> ((f1, f2), f3) :: [])
+     | OnSurface ->
+       (match getSign f3 with
+        | Plus -> ((f1, f2), f3) :: []
+        | _ -> [])
+     | Minus ->
+       (match getSign f3 with
+        | Plus -> ((f1, f3), (getIntersection f3 f2)) :: []
+        | _ -> []))
+  | Minus ->
+    (match getSign f2 with
+     | Plus ->
+       (match getSign f3 with
+        | Plus -> halves getIntersection getKey f2 f3 f1
+        | OnSurface -> ((f2, f3), (getIntersection f2 f1)) :: []
+        | Minus ->
+          ((f2, (getIntersection f2 f1)), (getIntersection f2 f3)) :: [])
+     | OnSurface ->
+       (match getSign f3 with
+        | Plus -> ((f2, f3), (getIntersection f3 f1)) :: []
+        | _ -> [])
+     | Minus ->
+       (match getSign f3 with
+        | Plus ->
+          ((f3, (getIntersection f3 f1)), (getIntersection f3 f2)) :: []
+        | _ -> []))
 
 (** val isAngleWithin :
     angleBounds -> coord3 -> coord3 -> coord3 -> coord3 -> bool **)

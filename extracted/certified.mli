@@ -697,6 +697,82 @@ val structuredName : gradedTetId -> structuredTetId option
 
 val gradedTetsWithin : mesh -> gradedTetId -> meshVertex unstructuredTet list
 
+val mirrored : handedness -> handedness
+
+val handed : handedness -> 'a1 unstructuredTet -> 'a1 unstructuredTet
+
+val before : ('a1 -> 'a1 -> z) -> 'a1 -> 'a1 -> 'a1 -> 'a1 -> bool
+
+val pyramidInOrder :
+  ('a1 -> 'a1 -> 'a1) -> handedness -> 'a1 -> 'a1 -> 'a1 -> 'a1 -> 'a1
+  unstructuredTet list
+
+val pyramid :
+  ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> handedness -> 'a1 -> 'a1 -> 'a1
+  -> 'a1 -> 'a1 unstructuredTet list
+
+val prismInOrder :
+  ('a1 -> 'a1 -> 'a1) -> handedness -> 'a1 -> 'a1 -> 'a1 -> 'a1 -> 'a1
+  unstructuredTet list
+
+val prism :
+  ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> handedness -> 'a1 -> 'a1 -> 'a1
+  -> 'a1 -> 'a1 unstructuredTet list
+
+val wedgeAcross :
+  ('a1 -> 'a1 -> 'a1) -> handedness -> 'a1 -> 'a1 -> 'a1 -> 'a1 -> 'a1
+  unstructuredTet list
+
+val wedgeBeside :
+  ('a1 -> 'a1 -> 'a1) -> handedness -> 'a1 -> 'a1 -> 'a1 -> 'a1 -> 'a1
+  unstructuredTet list
+
+val wedgeTowards :
+  ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> handedness -> 'a1 -> 'a1 -> 'a1
+  -> 'a1 -> 'a1 unstructuredTet list
+
+val wedge :
+  ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> handedness -> 'a1 -> 'a1 -> 'a1
+  -> 'a1 -> 'a1 unstructuredTet list
+
+val getKeyTets :
+  ('a1 -> sign) -> ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> 'a1 -> 'a1 ->
+  'a1 -> 'a1 -> 'a1 unstructuredTet list
+
+val edgeRank : coord3 -> coord3 -> z
+
+val cutKey : cutField -> coord3 -> coord3 -> z
+
+val meshKey : (coord3 -> coord3 -> z) -> meshVertex -> meshVertex -> z
+
+val keyThresholds : thresholds
+
+val orderedNames :
+  (coord3 -> coord3 -> z) -> signField -> (coord3 -> warping) ->
+  structuredTetId -> meshVertex unstructuredTet list
+
+val keyNames :
+  signField -> (coord3 -> warping) -> cutField -> structuredTetId ->
+  meshVertex unstructuredTet list
+
+val keyTets :
+  signField -> (coord3 -> warping) -> cutField -> structuredTetId -> coord3
+  unstructuredTet list
+
+val keyStuffTet :
+  thresholds -> signField -> cutField -> structuredTetId -> meshVertex
+  unstructuredTet list
+
+type 'vertex triangle = ('vertex * 'vertex) * 'vertex
+
+val halves :
+  ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> 'a1 -> 'a1 -> 'a1 -> 'a1
+  triangle list
+
+val faceTriangles :
+  ('a1 -> sign) -> ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> 'a1 -> 'a1 ->
+  'a1 -> 'a1 triangle list
+
 val isAngleWithin :
   angleBounds -> coord3 -> coord3 -> coord3 -> coord3 -> bool
 
