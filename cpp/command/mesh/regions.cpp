@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 #include "certet/label_warnings.hpp"
 
@@ -173,6 +175,30 @@ std::vector<std::string> RegionWatch::warnings(bool written, const SizeFor& size
   if (changed.size() > most_told)
     sentences.push_back(fmt::format("{} more labels have other pieces than in the image",
                                     changed.size() - most_told));
+  if (written) std::ranges::move(other_volumes(), std::back_inserter(sentences));
+  return sentences;
+}
+
+/// Of smooth interfaces, and of labels that are no smaller than those whose volumes are seen to:
+/// what is smaller has a volume of its own in every mesh, as the table and the JSON tell.
+std::vector<std::string> RegionWatch::other_volumes() const {
+  constexpr std::uint64_t fewest_voxels = 1000;
+  constexpr double most_change = 0.01;
+  std::vector<std::string> sentences;
+  if (!source_.voxels || source_.voxels->surfaces != LabelSurfaces::interfaces) return sentences;
+  const auto& spacing = source_.voxels->image->spacing;
+  const double as_large = std::cbrt(spacing[0] * spacing[1] * spacing[2]);
+  const double corrected_at = size_ > 1.0003 * as_large ? as_large : 0;
+  std::size_t count = 0;
+  for (const MeshedRegion& one : regions(0)) {
+    if (one.region.voxels < fewest_voxels || std::abs(one.change.value_or(0)) <= most_change)
+      continue;
+    if (++count <= most_told)
+      sentences.push_back(sentence_on_volume(one.region, *one.change, corrected_at, in_options));
+  }
+  if (count > most_told)
+    sentences.push_back(fmt::format("{} more labels have other volumes than their voxels, by more "
+                                    "than 1 %", count - most_told));
   return sentences;
 }
 

@@ -58,6 +58,7 @@ class RegionWatch {
   [[nodiscard]] std::string lost(std::size_t which);
   [[nodiscard]] bool keeps(std::size_t which) const;
   [[nodiscard]] std::string other_pieces(std::size_t which) const;
+  [[nodiscard]] std::vector<std::string> other_volumes() const;
   [[nodiscard]] std::string size_for_pieces(const std::vector<ImageRegion>& changed,
                                             const SizeFor& size_for) const;
 

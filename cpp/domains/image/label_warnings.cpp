@@ -1,6 +1,7 @@
 #include "certet/label_warnings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <set>
 #include <utility>
@@ -50,6 +51,20 @@ std::string sentence_on_lost(const ImageRegion& region, const Advice& advice) {
   std::snprintf(size, sizeof size, "%.4g", region.certain_size * (1 - 5e-4));
   return "label " + std::to_string(region.label) + " (" + std::to_string(region.voxels) +
          " voxels) is not in the mesh; " + std::string(advice.size) + size + " or less keeps it";
+}
+
+std::string sentence_on_volume(const ImageRegion& region, double change, double corrected_at,
+                               const Advice& advice) {
+  char percent[40], size[40];
+  std::snprintf(percent, sizeof percent, "%.1f", 100 * std::abs(change));
+  std::snprintf(size, sizeof size, "%.4g", corrected_at * (1 - 5e-4));
+  const std::string text = "the mesh has " + std::string(percent) + " % " +
+                           (change < 0 ? "less" : "more") + " volume of label " +
+                           std::to_string(region.label) + " than its " +
+                           std::to_string(region.voxels) + " voxels";
+  return corrected_at == 0
+             ? text
+             : text + "; " + std::string(advice.size) + size + " or less is corrected for it";
 }
 
 std::vector<std::string> warnings_on_labels(const Image& image, std::vector<LabelRange> labels,

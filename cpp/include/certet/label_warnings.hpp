@@ -35,5 +35,9 @@ std::vector<std::string> sentences_on_absent(const std::vector<std::int64_t>& la
 std::string sentence_on_grayscale(std::size_t labels, const Advice& advice = {});
 /// That a label is not in the mesh, and its `certain_size`, rounded down.
 std::string sentence_on_lost(const ImageRegion& region, const Advice& advice = {});
+/// That the volume that a mesh has of a label is `change` of its voxels' more, or less; and at
+/// which size that is corrected, or 0 if it was.
+std::string sentence_on_volume(const ImageRegion& region, double change, double corrected_at,
+                               const Advice& advice = {});
 
 }  // namespace certet
