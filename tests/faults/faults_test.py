@@ -39,10 +39,14 @@ class FaultTest(GuardedTest):
         super().setUp()
         write_nrrd(self.folder / "a.nrrd", SIZE,
                    voxels(SIZE, lambda i, j, k: (i // 7 + j // 9 + k // 8) % 3))
+        write_nrrd(self.folder / "sizes.nrrd", (9, 9, 9),
+                   voxels((9, 9, 9), lambda i, j, k: 0.1 + 0.03 * i), kind="f",
+                   directions=((0.3, 0, 0), (0, 0.3, 0), (0, 0, 0.3)), origin=(-1.2,) * 3)
         self.runs = {
             "image": ["mesh", "a.nrrd", "-o", "out.vtu"],
             "formula": ["mesh", "--expr", "x^2+y^2+z^2-1", "--bounds", "-1,-1,-1,1,1,1",
                         "--size", "0.1", "-o", "out.vtu"],
+            "graded": ["mesh", *BALL, "--size-field", "sizes.nrrd", "-o", "out.vtu"],
             "check": ["check", "m.vtu"],
             "convert": ["convert", "m.vtu", "out.msh"],
             "report": ["report", "m.vtu", "-o", "out.html"],
@@ -85,7 +89,7 @@ class Disk(FaultTest):
         self.make_mesh()
         for name in ("out.vtu", "out.msh", "out.html"):
             (self.folder / name).write_text("older")
-        for name in ("image", "formula", "convert", "report"):
+        for name in ("image", "formula", "graded", "convert", "report"):
             for size in (512, 4096, 20_000):  # the sentence needs room too
                 with self.subTest(name, size=size):
                     self.assert_clean_failure((WRITE_FAILED,), *self.runs[name],

@@ -244,7 +244,7 @@ TEST(Grading, KeepsTheSurfaceOfATorusTriangleByTriangle) { compare_surfaces(1 / 
 /// The same at ten million tetrahedra, some seconds of an optimised build.
 TEST(Grading, KeepsTheSurfaceOfTenMillionTetrahedra) {
 #ifdef NDEBUG
-  compare_surfaces(1 / 0.0155);
+  compare_surfaces(1 / 0.01548);
 #else
   GTEST_SKIP() << "not optimised";
 #endif
