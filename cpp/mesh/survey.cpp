@@ -165,6 +165,15 @@ Survey survey(const Stuffing& stuffing, Context& context, const Frame& frame) {
   }
 }
 
+void find_sides(Survey& survey, const Mesh& mesh, const Frame& frame) {
+  for (BoundaryFace& face : survey.boundary) face.patch = Patch::surface, face.is_cut_off = false;
+  const core::BorderSides border(mesh.border, facts(mesh.method).cuts, frame);
+  const auto doubtful = core::put_on_border(survey.boundary, [&](std::uint64_t point) {
+    return border.at(mesh.points[static_cast<std::size_t>(point)]);
+  });
+  core::put_on_border(survey, doubtful);
+}
+
 Survey survey(const Mesh& mesh, Context& context) {
   Survey found = std::visit(
       [&]<class Index>(const Buffer<Tet<Index>>& tets) {
@@ -173,11 +182,7 @@ Survey survey(const Mesh& mesh, Context& context) {
       mesh.tets);
   name_regions(found, mesh.names);
   if (!facts(mesh.method).interfaces) found.interfaces.clear();
-  const core::BorderSides border(mesh.border, facts(mesh.method).cuts, mesh.frame);
-  const auto doubtful = core::put_on_border(found.boundary, [&](std::uint64_t point) {
-    return border.at(mesh.points[static_cast<std::size_t>(point)]);
-  });
-  core::put_on_border(found, doubtful);
+  find_sides(found, mesh, mesh.frame);
   const auto place = [&](std::uint64_t point) {
     return mesh.frame.world(mesh.points[static_cast<std::size_t>(point)]);
   };

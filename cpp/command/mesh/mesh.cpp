@@ -86,6 +86,7 @@ MeshSize announce(const MeshOptions& options, const LabelNames& names, const Cou
   if (!needs_survey(options.format)) return size;
   const Frame frame = output_frame(options, report.axes, counted.source.frame);
   auto found = std::make_shared<Survey>(survey(stuffing, context, frame));
+  if (moved != nullptr && report.features.figures) find_sides(*found, *moved, frame);
   if (has_patches(options.format))
     look_at_patches(options, counted, moved, *found, context, report);
   name_regions(*found, names);

@@ -85,6 +85,10 @@ Survey survey(std::uint64_t points, std::span<const Tet<std::uint64_t>> tets,
 /// \throws Error `cancelled`, and as `name_patches`.
 Survey survey(const Mesh& mesh, Context& context);
 
+/// Puts the faces of the boundary into the patches of sides anew, by where the points of a mesh are now,
+/// as vertices that moved onto a rim have joined faces to a side.  `frame` as above.
+void find_sides(Survey& survey, const Mesh& mesh, const Frame& frame);
+
 /// A triangle, and the patch that it is to be of.
 struct PatchFace {
   std::array<std::uint64_t, 3> points;

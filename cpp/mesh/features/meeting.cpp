@@ -20,8 +20,8 @@ using optimising::operator*;
 constexpr std::array<double, 5> strides{8192, 4096, 2048, 1024, 1024};
 /// A face that turns by more than so many degrees within these is not the same one.
 constexpr double still_same = 35;
-/// Steps.
-constexpr double farthest = 1.2 * long_edge, near_enough = 32;
+/// Steps, from a guess, and in the last round.
+constexpr double farthest_line = 0.3 * long_edge, farthest_corner = 1.2 * long_edge, near_enough = 32;
 
 struct Plane {
   Vector point, normal;
@@ -65,7 +65,7 @@ std::optional<OnLine> onto_line(const Domain& domain, const OnLine& guess) {
     }
     own.wedge.normals = {planes[0].normal, planes[1].normal};
     const auto place = meeting_of(planes[0], planes[1], {guess.place, own.along()});
-    if (!place || length(*place - guess.place) > farthest) return std::nullopt;
+    if (!place || length(*place - guess.place) > farthest_line) return std::nullopt;
     by = length(*place - own.place);
     own.place = *place;
   }
@@ -100,7 +100,7 @@ std::optional<Vector> onto_corner(const Domain& domain, const Vector& guess,
       normal = plane->normal;
     }
     const auto place = meeting_of(planes[0], planes[1], planes[2]);
-    if (!place || length(*place - guess) > farthest) return std::nullopt;
+    if (!place || length(*place - guess) > farthest_corner) return std::nullopt;
     by = length(*place - own);
     own = *place;
   }

@@ -16,9 +16,10 @@ struct OnLine {
   Vector place;
   Wedge wedge;
 
-  /// Of length 1, along the line; either way.
+  /// Of length 1, along the line: with the first face on the left, seen from outside.
   [[nodiscard]] Vector along() const {
-    return unit(optimising::cross(wedge.normals[0], wedge.normals[1]));
+    const auto& [left, right] = wedge.normals;
+    return unit(wedge.convex ? optimising::cross(left, right) : optimising::cross(right, left));
   }
 };
 

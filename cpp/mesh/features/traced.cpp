@@ -155,6 +155,14 @@ void Tracer::find_corners() {
   }
 }
 
+/// Where the mesh is blunt and the surface was not seen, a way around may lack a part.
+void close(Line& line, const Path& path, double way) {
+  constexpr double widest = 1.5 * long_edge;
+  if (path.is_loop || path.from != none || path.to != none || way < least_loop) return;
+  const Vector gap = line.points.front().place - line.points.back().place;
+  line.is_loop = length(gap) < widest && dot(gap, line.points.back().along()) > 0;
+}
+
 std::optional<Line> Tracer::line_of(const Path& path) const {
   Line line;
   line.is_loop = path.is_loop;
@@ -179,15 +187,14 @@ std::optional<Line> Tracer::line_of(const Path& path) const {
     if (!line.points.empty()) {
       const Vector by = point.place - line.points.back().place;
       if (length(by) < spacing / 2) continue;
-      if (line.points.size() > 1 &&
-          dot(by, line.points.back().place - line.points[line.points.size() - 2].place) <= 0)
-        continue;
+      if (dot(by, line.points.back().along()) <= 0) continue;
       way += length(by);
     }
     line.points.push_back(point);
   }
   if (!spare) return std::nullopt;
-  if (path.is_loop) return way >= least_loop ? std::optional(line) : std::nullopt;
+  close(line, path, way);
+  if (line.is_loop) return way >= least_loop ? std::optional(line) : std::nullopt;
   // A way between triangles at one corner.
   if (line.points.empty()) {
     if (!line.from || !line.to || length(*line.to - *line.from) < one_corner) return std::nullopt;
