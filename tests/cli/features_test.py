@@ -131,8 +131,8 @@ class Features(ProgramTest):
         """A box from which a cylinder is taken, what two balls share, and a formula's half spaces."""
         self.kept("--shape", "box:2,2,1", "--subtract", "cylinder:0.5,3", "--size", "0.1",
                   length=4 * (2 + 2 + 1) + 2 * math.pi, corners=8)
-        self.kept("--expr=max(x+y+z-1,max(-x,max(-y,-z)))", "--bounds=-1,-1,-1,2,2,2", "--size",
-                  "0.07", length=3 + 3 * math.sqrt(2), corners=4)
+        self.kept("--expr=max(abs(x)-0.6,max(abs(y)-0.5,abs(z)-0.4))", "--bounds=-1,-1,-1,1,1,1",
+                  "--size", "0.07", length=12, corners=8)
         self.kept("--expr=max(hypot(x-0.3,y,z),hypot(x+0.3,y,z))-0.6", "--bounds=-1,-1,-1,1,1,1",
                   "--size", "0.08", length=2 * math.pi * math.sqrt(0.27), corners=0)
 
