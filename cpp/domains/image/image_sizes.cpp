@@ -22,7 +22,7 @@ namespace {
 }
 
 /// A place along an axis: the voxels that it lies between, and how far from the first.
-struct Between {
+struct VoxelPair {
   std::array<std::size_t, 2> voxels;
   double weight;
 };
@@ -33,7 +33,7 @@ bool is_covered(double at, std::int64_t count) {
   return at >= -0.5 - rounding && at <= static_cast<double>(count) - 0.5 + rounding;
 }
 
-Between between(double at, std::int64_t count) {
+VoxelPair pair_at(double at, std::int64_t count) {
   const double last = static_cast<double>(count - 1);
   const double within = std::clamp(at, 0.0, last);
   const double first = std::min(std::floor(within), std::max(last - 1, 0.0));
@@ -41,10 +41,8 @@ Between between(double at, std::int64_t count) {
   return {{voxel, std::min(voxel + 1, static_cast<std::size_t>(count - 1))}, within - first};
 }
 
-double mix(double a, double b, double weight) { return a + weight * (b - a); }
-
 template <class T>
-double interpolated(const Image& image, const Buffer<T>& voxels, const std::array<Between, 3>& at) {
+double interpolated(const Image& image, const Buffer<T>& voxels, const std::array<VoxelPair, 3>& at) {
   const auto nx = static_cast<std::size_t>(image.size[0]);
   const auto ny = static_cast<std::size_t>(image.size[1]);
   const auto& [x, y, z] = at;
@@ -53,23 +51,23 @@ double interpolated(const Image& image, const Buffer<T>& voxels, const std::arra
     std::array<double, 2> rows{};
     for (std::size_t j = 0; j < 2; ++j) {
       const T* const row = &voxels[(z.voxels[k] * ny + y.voxels[j]) * nx];
-      rows[j] = mix(static_cast<double>(row[x.voxels[0]]), static_cast<double>(row[x.voxels[1]]),
-                    x.weight);
+      rows[j] = std::lerp(static_cast<double>(row[x.voxels[0]]),
+                          static_cast<double>(row[x.voxels[1]]), x.weight);
     }
-    planes[k] = mix(rows[0], rows[1], y.weight);
+    planes[k] = std::lerp(rows[0], rows[1], y.weight);
   }
-  return mix(planes[0], planes[1], z.weight);
+  return std::lerp(planes[0], planes[1], z.weight);
 }
 
 template <class T>
 double size_at(const Image& image, const Buffer<T>& voxels, const Point3& point) {
-  std::array<Between, 3> place;
+  std::array<VoxelPair, 3> place;
   for (std::size_t a = 0; a < 3; ++a) {
     double along = 0;
     for (std::size_t r = 0; r < 3; ++r) along += (point[r] - image.origin[r]) * image.axes[r][a];
     along /= image.spacing[a];
     if (!is_covered(along, image.size[a])) refuse_beyond(image, point);
-    place[a] = between(along, image.size[a]);
+    place[a] = pair_at(along, image.size[a]);
   }
   return interpolated(image, voxels, place);
 }
