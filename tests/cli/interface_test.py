@@ -225,6 +225,24 @@ class Interfaces(ProgramTest):
         self.assertIn(words, run.stderr)
         self.assertEqual(run.stderr.count("\n"), 1)
 
+    def test_volumes_that_are_off_are_named(self):
+        """Beyond 1 %, of labels of 1,000 voxels and more; where it is less nothing is said."""
+        named = False
+        for size in 1, 2, 2.6, 3.1:
+            report = self.mesh("a.nrrd", "-o", "a.vtu", "--size", size)
+            for region in report["regions"]:
+                off = region["voxels"] >= 1000 and abs(region["change_percent"]) > 1
+                told = [w for w in report["warnings"]
+                        if f"volume of label {region['label']} than" in w]
+                self.assertEqual(len(told), off, region)
+                if off:
+                    named = True
+                    percent = abs(region["change_percent"])
+                    side = "more" if region["change_percent"] > 0 else "less"
+                    self.assertIn(f"{percent:.1f} % {side} volume", told[0])
+                    self.assertIn("--size 0.9995 or less", told[0])
+        self.assertTrue(named, "then nothing was tested")
+
     def test_the_same_for_threads_and_memory(self):
         sums = {self.mesh("a.nrrd", "-o", "a.msh", "--threads", threads)["mesh"]["checksum"]
                 for threads in ("1", "2", "5")}
