@@ -60,18 +60,20 @@ inline certet::Material sample(const materials::Positional& domain, const certet
   return domain.material_at(certet::steps * v);
 }
 
+/// Where an edge leaves the higher of two materials, in steps from that end.
+inline std::int64_t cut_of(const materials::Positional& domain, const certet::Lattice& lattice,
+                           certet::Coord3 higher, certet::Coord3 lower) {
+  const certet::Material last = sample(domain, lattice, lower);
+  return certified::bisect([&](std::int64_t t) {
+    const bool beyond = domain.material_at(certified::point_on_edge(higher, lower, t)) == last;
+    return beyond ? certet::Sign::minus : certet::Sign::plus;
+  });
+}
+
 /// A domain on a lattice as the certified functions see it; both outlive what is returned.
 inline certified::MaterialDomain seen_on(const certet::Lattice& lattice,
                                          const materials::Positional& domain) {
   using certet::Coord3;
-  // Where an edge leaves the higher of two materials, in steps from that end.
-  const auto cut = [&](Coord3 higher, Coord3 lower) {
-    const certet::Material last = sample(domain, lattice, lower);
-    return certified::bisect([&](std::int64_t t) {
-      const bool beyond = domain.material_at(certified::point_on_edge(higher, lower, t)) == last;
-      return beyond ? certet::Sign::minus : certet::Sign::plus;
-    });
-  };
   return {[&](Coord3 v) -> certified::Material { return domain.material_at(certet::steps * v); },
-          cut};
+          [&](Coord3 higher, Coord3 lower) { return cut_of(domain, lattice, higher, lower); }};
 }
