@@ -64,7 +64,7 @@ bool can_compress();
 bool has_hdf5();
 
 /// Whether a format has tetrahedra of ten nodes: .vtu, .mesh, .meshb, .msh, .inp, .feb, .bdf, .k,
-/// .xdmf, .vtkhdf and TetGen.
+/// .xdmf, .vtkhdf, .mfem and TetGen.
 bool holds_middle_nodes(Format format);
 
 /// Whether a format has the patches of the boundary apart: all but .vtu and .vtkhdf, which hold
