@@ -25,15 +25,17 @@ From Certet Require Export Key.KeyTet Key.KeyStuffing Key.KeyMesh.
 From Certet Require Export Lattice.NeighborSpec Stencil.TriangleSpec Stuffing.MeshSpec.
 From Certet Require Export Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
 From Certet Require Export Embedding.EmbeddingSpec.
-From Certet Require Export Embedding.PiecesSpec Topology.VoxelSpec.
+From Certet Require Export Embedding.PiecesSpec Embedding.SettleSpec.
+From Certet Require Export Topology.SurfaceSpec Topology.VoxelSpec.
 From Certet Require Export Mesh.Method Mesh.CertifiedSpec Mesh.MeshPiecesSpec.
+From Certet Require Export Topology.MeshSurfaceSpec.
 From Certet Require Export Key.FaceRule Key.KeySpec.
 
 (** Why it holds. *)
 From Certet Require Key.ParityProof Key.KeysApartProof Key.FaceRuleProof.
 From Certet Require Key.KeyBoundsProof Key.KeyDegreesProof Key.KeyEmbedsProof.
 From Certet Require Key.KeySharpnessProof Key.CertifiedKeyProof Key.KeySettledProof.
-From Certet Require Key.KeySweptPiecesProof.
+From Certet Require Key.KeySweptPiecesProof Key.KeySurfaceProof.
 
 Open Scope Z_scope.
 
@@ -345,3 +347,41 @@ Theorem KeyVoxelNoPieceLost :
       exists q t, InsideMesh mesh q /\ MadeAround mesh q t /\
         Joined (fun y => image y = true) Beside x (Owner grid q).
 Proof. exact KeySweptPiecesProof.KeyVoxelNoPieceLost. Qed.
+
+(** ** The surface is a manifold
+
+    Read [Topology/MeshSurfaceSpec.v]: the surface of any mesh. *)
+
+(** Whatever the warp and the cuts, every edge of the surface lies in an even number
+    of its triangles. *)
+Theorem KeyBoundaryClosed :
+  forall before warping cut,
+    let mesh := KeyMesh before warping cut in
+    forall a b c, SurfaceOf mesh a b c ->
+      exists thirds : list MeshVertex, NoDup thirds /\
+        (forall d, In d thirds <-> SurfaceOf mesh a b d) /\
+        Nat.Even (length thirds).
+Proof. exact KeySurfaceProof.KeyBoundaryClosed. Qed.
+
+(** If every vertex on the surface that has an inner neighbour has a strict disk, it
+    is a manifold: every edge of it lies in exactly two of its triangles, and the
+    triangles at every vertex are one fan. *)
+Theorem KeySurfaceManifold :
+  forall before warping cut,
+    let mesh := KeyMesh before warping cut in
+    forall a b c, DisksAround (SignAfter before warping) -> SurfaceOf mesh a b c ->
+      (exists d, d <> c /\ SurfaceOf mesh a b d /\
+         forall e, SurfaceOf mesh a b e -> e = c \/ e = d) /\
+      (forall x, FanOf mesh a x -> JoinedInFanOf mesh a b x).
+Proof. exact KeySurfaceProof.KeySurfaceManifold. Qed.
+
+(** By the rule that the product runs by default it is, whatever the samples, whoever
+    is in the list and in what order. *)
+Theorem KeySweptSurfaceManifold :
+  forall sample cut turns a b c,
+    let mesh := KeySweptMesh (OpenSigns sample) cut turns in
+    SurfaceOf mesh a b c ->
+    (exists d, d <> c /\ SurfaceOf mesh a b d /\
+       forall e, SurfaceOf mesh a b e -> e = c \/ e = d) /\
+    (forall x, FanOf mesh a x -> JoinedInFanOf mesh a b x).
+Proof. exact KeySurfaceProof.KeySweptSurfaceManifold. Qed.
