@@ -25,13 +25,17 @@ From Certet Require Export Key.KeyTet Key.KeyStuffing Key.KeyMesh.
 From Certet Require Export Lattice.NeighborSpec Stencil.TriangleSpec Stuffing.MeshSpec.
 From Certet Require Export Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
 From Certet Require Export Embedding.EmbeddingSpec.
-From Certet Require Export Mesh.Method Mesh.CertifiedSpec.
+From Certet Require Export Embedding.PiecesSpec Embedding.SettleSpec.
+From Certet Require Export Topology.SurfaceSpec Topology.VoxelSpec.
+From Certet Require Export Mesh.Method Mesh.CertifiedSpec Mesh.MeshPiecesSpec.
+From Certet Require Export Topology.MeshSurfaceSpec.
 From Certet Require Export Key.FaceRule Key.KeySpec.
 
 (** Why it holds. *)
 From Certet Require Key.ParityProof Key.KeysApartProof Key.FaceRuleProof.
 From Certet Require Key.KeyBoundsProof Key.KeyDegreesProof Key.KeyEmbedsProof.
 From Certet Require Key.KeySharpnessProof Key.CertifiedKeyProof Key.KeySettledProof.
+From Certet Require Key.KeySweptPiecesProof Key.KeySurfaceProof.
 
 Open Scope Z_scope.
 
@@ -263,3 +267,121 @@ Theorem KeyRuledInteriorsApart :
               (MapTet (PlacedPosition warping clamped) t') ->
       tid = tid' /\ t = t'.
 Proof. exact KeyEmbedsProof.KeyRuledInteriorsApart. Qed.
+
+(** ** No piece is lost, cut or joined to another
+
+    Read [Mesh/MeshPiecesSpec.v]: the pieces of any mesh.  Where a diagonal lies
+    matters to none of this. *)
+
+(** Whatever the warp and the cuts: if no face of the lattice with all its corners on
+    the surface has + on both sides, two tetrahedra are joined by faces just as +
+    corners of their structured tetrahedra are joined by edges. *)
+Theorem KeyMeshPieces :
+  forall before warping cut, NoWall before warping ->
+    let mesh := KeyMesh before warping cut in
+    forall p q t u, InsideMesh mesh p -> InsideMesh mesh q ->
+      MadeAround mesh p t -> MadeAround mesh q u ->
+      Joined (TetOf mesh) ShareFace t u <->
+      Joined (InsideMesh mesh) Adjacent p q.
+Proof. exact KeySweptPiecesProof.KeyMeshPieces. Qed.
+
+(** By the rule that the product runs by default, whatever the samples, whoever is in
+    the list and in what order, the pieces of the mesh by faces are those of the
+    samples by edges, *)
+Theorem KeyPiecesKept :
+  forall sample cut turns,
+    let sign := OpenSigns sample in
+    let mesh := KeySweptMesh sign cut turns in
+    forall p q t u, InsideMesh mesh p -> InsideMesh mesh q ->
+      MadeAround mesh p t -> MadeAround mesh q u ->
+      Joined (TetOf mesh) ShareFace t u <->
+      Joined (PlusBefore sign) Adjacent p q.
+Proof. exact KeySweptPiecesProof.KeyPiecesKept. Qed.
+
+(** none is lost, *)
+Theorem KeyNoPieceLost :
+  forall sample cut turns p,
+    let sign := OpenSigns sample in
+    let mesh := KeySweptMesh sign cut turns in
+    PlusBefore sign p -> (exists tid, InLattice tid /\ In p (Corners tid)) ->
+    exists q t, InsideMesh mesh q /\ MadeAround mesh q t /\
+      Joined (PlusBefore sign) Adjacent p q.
+Proof. exact KeySweptPiecesProof.KeyNoPieceLost. Qed.
+
+(** the outside, with the surface, keeps its pieces too, *)
+Theorem KeyOutsideKept :
+  forall sample cut turns p q,
+    let sign := OpenSigns sample in
+    let mesh := KeySweptMesh sign cut turns in
+    ~ PlusBefore sign p -> ~ PlusBefore sign q ->
+    Joined (fun v => ~ InsideMesh mesh v) Adjacent p q <->
+    Joined (fun v => ~ PlusBefore sign v) Adjacent p q.
+Proof. exact KeySweptPiecesProof.KeyOutsideKept. Qed.
+
+(** and no cavity is made. *)
+Theorem KeyMakesNoCavity :
+  forall sample cut turns p,
+    let sign := OpenSigns sample in
+    let mesh := KeySweptMesh sign cut turns in
+    ~ InsideMesh mesh p ->
+    exists q, ~ PlusBefore sign q /\
+      Joined (fun v => ~ InsideMesh mesh v) Adjacent p q.
+Proof. exact KeySweptPiecesProof.KeyMakesNoCavity. Qed.
+
+(** Given the samples of [VoxelSigns] of any label image, the pieces of the mesh by
+    faces are the pieces of the image by faces, *)
+Theorem KeyVoxelPieces :
+  forall grid image cut turns, FineEnough grid ->
+    let mesh := KeySweptMesh (OpenSigns (VoxelSigns grid image)) cut turns in
+    forall p q t u, InsideMesh mesh p -> InsideMesh mesh q ->
+      MadeAround mesh p t -> MadeAround mesh q u ->
+      Joined (TetOf mesh) ShareFace t u <->
+      Joined (fun x => image x = true) Beside (Owner grid p) (Owner grid q).
+Proof. exact KeySweptPiecesProof.KeyVoxelPieces. Qed.
+
+(** and none is lost. *)
+Theorem KeyVoxelNoPieceLost :
+  forall grid image cut turns, FineEnough grid ->
+    let mesh := KeySweptMesh (OpenSigns (VoxelSigns grid image)) cut turns in
+    forall x, image x = true ->
+      exists q t, InsideMesh mesh q /\ MadeAround mesh q t /\
+        Joined (fun y => image y = true) Beside x (Owner grid q).
+Proof. exact KeySweptPiecesProof.KeyVoxelNoPieceLost. Qed.
+
+(** ** The surface is a manifold
+
+    Read [Topology/MeshSurfaceSpec.v]: the surface of any mesh. *)
+
+(** Whatever the warp and the cuts, every edge of the surface lies in an even number
+    of its triangles. *)
+Theorem KeyBoundaryClosed :
+  forall before warping cut,
+    let mesh := KeyMesh before warping cut in
+    forall a b c, SurfaceOf mesh a b c ->
+      exists thirds : list MeshVertex, NoDup thirds /\
+        (forall d, In d thirds <-> SurfaceOf mesh a b d) /\
+        Nat.Even (length thirds).
+Proof. exact KeySurfaceProof.KeyBoundaryClosed. Qed.
+
+(** If every vertex on the surface that has an inner neighbour has a strict disk, it
+    is a manifold: every edge of it lies in exactly two of its triangles, and the
+    triangles at every vertex are one fan. *)
+Theorem KeySurfaceManifold :
+  forall before warping cut,
+    let mesh := KeyMesh before warping cut in
+    forall a b c, DisksAround (SignAfter before warping) -> SurfaceOf mesh a b c ->
+      (exists d, d <> c /\ SurfaceOf mesh a b d /\
+         forall e, SurfaceOf mesh a b e -> e = c \/ e = d) /\
+      (forall x, FanOf mesh a x -> JoinedInFanOf mesh a b x).
+Proof. exact KeySurfaceProof.KeySurfaceManifold. Qed.
+
+(** By the rule that the product runs by default it is, whatever the samples, whoever
+    is in the list and in what order. *)
+Theorem KeySweptSurfaceManifold :
+  forall sample cut turns a b c,
+    let mesh := KeySweptMesh (OpenSigns sample) cut turns in
+    SurfaceOf mesh a b c ->
+    (exists d, d <> c /\ SurfaceOf mesh a b d /\
+       forall e, SurfaceOf mesh a b e -> e = c \/ e = d) /\
+    (forall x, FanOf mesh a x -> JoinedInFanOf mesh a b x).
+Proof. exact KeySurfaceProof.KeySweptSurfaceManifold. Qed.

@@ -477,7 +477,7 @@ Theorem BoundaryClosed :
     exists thirds : list MeshVertex, NoDup thirds /\
       (forall d, In d thirds <-> SurfaceTriangle before warping a b d) /\
       Nat.Even (length thirds).
-Proof. exact EdgeProof.BoundaryClosed. Qed.
+Proof. exact DiskManifoldProof.BoundaryClosed. Qed.
 
 (** At a cut it is a manifold, whatever the domain and the warp: an edge there lies
     in exactly two triangles, and all triangles there are one fan.  So it may touch

@@ -9,12 +9,16 @@ From Certet Require Import Topology.Definitions.
 From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof
   Embedding.MeshApartProof Embedding.LinkProof Topology.CliqueProof
   Topology.CornersProof Topology.LocalSurfaceProof Topology.SurfaceProof.
+From Certet Require Import Topology.MeshSurfaceSpec.
 
 Section Mesh.
-  Variables (before : SignField) (warping : Coord3 -> Warping).
-  Local Notation on_it := (OnIt before warping).
-  Local Notation triangle := (LocalTriangle before warping).
-  Local Notation surface := (SurfaceTriangle before warping).
+  Variable mesh : SurfaceMesh.
+  Local Notation before := (signs_before mesh).
+  Local Notation warping := (warping_of mesh).
+  Local Notation within := (made_within mesh).
+  Local Notation on_it := (OnIt mesh).
+  Local Notation triangle := (LocalTriangle mesh).
+  Local Notation surface := (SurfaceOf (made mesh)).
 
   (** ** Across the inside *)
 
@@ -25,15 +29,15 @@ Section Mesh.
       forall z'', surface x y z'' -> z'' = z \/ z'' = z'.
   Proof.
     intros E T R B.
-    destruct (LocalInnerEdge before warping tid x y z E R B T) as (z' & N & T' & U).
+    destruct (LocalInnerEdge mesh tid x y z E R B T) as (z' & N & T' & U).
     assert (R' : forall w, Reach (Corners tid) [x; y; w]).
     { intros w c C. destruct (R c C) as (v & V & I). exists v. cbn [In] in *. tauto. }
     exists z'. split; [exact N|].
-    split; [apply (SurfaceInside before warping tid); auto|].
-    intros z'' W. destruct (SurfaceWhere before warping x y z'' W) as (tid' & E' & L).
+    split; [apply (SurfaceInside mesh tid); auto|].
+    intros z'' W. destruct (SurfaceWhere mesh x y z'' W) as (tid' & E' & L).
     assert (tid = tid').
-    { destruct (LocalOnIt before warping tid' x y z'' E' L) as (X & Y & _).
-      apply (ReachDetermines before warping tid tid' [x; y]); try assumption.
+    { destruct (LocalOnIt mesh tid' x y z'' E' L) as (X & Y & _).
+      apply (ReachDetermines mesh tid tid' [x; y]); try assumption.
       intros v. cbn [In]. intros [<-|[<-|[]]]; assumption. }
     subst tid'. exact (U z'' L).
   Qed.
@@ -106,14 +110,14 @@ Section Mesh.
       forall z'', surface x y z'' -> z'' = z \/ z'' = z'.
   Proof.
     intros E T I Off B.
-    destruct (LocalOnIt before warping tid x y z E T) as (X & Y & Z).
+    destruct (LocalOnIt mesh tid x y z E T) as (X & Y & Z).
     assert (N : x <> y) by (destruct T as [(t & _ & H) _]; apply H).
     destruct (FaceEnds tid x y c X Y N B I Off) as (f1 & f2 & f3 & D & M).
     assert (In_ : forall own, on_it own x -> on_it own y ->
       incl [f1; f2; f3] (Corners own)).
     { intros own Ox Oy e Ie. apply M, in_app_iff in Ie.
-      destruct Ie as [Ie|Ie]; [exact (EndsWithin _ _ own x e Ox Ie)
-        |exact (EndsWithin _ _ own y e Oy Ie)]. }
+      destruct Ie as [Ie|Ie]; [exact (EndsWithin _ own x e Ox Ie)
+        |exact (EndsWithin _ own y e Oy Ie)]. }
     assert (Here : forall own, incl [f1; f2; f3] (Corners own) ->
       on_it own x /\ on_it own y).
     { intros own K. split; [apply (OnItToo tid)|apply (OnItToo tid)]; try assumption;
@@ -155,33 +159,33 @@ Section Mesh.
       ~ In v [f1; f2; f3]).
     { intros v (V1 & V2 & V3). cbn [In].
       intros [<-|[<-|[<-|[]]]]; eapply NeverAdjacent; eassumption. }
-    destruct (LocalFaceEdge before warping tid x y E X Y N) as (z0 & T0 & U0);
+    destruct (LocalFaceEdge mesh tid x y E X Y N) as (z0 & T0 & U0);
       [apply (Off' tid c); [exact F|exact I|exact Nc]|exact B|].
-    destruct (LocalFaceEdge before warping tid' x y E' X' Y' N) as (z' & T' & U');
+    destruct (LocalFaceEdge mesh tid' x y E' X' Y' N) as (z' & T' & U');
       [apply (Off' tid' c'); [exact F3|apply F'; cbn; tauto|apply Fresh, Ac']|exact B|].
     assert (z0 = z) by (symmetry; apply U0, T). subst z0.
     assert (Rz : forall own w, InLattice own -> triangle own x y w ->
       Reach (Corners own) [x; y; w]).
     { intros own w Eo [(t & J & H) S].
-      destruct (LocalOnIt before warping own x y w Eo
+      destruct (LocalOnIt mesh own x y w Eo
         (conj (ex_intro _ t (conj J H)) S)) as (Xo & Yo & Wo).
-      destruct (LocalShape before warping own x y w t J H Xo Yo Wo)
+      destruct (LocalShape mesh own x y w t J H Xo Yo Wo)
         as [_ [R|(a & b & _ & _ & Ea & Eb & _)]]; [exact R|].
       destruct (B a b Ea Eb). }
     exists z'. split.
     { intros ->. destruct (Rz tid z E T c I) as (v & V & W).
-      destruct (LocalOnIt before warping tid' x y z E' T') as (_ & _ & Z').
+      destruct (LocalOnIt mesh tid' x y z E' T') as (_ & _ & Z').
       cbn [In] in V. destruct V as [<-|[<-|[<-|[]]]];
         [apply (Off x); cbn; auto|apply (Off y); cbn; auto|].
-      pose proof (EndsWithin before warping tid' z c Z' W) as K.
+      pose proof (EndsWithin mesh tid' z c Z' W) as K.
       assert (G : incl (Corners tid') [f1; f2; f3; c']).
       { apply CornersAre; [|reflexivity|exact F'].
         pose proof (Fresh c' Ac') as Fr. cbn [In] in Fr.
         apply FourApart. repeat split; try assumption; intros ->; tauto. }
       destruct (G c K) as [Q|[Q|[Q|[Q|[]]]]]; congruence. }
-    split; [apply (SurfaceInside before warping tid'); auto|].
-    intros z'' W. destruct (SurfaceWhere before warping x y z'' W) as (own & Eo & L).
-    destruct (LocalOnIt before warping own x y z'' Eo L) as (Xo & Yo & _).
+    split; [apply (SurfaceInside mesh tid'); auto|].
+    intros z'' W. destruct (SurfaceWhere mesh x y z'' W) as (own & Eo & L).
+    destruct (LocalOnIt mesh own x y z'' Eo L) as (Xo & Yo & _).
     pose proof (In_ own Xo Yo) as Fo.
     destruct (OtherOne own f1 f2 f3) as (e & De & Ie);
       [apply Fo; cbn; tauto|apply Fo; cbn; tauto|apply Fo; cbn; tauto|exact D|].
@@ -205,7 +209,7 @@ Section Mesh.
     exists z', z' <> z /\ surface x y z' /\
       forall z'', surface x y z'' -> z'' = z \/ z'' = z'.
   Proof.
-    intros T B. destruct (SurfaceWhere before warping x y z T) as (tid & E & L).
+    intros T B. destruct (SurfaceWhere mesh x y z T) as (tid & E & L).
     assert (Dec : forall c, {In c (Ends x ++ Ends y)} + {~ In c (Ends x ++ Ends y)})
       by (intros c; apply in_dec, SamePoint3).
     destruct (forallb (fun c => if Dec c then true else false) (Corners tid)) eqn:R.

@@ -3,6 +3,7 @@
 From Certet Require Import Topology.Definitions.
 From Certet Require Import Angles.AngleTheorems Embedding.DiskRuleProof
   Embedding.DiskPiecesProof Topology.LocalSurfaceProof Topology.SurfaceProof
+  Topology.PlacedSurfaceProof
   Topology.EdgeProof Topology.FanProof Topology.CutEdgeProof
   Topology.DiskPointProof Topology.DiskKeptProof.
 
@@ -59,11 +60,19 @@ Definition ManifoldAt (before : SignField) (warping : Coord3 -> Warping)
      forall e, SurfaceTriangle before warping a b e -> e = c \/ e = d) /\
   (forall x, InFan before warping a x -> JoinedInFan before warping a b x).
 
+(** Every edge of the surface is in an even number of its triangles. *)
+Theorem BoundaryClosed before warping a b c :
+  SurfaceTriangle before warping a b c ->
+  exists thirds, NoDup thirds /\
+    (forall d, In d thirds <-> SurfaceTriangle before warping a b d) /\
+    Nat.Even (length thirds).
+Proof. exact (EdgesInEven (PlacedSurface before warping) a b c). Qed.
+
 Theorem SurfaceManifold before warping a b c :
   DisksAround (SignAfter before warping) -> ManifoldAt before warping a b c.
 Proof.
-  intros D T. split; [exact (EdgesInTwo before warping a b c D T)|].
-  intros x X. apply OneFan; [exact D|exists c; exact T|exact X].
+  intros D T. split; [exact (EdgesInTwo (PlacedSurface before warping) a b c D T)|].
+  intros x X. apply (OneFan (PlacedSurface before warping)); [exact D|exists c; exact T|exact X].
 Qed.
 
 Theorem DiskSurfaceManifold th sign cut limit a b c :
@@ -91,8 +100,8 @@ Theorem CutsManifold before warping p m b c :
   ManifoldAt before warping (Cut p m) b c.
 Proof.
   intros T. split.
-  - apply CutEdge; [exact T|]. intros x y E. discriminate E.
-  - intros x X. destruct (SurfaceWhere before warping _ _ _ T) as (tid & E & L).
-    destruct (LocalOnIt before warping tid _ _ _ E L) as ([(_ & _ & P & M) _] & _ & _).
-    apply CutFan; [exact P|exact M|exists c; exact T|exact X].
+  - apply (CutEdge (PlacedSurface before warping)); [exact T|]. intros x y E. discriminate E.
+  - intros x X. destruct (SurfaceWhere (PlacedSurface before warping) _ _ _ T) as (tid & E & L).
+    destruct (LocalOnIt (PlacedSurface before warping) tid _ _ _ E L) as ([(_ & _ & P & M) _] & _ & _).
+    apply (CutFan (PlacedSurface before warping)); [exact P|exact M|exists c; exact T|exact X].
 Qed.

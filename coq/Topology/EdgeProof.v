@@ -8,13 +8,16 @@ From Coq Require Logic.FinFun.
 From Certet Require Import Topology.Definitions.
 From Certet Require Import Angles.Cases.Isometry Embedding.LinkProof
   Topology.CliqueProof Topology.LocalSurfaceProof Topology.SurfaceProof
-  Topology.RingProof Topology.CornersProof Topology.CutEdgeProof.
+  Topology.RingProof Topology.CornersProof Topology.CutEdgeProof Topology.MeshSurfaceSpec.
 
 Section Mesh.
-  Variables (before : SignField) (warping : Coord3 -> Warping).
+  Variable mesh : SurfaceMesh.
+  Local Notation before := (signs_before mesh).
+  Local Notation warping := (warping_of mesh).
+  Local Notation within := (made_within mesh).
   Local Notation after := (SignAfter before warping).
-  Local Notation triangle := (LocalTriangle before warping).
-  Local Notation surface := (SurfaceTriangle before warping).
+  Local Notation triangle := (LocalTriangle mesh).
+  Local Notation surface := (SurfaceOf (made mesh)).
 
   (** ** Between two 0 corners *)
 
@@ -70,8 +73,8 @@ Section Mesh.
       assert (To : forall x, Adjacent a x -> exists e, x = at_ e)
         by (intros x [e ->]; eauto).
       rewrite in_map_iff. split.
-      - intros T. destruct (SurfaceWhere before warping _ _ z T) as (tid & E & L).
-        destruct (LocalOnIt before warping tid _ _ z E L) as ([[Ia _] _] & [[Ib _] _] & _).
+      - intros T. destruct (SurfaceWhere mesh _ _ z T) as (tid & E & L).
+        destruct (LocalOnIt mesh tid _ _ z E L) as ([[Ia _] _] & [[Ib _] _] & _).
         destruct (OtherTwo tid a b Ia Ib Nab) as (x & y & D & Ix & Iy).
         assert (exists e f, In (at_ e) (Corners tid) /\ In (at_ f) (Corners tid) /\
           NoDup [a; b; at_ e; at_ f] /\ after (at_ e) = Plus /\ after (at_ f) <> Plus /\
@@ -79,7 +82,7 @@ Section Mesh.
         { pose proof (proj1 (FourApart _ _ _ _) D) as (_ & Ax & Ay & Bx & By & Xy).
           destruct (To x) as [e ->]; [apply (CornersAdjacent tid); assumption|].
           destruct (To y) as [f ->]; [apply (CornersAdjacent tid); assumption|].
-          destruct (LocalZeroEdge before warping tid a b _ _ z E Ia Ib Ix Iy D L)
+          destruct (LocalZeroEdge mesh tid a b _ _ z E Ia Ib Ix Iy D L)
             as [(P & Q & ->)|(P & Q & ->)]; [exists e, f|exists f, e];
             repeat (split; [assumption|]); auto.
           split; [|auto]. apply FourApart. auto 8. }
@@ -90,7 +93,7 @@ Section Mesh.
         split; [apply (CornersAdjacent tid); assumption|].
         split; [exact Pe|]. split; [exact Pf|]. intros Zf e' Be' Fe' Pe'.
         unfold CrossingAt in T. rewrite Zf in T.
-        destruct (SurfaceOfZeros before warping _ _ _ T)
+        destruct (SurfaceOfZeros mesh _ _ _ T)
           as (_ & _ & _ & _ & _ & _ & _ & x0 & _ & _ & _ & O).
         apply (OffsetsDiffer e' e a). transitivity x0; [|symmetry]; apply O.
         + repeat split; try assumption. exists e'. reflexivity.
@@ -116,7 +119,7 @@ Section Mesh.
         destruct GI as (Ga & Gb & Ge & Gf).
         destruct (after (at_ f)) eqn:Sf; [congruence| |].
         + unfold CrossingAt. rewrite Sf.
-          apply (ZerosOnSurface before warping tid a b (at_ f) (at_ e)); try assumption;
+          apply (ZerosOnSurface mesh tid a b (at_ f) (at_ e)); try assumption;
             auto.
           * intros v. cbn [In]. intros [<-|[<-|[<-|[<-|[]]]]]; assumption.
           * intros x (Ax & Bx & Fx & Px). destruct (To x Ax) as [e' ->].
@@ -124,10 +127,10 @@ Section Mesh.
         + assert (L : triangle tid (Corner a) (CrossingAt after (at_ e) (at_ f)) (Corner b)).
           { replace (Corner b) with (CrossingAt after (at_ e) b)
               by (unfold CrossingAt; rewrite ZeroB; reflexivity).
-            apply (LocalZeroFan before warping tid a b (at_ e) (at_ f)); try assumption;
+            apply (LocalZeroFan mesh tid a b (at_ e) (at_ f)); try assumption;
               congruence. }
-          apply (SurfaceTurned before warping).
-          apply (SurfaceInside before warping tid _ _ _ E L).
+          apply (SurfaceTurned mesh).
+          apply (SurfaceInside mesh tid _ _ _ E L).
           unfold CrossingAt. rewrite Sf. intros c C.
           assert (K : In c [a; b; at_ e; at_ f]).
           { revert c C. apply CornersAre; [exact De|reflexivity|exact G]. }
@@ -159,7 +162,7 @@ Section Mesh.
 
   (** ** Every edge *)
 
-  Theorem BoundaryClosed x y z : surface x y z ->
+  Theorem EdgesInEven x y z : surface x y z ->
     exists thirds, NoDup thirds /\ (forall w, In w thirds <-> surface x y w) /\
       Nat.Even (length thirds).
   Proof.
@@ -174,9 +177,9 @@ Section Mesh.
       - intros [<-|[<-|[]]]; assumption.
       - intros W. destruct (U w W); auto. }
     destruct x as [a|a m]; [destruct y as [b|b m]|];
-      try (apply Two, (CutEdge before warping _ _ z T); intros ? ? E F; discriminate E || discriminate F).
-    clear Two. destruct (SurfaceWhere before warping _ _ z T) as (tid & E & L).
-    destruct (LocalOnIt before warping tid _ _ z E L) as ([[Ia _] Sa] & [[Ib _] Sb] & _).
+      try (apply Two, (CutEdge mesh _ _ z T); intros ? ? E F; discriminate E || discriminate F).
+    clear Two. destruct (SurfaceWhere mesh _ _ z T) as (tid & E & L).
+    destruct (LocalOnIt mesh tid _ _ z E L) as ([[Ia _] Sa] & [[Ib _] Sb] & _).
     assert (Nab : a <> b) by (destruct L as [(t & _ & (_ & H & _)) _]; congruence).
     destruct (CornersAdjacent tid a b Ia Ib Nab) as [d ->].
     eexists. split; [exact (ThirdsOnce a d Sa Sb)|]. split.
@@ -191,9 +194,9 @@ Section Mesh.
   Proof.
     intros Disks T.
     destruct x as [a|a m]; [destruct y as [b|b m]|];
-      try (apply (CutEdge before warping _ _ z T); intros ? ? E F; discriminate E || discriminate F).
-    destruct (SurfaceWhere before warping _ _ z T) as (tid & E & L).
-    destruct (LocalOnIt before warping tid _ _ z E L) as ([[Ia _] Sa] & [[Ib _] Sb] & _).
+      try (apply (CutEdge mesh _ _ z T); intros ? ? E F; discriminate E || discriminate F).
+    destruct (SurfaceWhere mesh _ _ z T) as (tid & E & L).
+    destruct (LocalOnIt mesh tid _ _ z E L) as ([[Ia _] Sa] & [[Ib _] Sb] & _).
     assert (Nab : a <> b) by (destruct L as [(t & _ & (_ & H & _)) _]; congruence).
     destruct (CornersAdjacent tid a b Ia Ib Nab) as [d ->].
     assert (La : LatticePoint a) by (exists tid; auto).

@@ -7,27 +7,31 @@
 From Certet Require Import Topology.Definitions.
 From Certet Require Import Angles.Cases.Isometry Embedding.LeavingProof
   Embedding.LinkProof Topology.CliqueProof Topology.LocalSurfaceProof
-  Topology.SurfaceProof Topology.CornersProof Topology.SeparationProof.
+  Topology.SurfaceProof Topology.CornersProof Topology.SeparationProof
+  Topology.MeshSurfaceSpec.
 
 Lemma RingsWhole : forallb (fun d => OnePiece (NextInLink d)) AllDirections = true.
 Proof. vm_compute. reflexivity. Qed.
 
 Section Mesh.
-  Variables (before : SignField) (warping : Coord3 -> Warping).
+  Variable mesh : SurfaceMesh.
+  Local Notation before := (signs_before mesh).
+  Local Notation warping := (warping_of mesh).
+  Local Notation within := (made_within mesh).
   Local Notation after := (SignAfter before warping).
-  Local Notation triangle := (LocalTriangle before warping).
-  Local Notation surface := (SurfaceTriangle before warping).
-  Local Notation fan := (InFan before warping).
-  Local Notation joined := (JoinedInFan before warping).
+  Local Notation triangle := (LocalTriangle mesh).
+  Local Notation surface := (SurfaceOf (made mesh)).
+  Local Notation fan := (FanOf (made mesh)).
+  Local Notation joined := (JoinedInFanOf (made mesh)).
 
   (** A triangle with a cut lies inside a structured tetrahedron. *)
   Lemma SurfaceIfCut tid x y z a m : InLattice tid -> triangle tid x y z ->
     In (Cut a m) [x; y; z] -> surface x y z.
   Proof.
-    intros E T I. apply (SurfaceInside before warping tid); [exact E|exact T|].
+    intros E T I. apply (SurfaceInside mesh tid); [exact E|exact T|].
     pose proof T as [(t & J & H) _].
-    destruct (LocalOnIt before warping tid x y z E T) as (X & Y & Z).
-    destruct (LocalShape before warping tid x y z t J H X Y Z)
+    destruct (LocalOnIt mesh tid x y z E T) as (X & Y & Z).
+    destruct (LocalShape mesh tid x y z t J H X Y Z)
       as [_ [R|(b & c & d & _ & -> & -> & -> & _)]]; [exact R|].
     cbn [In] in I. destruct I as [I|[I|[I|[]]]]; discriminate I.
   Qed.
@@ -35,11 +39,11 @@ Section Mesh.
   Lemma SurfaceFans a x y : surface a x y -> fan a x /\ fan a y.
   Proof.
     intros T. split; [exists y; exact T|].
-    exists x. apply (SurfaceTurned before warping), T.
+    exists x. apply (SurfaceTurned mesh), T.
   Qed.
 
   Lemma SurfaceBack a x y : surface a x y -> surface a y x.
-  Proof. apply (SurfaceTurned before warping). Qed.
+  Proof. apply (SurfaceTurned mesh). Qed.
 
   Lemma JoinedBySurface a x y : surface a x y -> joined a x y.
   Proof.
@@ -66,7 +70,7 @@ Section Mesh.
       forall x y, triangle tid s x y -> joined s (third c) x.
     Proof.
       intros E I N.
-      destruct (LocalCutFan before warping tid p m c d E) as [T U];
+      destruct (LocalCutFan mesh tid p m c d E) as [T U];
         try assumption; try (apply I; cbn; tauto).
       fold s in T, U. fold (third c) (third d) in T, U.
       assert (J : joined s (third c) (third d)).
@@ -87,9 +91,9 @@ Section Mesh.
     Proof.
       assert (Found : forall x, fan s x -> exists c, LatticePoint p /\ Adjacent p m /\
         Adjacent p c /\ Adjacent m c /\ joined s (third c) x).
-      { intros w [w' T]. destruct (SurfaceWhere before warping _ _ _ T) as (tid & E & L).
-        destruct (LocalOnIt before warping tid _ _ _ E L) as ([(Ip & Im & _) _] & _ & _).
-        assert (Npm : p <> m) by (apply (SignsDiffer before warping); congruence).
+      { intros w [w' T]. destruct (SurfaceWhere mesh _ _ _ T) as (tid & E & L).
+        destruct (LocalOnIt mesh tid _ _ _ E L) as ([(Ip & Im & _) _] & _ & _).
+        assert (Npm : p <> m) by (apply (SignsDiffer mesh); congruence).
         destruct (OtherTwo tid p m Ip Im Npm) as (c & d & N & Ic & Id).
         assert (I : incl [p; m; c; d] (Corners tid)).
         { intros v. cbn [In]. intros [<-|[<-|[<-|[<-|[]]]]]; assumption. }
@@ -213,7 +217,7 @@ Section Mesh.
         destruct (PointsApart e f' e' Ef N (AdjacentMutual _ _ Ef')) as (tid & E & I & D).
         destruct (after (at_ f')) eqn:S;
           [congruence|left; unfold CrossingAt; rewrite S; reflexivity|].
-        destruct (LocalZeroFan before warping tid z (at_ e') (at_ e) (at_ f')) as [G _];
+        destruct (LocalZeroFan mesh tid z (at_ e') (at_ e) (at_ f')) as [G _];
           try assumption; try (apply I; cbn; tauto); [congruence|].
         destruct (G Pe') as [G'|G']; [left; exact G'|right].
         apply (SurfaceIfCut tid _ _ _ (at_ e) (at_ f') E G').
@@ -221,14 +225,14 @@ Section Mesh.
       - (* from outer to outer *)
         rename f' into g. rename e' into e. right.
         destruct (PointsApart e f g Ef Ef' N) as (tid & E & I & D).
-        destruct (LocalZeroFan before warping tid z (at_ g) (at_ e) (at_ f)) as [_ G];
+        destruct (LocalZeroFan mesh tid z (at_ g) (at_ e) (at_ f)) as [_ G];
           try assumption; try (apply I; cbn; tauto).
         specialize (G Pf').
         destruct (after (at_ f)) eqn:S; [congruence| |].
         + destruct (after (at_ g)) eqn:S'; [congruence| |].
           * unfold CrossingAt in *. rewrite S, S' in *.
             pose proof (proj1 (FourApart _ _ _ _) D) as (Zg & Ze & Zf & Ge & Gf & Ef_).
-            apply (ZerosOnSurface before warping tid z (at_ f) (at_ g) (at_ e)); try assumption.
+            apply (ZerosOnSurface mesh tid z (at_ f) (at_ g) (at_ e)); try assumption.
             -- intros v V. apply I. cbn [In] in *. tauto.
             -- auto.
             -- intros x ([h ->] & Fh & Gh & Ph). f_equal. f_equal. symmetry.
@@ -241,16 +245,16 @@ Section Mesh.
 
     Lemma FanMeets x : fan (Corner z) x -> exists p, In p crossings /\ x = meets p.
     Proof.
-      intros [y T]. destruct (SurfaceWhere before warping _ _ _ T) as (tid & E & L).
-      destruct (LocalOnIt before warping tid _ _ _ E L) as ([[Iz _] _] & _ & _).
-      destruct (LocalZeroEnds before warping tid z x y E L)
+      intros [y T]. destruct (SurfaceWhere mesh _ _ _ T) as (tid & E & L).
+      destruct (LocalOnIt mesh tid _ _ _ E L) as ([[Iz _] _] & _ & _).
+      destruct (LocalZeroEnds mesh tid z x y E L)
         as (e & f & Ie & If & Nf & Pe & Pf & ->).
       destruct (CornersAdjacent tid z e Iz Ie) as [d ->];
-        [apply (SignsDiffer before warping); congruence|].
+        [apply (SignsDiffer mesh); congruence|].
       destruct (CornersAdjacent tid z f Iz If) as [g ->]; [congruence|].
       exists (d, g). split; [|reflexivity]. apply InCrossings.
       split; [|auto]. apply (CornersAdjacent tid); try assumption.
-      apply (SignsDiffer before warping). congruence.
+      apply (SignsDiffer mesh). congruence.
     Qed.
 
     Theorem ZeroFan x y : fan (Corner z) x -> fan (Corner z) y ->
@@ -272,16 +276,16 @@ Section Mesh.
   Theorem OneFan a x y : DisksAround after -> fan a x -> fan a y -> joined a x y.
   Proof.
     intros Disks X Y. destruct X as [x' T].
-    destruct (SurfaceWhere before warping _ _ _ T) as (tid & E & L).
-    destruct (LocalOnIt before warping tid _ _ _ E L) as (A & _ & _).
+    destruct (SurfaceWhere mesh _ _ _ T) as (tid & E & L).
+    destruct (LocalOnIt mesh tid _ _ _ E L) as (A & _ & _).
     destruct a as [z|p m].
     - destruct A as [[Iz _] Sz].
-      destruct (LocalZeroEnds before warping tid z x x' E L)
+      destruct (LocalZeroEnds mesh tid z x x' E L)
         as (e & _ & Ie & _ & _ & Pe & _).
       apply ZeroFan; [exact Sz|exists tid; auto| |exists x'; exact T|exact Y].
       apply Disks; [exact Sz|].
       destruct (CornersAdjacent tid z e Iz Ie) as [d ->];
-        [apply (SignsDiffer before warping); unfold SignAfter in *; congruence|].
+        [apply (SignsDiffer mesh); unfold SignAfter in *; congruence|].
       exists d. exact Pe.
     - destruct A as [(_ & _ & P & M) _].
       apply CutFan; [exact P|exact M|exists x'; exact T|exact Y].

@@ -9,6 +9,39 @@ From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Stencil.CompatibilityChecker Stencil.TriangleChecker
   Stencil.TriangleCheckerProof Stuffing.NameProof Embedding.EdgeRank
   Embedding.MeshApartProof Topology.StencilSurface Topology.StencilSurfaceProof.
+From Certet Require Import Mesh.Method.
+
+(** ** What the surface looks at
+
+    Whatever the mesh: each structured tetrahedron has a view on symbols that keeps
+    what [CheckSurface] checks, and a triangle that is not on the surface is met
+    twice. *)
+
+Record SurfaceMesh := {
+  signs_before : SignField;
+  warping_of : Coord3 -> Warping;
+  made_within : StructuredTetId -> list (UnstructuredTet MeshVertex);
+  surface_belongs : forall tid t v, InLattice tid -> In t (made_within tid) ->
+    In v (TetCorners t) -> Belongs (SignAfter signs_before warping_of) (Corners tid) v;
+  surface_reaches : forall tid t c, InLattice tid -> In t (made_within tid) ->
+    In c (Corners tid) -> exists v, In v (TetCorners t) /\ In c (Ends v);
+  surface_boundary : forall tid t a b c,
+    In t (made_within tid) -> HasTriangle t a b c ->
+    let signed v := PlacedSign signs_before warping_of v in
+    (signed a = OnSurface /\ signed b = OnSurface /\ signed c = OnSurface) \/
+    exists u, u <> t /\ HasTriangle u a b c /\
+      (In u (made_within tid) \/ exists i, In u (made_within (NeighborOf tid i)));
+  surface_viewed : forall tid, exists h f1 f2 f3 p q sign ts,
+    NoDup [f1; f2; f3; p; q] /\ Corners tid = [f1; f2; f3; p] /\
+    (forall l, In l Four ->
+       SignAfter signs_before warping_of (LocateFive f1 f2 f3 p q l) = sign l) /\
+    made_within tid = map (fun s => Orient h (MapTet (Name f1 f2 f3 p q) s)) ts /\
+    CheckSurface sign ts = true
+}.
+
+Definition made (mesh : SurfaceMesh) : Mesh :=
+  MakeMesh (made_within mesh) (PlacedSign (signs_before mesh) (warping_of mesh))
+           (PlacedPosition (warping_of mesh) (fun _ _ => MidpointCut)).
 
 (** ** In points *)
 
@@ -25,10 +58,13 @@ Definition Reach (corners : list Coord3) (vs : list MeshVertex) : Prop :=
   forall c, In c corners -> exists v, In v vs /\ In c (Ends v).
 
 Section Mesh.
-  Variables (before : SignField) (warping : Coord3 -> Warping).
+  Variable mesh : SurfaceMesh.
+  Local Notation before := (signs_before mesh).
+  Local Notation warping := (warping_of mesh).
+  Local Notation within := (made_within mesh).
 
   Local Notation after := (SignAfter before warping).
-  Local Notation names := (PlacedNames before warping).
+  Local Notation names := within.
   Local Notation placed := (PlacedSign before warping).
 
   (** A vertex of this structured tetrahedron, on the surface. *)
@@ -44,8 +80,8 @@ Section Mesh.
     OnIt tid x /\ OnIt tid y /\ OnIt tid z.
   Proof.
     intros E [(t & I & ((X & Y & Z) & _)) S].
-    pose proof (proj1 (StuffedFollows before warping tid t E I)) as F.
-    unfold OnIt. fold after in F. repeat split; try apply F; tauto.
+    pose proof (fun v => surface_belongs mesh tid t v E I) as F.
+    unfold OnIt. repeat split; try apply F; tauto.
   Qed.
 
   Lemma AmongTurned ts (x y z : MeshVertex) : AmongTriangles ts x y z ->
@@ -66,16 +102,15 @@ Section Mesh.
   Section View.
     Variables (tid : StructuredTetId) (h : Handedness) (f1 f2 f3 p q : Coord3).
     Variable sign : Label -> Sign.
+    Variable ts : list SymbolicTet.
 
     Let name := Name f1 f2 f3 p q.
     Let at_ := LocateFive f1 f2 f3 p q.
-    Let ts := SymbolicTets GetUnstructuredTets sign F1 F2 F3 P.
 
     Hypothesis Apart : NoDup [f1; f2; f3; p; q].
     Hypothesis Points : Corners tid = [f1; f2; f3; p].
     Hypothesis Signs : forall l, In l Four -> after (at_ l) = sign l.
     Hypothesis Named : names tid = map (fun s => Orient h (MapTet name s)) ts.
-    Hypothesis Fits : CheckSurface sign ts = true.
 
     Lemma AtInjective l m : at_ l = at_ m -> l = m.
     Proof. apply (LocateInjective f1 f2 f3 p q Apart). Qed.
@@ -199,20 +234,3 @@ Section Mesh.
     Qed.
   End View.
 End Mesh.
-
-(** Every structured tetrahedron has such a view. *)
-Lemma Viewed before warping tid : exists h f1 f2 f3 p q sign,
-  NoDup [f1; f2; f3; p; q] /\ Corners tid = [f1; f2; f3; p] /\
-  (forall l, In l Four ->
-     SignAfter before warping (LocateFive f1 f2 f3 p q l) = sign l) /\
-  PlacedNames before warping tid
-  = map (fun s => Orient h (MapTet (Name f1 f2 f3 p q) s))
-      (SymbolicTets GetUnstructuredTets sign F1 F2 F3 P) /\
-  CheckSurface sign (SymbolicTets GetUnstructuredTets sign F1 F2 F3 P) = true.
-Proof.
-  destruct (Labelled before warping tid)
-    as (h & f1 & f2 & f3 & p & q & s1 & s2 & s3 & sp & sq & D & C & _ & S & N).
-  exists h, f1, f2, f3, p, q, (SignOf s1 s2 s3 sp sq).
-  repeat (split; [assumption|]).
-  exact (ForAllSignAssignmentsSound _ SurfaceChecked s1 s2 s3 sp sq).
-Qed.

@@ -7,32 +7,35 @@
 From Certet Require Import Topology.Definitions.
 From Certet Require Import Stuffing.MeshProof Embedding.MeshApartProof
   Embedding.AroundProof Topology.CliqueProof Topology.LocalSurfaceProof
-  Topology.SurfaceViewProof.
+  Topology.SurfaceViewProof Topology.MeshSurfaceSpec.
 
 (** ** One structured tetrahedron *)
 
 Section Local.
-  Variables (before : SignField) (warping : Coord3 -> Warping).
+  Variable mesh : SurfaceMesh.
+  Local Notation before := (signs_before mesh).
+  Local Notation warping := (warping_of mesh).
+  Local Notation within := (made_within mesh).
   Local Notation after := (SignAfter before warping).
-  Local Notation on_it := (OnIt before warping).
-  Local Notation triangle := (LocalTriangle before warping).
-  Local Notation surface := (SurfaceTriangle before warping).
+  Local Notation on_it := (OnIt mesh).
+  Local Notation triangle := (LocalTriangle mesh).
+  Local Notation surface := (SurfaceOf (made mesh)).
 
   Section One.
     Variable tid : StructuredTetId.
 
     Lemma LocalShape x y z t :
-      In t (PlacedNames before warping tid) -> HasTriangle t x y z ->
+      In t (within tid) -> HasTriangle t x y z ->
       on_it tid x -> on_it tid y -> on_it tid z ->
-      (forall u, In u (PlacedNames before warping tid) -> HasTriangle u x y z -> u = t) /\
+      (forall u, In u (within tid) -> HasTriangle u x y z -> u = t) /\
       (Reach (Corners tid) [x; y; z] \/
        exists a b c e, x = Corner a /\ y = Corner b /\ z = Corner c /\
          In e (Corners tid) /\ after e = Plus /\
          Reach (Corners tid) [x; y; z; Corner e]).
     Proof.
-      destruct (Viewed before warping tid)
-        as (h & f1 & f2 & f3 & p & q & sign & D & C & S & N & F).
-      exact (ViewTriangle before warping tid h f1 f2 f3 p q sign D C S N F x y z t).
+      destruct (surface_viewed mesh tid)
+        as (h & f1 & f2 & f3 & p & q & sign & ts & D & C & S & N & F).
+      exact (ViewTriangle mesh tid h f1 f2 f3 p q sign ts D C S N F x y z t).
     Qed.
 
     Lemma LocalZeros a b c e : In a (Corners tid) -> In b (Corners tid) ->
@@ -40,20 +43,20 @@ Section Local.
       after a = OnSurface -> after b = OnSurface -> after c = OnSurface ->
       after e = Plus -> triangle tid (Corner a) (Corner b) (Corner c).
     Proof.
-      destruct (Viewed before warping tid)
-        as (h & f1 & f2 & f3 & p & q & sign & D & C & S & N & F).
-      exact (ViewZeros before warping tid h f1 f2 f3 p q sign D C S N F a b c e).
+      destruct (surface_viewed mesh tid)
+        as (h & f1 & f2 & f3 & p & q & sign & ts & D & C & S & N & F).
+      exact (ViewZeros mesh tid h f1 f2 f3 p q sign ts D C S N F a b c e).
     Qed.
 
     Lemma LocalFaceEdge x y : InLattice tid -> on_it tid x -> on_it tid y -> x <> y ->
       ~ Reach (Corners tid) [x; y] -> (forall a b, x = Corner a -> y = Corner b -> False) ->
       exists z, triangle tid x y z /\ forall z', triangle tid x y z' -> z' = z.
     Proof.
-      intros E X Y Ne R B. destruct (Viewed before warping tid)
-        as (h & f1 & f2 & f3 & p & q & sign & D & C & S & N & F).
-      destruct (ViewFaceEdge before warping tid h f1 f2 f3 p q sign D C S N F x y X Y Ne R B)
+      intros E X Y Ne R B. destruct (surface_viewed mesh tid)
+        as (h & f1 & f2 & f3 & p & q & sign & ts & D & C & S & N & F).
+      destruct (ViewFaceEdge mesh tid h f1 f2 f3 p q sign ts D C S N F x y X Y Ne R B)
         as (z & T & U). exists z. split; [exact T|]. intros z' T'. apply (U z' T').
-      apply (LocalOnIt before warping tid x y z' E T').
+      apply (LocalOnIt mesh tid x y z' E T').
     Qed.
 
     Lemma LocalInnerEdge x y z : InLattice tid ->
@@ -62,13 +65,13 @@ Section Local.
       exists z', z' <> z /\ triangle tid x y z' /\
         forall z'', triangle tid x y z'' -> z'' = z \/ z'' = z'.
     Proof.
-      intros E R B T. destruct (Viewed before warping tid)
-        as (h & f1 & f2 & f3 & p & q & sign & D & C & S & N & F).
-      destruct (LocalOnIt before warping tid x y z E T) as (X & Y & Z).
-      destruct (ViewInnerEdge before warping tid h f1 f2 f3 p q sign D C S N F
+      intros E R B T. destruct (surface_viewed mesh tid)
+        as (h & f1 & f2 & f3 & p & q & sign & ts & D & C & S & N & F).
+      destruct (LocalOnIt mesh tid x y z E T) as (X & Y & Z).
+      destruct (ViewInnerEdge mesh tid h f1 f2 f3 p q sign ts D C S N F
         x y z X Y Z R B T) as (z' & Ne & T' & U).
       exists z'. split; [exact Ne|]. split; [exact T'|]. intros z'' W. apply (U z'' W).
-      apply (LocalOnIt before warping tid x y z'' E W).
+      apply (LocalOnIt mesh tid x y z'' E W).
     Qed.
 
     Lemma LocalZeroEdge a b e f z : InLattice tid ->
@@ -78,10 +81,10 @@ Section Local.
       (after e = Plus /\ after f <> Plus /\ z = CrossingAt after e f) \/
       (after f = Plus /\ after e <> Plus /\ z = CrossingAt after f e).
     Proof.
-      intros E A B Ie If Nd T. destruct (Viewed before warping tid)
-        as (h & f1 & f2 & f3 & p & q & sign & D & C & S & N & F).
-      pose proof (LocalOnIt before warping tid _ _ z E T) as (_ & _ & Z).
-      exact (ViewZeroEdge before warping tid h f1 f2 f3 p q sign D C S N F
+      intros E A B Ie If Nd T. destruct (surface_viewed mesh tid)
+        as (h & f1 & f2 & f3 & p & q & sign & ts & D & C & S & N & F).
+      pose proof (LocalOnIt mesh tid _ _ z E T) as (_ & _ & Z).
+      exact (ViewZeroEdge mesh tid h f1 f2 f3 p q sign ts D C S N F
         a b e f z A B Ie If Nd (proj1 (proj2 T)) (proj1 (proj2 (proj2 T))) Z T).
     Qed.
 
@@ -93,19 +96,19 @@ Section Local.
       (after w <> Plus ->
          triangle tid (Corner z) (CrossingAt after e f) (CrossingAt after e w)).
     Proof.
-      destruct (Viewed before warping tid)
-        as (h & f1 & f2 & f3 & p & q & sign & D & C & S & N & F).
-      exact (ViewZeroFan before warping tid h f1 f2 f3 p q sign D C S N F z w e f).
+      destruct (surface_viewed mesh tid)
+        as (h & f1 & f2 & f3 & p & q & sign & ts & D & C & S & N & F).
+      exact (ViewZeroFan mesh tid h f1 f2 f3 p q sign ts D C S N F z w e f).
     Qed.
 
     Lemma LocalZeroEnds z x y : InLattice tid -> triangle tid (Corner z) x y ->
       exists e f, In e (Corners tid) /\ In f (Corners tid) /\ f <> z /\
         after e = Plus /\ after f <> Plus /\ x = CrossingAt after e f.
     Proof.
-      intros E T. destruct (Viewed before warping tid)
-        as (h & f1 & f2 & f3 & p & q & sign & D & C & S & N & F).
-      destruct (LocalOnIt before warping tid _ x y E T) as (Z & X & Y).
-      exact (ViewZeroEnds before warping tid h f1 f2 f3 p q sign D C S N F
+      intros E T. destruct (surface_viewed mesh tid)
+        as (h & f1 & f2 & f3 & p & q & sign & ts & D & C & S & N & F).
+      destruct (LocalOnIt mesh tid _ x y E T) as (Z & X & Y).
+      exact (ViewZeroEnds mesh tid h f1 f2 f3 p q sign ts D C S N F
         z x y (proj1 (proj1 Z)) (proj2 Z) X Y T).
     Qed.
 
@@ -117,17 +120,25 @@ Section Local.
       (triangle tid s r u \/ exists w, triangle tid s r w /\ triangle tid s w u) /\
       forall w x, triangle tid s w x -> w = r \/ w = u \/ triangle tid s r w.
     Proof.
-      intros E A M Ic Id Nd Sa Sm. destruct (Viewed before warping tid)
-        as (h & f1 & f2 & f3 & p & q & sign & D & C & S & N & F).
-      destruct (ViewCutFan before warping tid h f1 f2 f3 p q sign D C S N F
+      intros E A M Ic Id Nd Sa Sm. destruct (surface_viewed mesh tid)
+        as (h & f1 & f2 & f3 & p & q & sign & ts & D & C & S & N & F).
+      destruct (ViewCutFan mesh tid h f1 f2 f3 p q sign ts D C S N F
         a m c d A M Ic Id Nd Sa Sm) as [T U].
       split; [exact T|]. intros w x W.
-      destruct (LocalOnIt before warping tid _ w x E W) as (_ & Ww & Wx).
+      destruct (LocalOnIt mesh tid _ w x E W) as (_ & Ww & Wx).
       exact (U w x W Ww Wx).
     Qed.
   End One.
 
   (** ** The whole mesh *)
+
+  Lemma OneOwner tid tid' t : InLattice tid -> InLattice tid' ->
+    In t (within tid) -> In t (within tid') -> tid = tid'.
+  Proof.
+    intros E E' I I'. apply CornersDetermine; [assumption..|]. intros c J.
+    destruct (surface_reaches mesh tid t c E I J) as (v & V & K).
+    exact (EndsBelong _ _ v c (surface_belongs mesh tid' t v E' I' V) K).
+  Qed.
 
   Lemma EndsWithin tid x c : on_it tid x -> In c (Ends x) -> In c (Corners tid).
   Proof. intros [B _]. exact (EndsBelong _ _ x c B). Qed.
@@ -144,11 +155,11 @@ Section Local.
     Reach (Corners tid) [x; y; z] -> surface x y z.
   Proof.
     intros E T R. pose proof T as [(t & I & H) S].
-    destruct (LocalOnIt before warping tid x y z E T) as (X & Y & Z).
+    destruct (LocalOnIt mesh tid x y z E T) as (X & Y & Z).
     exists t. split; [exists tid; auto|]. split; [exact H|].
     intros u (tid' & E' & J) K.
     assert (T' : triangle tid' x y z) by (split; [exists u; auto|exact S]).
-    destruct (LocalOnIt before warping tid' x y z E' T') as (X' & Y' & Z').
+    destruct (LocalOnIt mesh tid' x y z E' T') as (X' & Y' & Z').
     assert (tid = tid').
     { apply (ReachDetermines tid tid' [x; y; z]); try assumption.
       intros v. cbn [In]. intros [<-|[<-|[<-|[]]]]; assumption. }
@@ -161,12 +172,10 @@ Section Local.
     PlacedSign before warping z = OnSurface.
   Proof.
     intros (t & (tid & E & I) & H & U).
-    rewrite !(SignAsStuffed before warping). rewrite NamesAsStuffed in I.
-    destruct (BoundaryOnSurface _ _ _ tid t x y z I H) as [Z|(u & N & K & J)];
+    destruct (surface_boundary mesh tid t x y z I H) as [Z|(u & N & K & J)];
       [exact Z|]. exfalso. apply N, U; [|exact K].
     destruct J as [J|[i J]]; [exists tid|exists (NeighborOf tid i)];
-      (split; [assumption || apply NeighborOfLattice, E|]);
-      rewrite NamesAsStuffed; exact J.
+      (split; [assumption || apply NeighborOfLattice, E|exact J]).
   Qed.
 
   Lemma SurfaceWhere x y z : surface x y z ->
@@ -179,7 +188,7 @@ Section Local.
 
   Lemma SurfaceTurned x y z : surface x y z -> surface y x z /\ surface x z y.
   Proof.
-    intros (t & I & H & U). unfold SurfaceTriangle, HasTriangle in *.
+    intros (t & I & H & U). unfold SurfaceOf, HasTriangle in *.
     split; exists t; (split; [exact I|]); (split; [intuition congruence|]);
       intros u J K; apply U; intuition congruence.
   Qed.
@@ -237,7 +246,7 @@ Section Local.
     pose proof T as (t & (tid & E & I) & H & U).
     assert (L : triangle tid (Corner a) (Corner b) (Corner c))
       by (split; [exists t; auto|auto]).
-    destruct (LocalOnIt before warping tid _ _ _ E L) as (X & Y & Z).
+    destruct (LocalOnIt mesh tid _ _ _ E L) as (X & Y & Z).
     assert (N : a <> b /\ a <> c /\ b <> c) by (destruct H; intuition congruence).
     repeat (split; [tauto || assumption|]). destruct N as (Ab & Ac & Bc).
     destruct (LocalShape tid _ _ _ t I H X Y Z)
@@ -255,7 +264,7 @@ Section Local.
     destruct Abv as (_ & _ & _ & Pe').
     destruct (ZerosMakeTet tid' a b c e' E' I' Ab Ac Bc Sa Sb Sc Pe') as [(u & J & K) _].
     assert (u = t) by (apply U; [exists tid'; auto|exact K]). subst u.
-    assert (tid = tid') by (eapply OwnerKnown; try eassumption; apply incl_refl).
+    pose proof (OneOwner tid tid' t E E' I J).
     subst tid'. assert (In e' (Corners tid)) as W by (apply I'; cbn; tauto).
     destruct (R e' W) as (v & V & In_). cbn [In] in V.
     destruct V as [<-|[<-|[<-|[<-|[]]]]]; cbn [Ends In] in In_;
@@ -275,7 +284,7 @@ Section Local.
     intros u (tid' & E' & K) G.
     assert (T' : triangle tid' (Corner a) (Corner b) (Corner c))
       by (split; [exists u; auto|auto]).
-    destruct (LocalOnIt before warping tid' _ _ _ E' T') as (X' & Y' & Z').
+    destruct (LocalOnIt mesh tid' _ _ _ E' T') as (X' & Y' & Z').
     destruct (LocalShape tid' _ _ _ u K G X' Y' Z')
       as [_ [R|(a' & b' & c' & e' & Ea & Eb & Ec & Ie & Pe' & R)]];
       [destruct (ThreeCannotReach tid' a b c R)|].
@@ -287,7 +296,7 @@ Section Local.
     { apply CornersDetermine; [assumption..|]. intros x Xx.
       destruct (R x Xx) as (v & V & W). apply I. cbn [In] in *.
       destruct V as [<-|[<-|[<-|[<-|[]]]]]; cbn [Ends In] in W; tauto. }
-    subst tid'. destruct (LocalOnIt before warping tid _ _ _ E T) as (X & Y & Z).
+    subst tid'. destruct (LocalOnIt mesh tid _ _ _ E T) as (X & Y & Z).
     exact (proj1 (LocalShape tid _ _ _ t J H X Y Z) u K G).
   Qed.
 End Local.

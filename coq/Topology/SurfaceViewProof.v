@@ -9,44 +9,47 @@ From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Topology.StencilSurfaceProof Topology.LocalSurfaceProof.
 
 Section View.
-  Variables (before : SignField) (warping : Coord3 -> Warping).
+  Variable mesh : SurfaceMesh.
+  Local Notation before := (signs_before mesh).
+  Local Notation warping := (warping_of mesh).
+  Local Notation within := (made_within mesh).
 
   Local Notation after := (SignAfter before warping).
-  Local Notation OnIt := (OnIt before warping).
-  Local Notation LocalTriangle := (LocalTriangle before warping).
+  Local Notation OnIt := (OnIt mesh).
+  Local Notation LocalTriangle := (LocalTriangle mesh).
 
   Variables (tid : StructuredTetId) (h : Handedness) (f1 f2 f3 p q : Coord3).
   Variable sign : Label -> Sign.
 
   Local Notation name := (Name f1 f2 f3 p q).
   Local Notation at_ := (LocateFive f1 f2 f3 p q).
-  Local Notation ts := (SymbolicTets GetUnstructuredTets sign F1 F2 F3 P).
+  Variable ts : list SymbolicTet.
 
   Hypothesis Apart : NoDup [f1; f2; f3; p; q].
   Hypothesis Points : Corners tid = [f1; f2; f3; p].
   Hypothesis Signs : forall l, In l Four -> after (at_ l) = sign l.
   Hypothesis Named :
-    PlacedNames before warping tid = map (fun s => Orient h (MapTet name s)) ts.
+    within tid = map (fun s => Orient h (MapTet name s)) ts.
   Hypothesis Fits : CheckSurface sign ts = true.
 
   Let AtInjective := AtInjective f1 f2 f3 p q Apart.
   Let AtIn := AtIn tid f1 f2 f3 p q Points.
-  Let AtIs := AtIs before warping f1 f2 f3 p q sign Signs.
-  Let OnValid := OnValid before warping tid f1 f2 f3 p q sign Points Signs.
+  Let AtIs := AtIs mesh f1 f2 f3 p q sign Signs.
+  Let OnValid := OnValid mesh tid f1 f2 f3 p q sign Points Signs.
   Let NameDiffers := NameDiffers f1 f2 f3 p q Apart.
   Let TriangleNamed :=
-    TriangleNamed before warping tid h f1 f2 f3 p q sign Apart Points Signs Named.
+    TriangleNamed mesh tid h f1 f2 f3 p q sign ts Apart Points Signs Named.
   Let CoverReach := CoverReach tid f1 f2 f3 p q Apart Points.
-  Let CrossingNamed := CrossingNamed before warping f1 f2 f3 p q sign Signs.
-  Let ThirdNamed := ThirdNamed before warping f1 f2 f3 p q sign Signs.
+  Let CrossingNamed := CrossingNamed mesh f1 f2 f3 p q sign Signs.
+  Let ThirdNamed := ThirdNamed mesh f1 f2 f3 p q sign Signs.
   Let LabelsOf := LabelsOf tid f1 f2 f3 p q Points.
   Let CrossingValid := CrossingValid sign.
   Let ThirdValid := ThirdValid sign.
 
   Lemma ViewTriangle x y z t :
-    In t (PlacedNames before warping tid) -> HasTriangle t x y z ->
+    In t (within tid) -> HasTriangle t x y z ->
     OnIt tid x -> OnIt tid y -> OnIt tid z ->
-    (forall u, In u (PlacedNames before warping tid) -> HasTriangle u x y z -> u = t) /\
+    (forall u, In u (within tid) -> HasTriangle u x y z -> u = t) /\
     (Reach (Corners tid) [x; y; z] \/
      exists a b c e, x = Corner a /\ y = Corner b /\ z = Corner c /\
        In e (Corners tid) /\ after e = Plus /\
