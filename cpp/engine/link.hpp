@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -15,7 +16,7 @@ namespace certet::core {
 /// Some of the neighbours: a bit for each direction.
 using LinkSet = std::uint32_t;
 /// Of one of them.
-constexpr LinkSet only(std::size_t one) { return LinkSet{1} << one; }
+constexpr LinkSet only(std::integral auto one) { return LinkSet{1} << one; }
 inline constexpr LinkSet whole_link = (LinkSet{1} << direction_count) - 1;
 
 /// The neighbours that are next to neighbour d: the ring around the edge to it, of
