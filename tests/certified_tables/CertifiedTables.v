@@ -5,7 +5,9 @@
 
 From Coq Require Import ZArith Reals Lra String Bool List.
 From Certet Require Import Certificate.
-From CertetTables Require Import Table TablesSpec CppTables.
+From CertetTables Require Import Table TableRules StencilTables KeyTables EngineTables.
+From CertetTables Require Import MethodTables LinkTables MaterialTables GradedTables.
+From CertetTables Require Import TablesSpec CppTables.
 Import ListNotations.
 Open Scope Z_scope.
 

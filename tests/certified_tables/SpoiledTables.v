@@ -3,7 +3,7 @@
     Every table with any one of its entries spoiled: none passes. *)
 
 From Coq Require Import ZArith List String Bool.
-From CertetTables Require Import Table TablesSpec CppTables CertifiedTables.
+From CertetTables Require Import Table TableRules StencilTables EngineTables TablesSpec CppTables CertifiedTables.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -6,7 +6,7 @@
 
 From Coq Require Import ZArith List.
 From Certet Require Import Certificate.
-From CertetTables Require Import Table TablesSpec CppTables.
+From CertetTables Require Import Table TableRules StencilTables EngineTables TablesSpec CppTables.
 Import ListNotations.
 Open Scope Z_scope.
 

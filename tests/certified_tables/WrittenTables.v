@@ -2,7 +2,7 @@
 
 From Coq Require Import ZArith List Bool.
 From Certet Require Import Certificate.
-From CertetTables Require Import Table TablesSpec CppTables WrittenSpec.
+From CertetTables Require Import Table TableRules StencilTables EngineTables TablesSpec CppTables WrittenSpec.
 Import ListNotations.
 Open Scope Z_scope.
 
