@@ -36,37 +36,6 @@ Section Placed.
 
   Hypothesis Sane : forall tid, Moderate before warping cut (Corners tid).
 
-  Lemma KeyVolumes anchor case t : Bounded AnchorLimit anchor ->
-    In t (PlacedWithin mesh (STId anchor case)) -> VolumeFits t.
-  Proof.
-    intros near I. unfold PlacedWithin in I. cbn [KeyMesh TetsWithin PositionIn] in I.
-    apply in_map_iff in I. destruct I as (u & <- & I).
-    set (tid := STId anchor case) in *.
-    assert (made : forall m, In m (TetCorners u) -> OfCorners before warping (Corners tid) m).
-    { intros m J.
-      pose proof (proj1 (OrderedFollows (CutKey cut) before warping tid
-        (CutKeysApart cut tid) u I) m J) as B.
-      destruct m; cbn [Belongs OfCorners] in *; tauto. }
-    assert (limit : forall v, In v (Corners tid) -> Bounded LatticeLimit v)
-      by (intros v; apply CornersInRange, near).
-    assert (in_type : forall m, In m (TetCorners u) -> forall k,
-      InType 32 (Along k (PlacedPosition warping cut m))).
-    { intros m J k. apply (PlacedInType before warping cut (Corners tid) (Sane tid));
-        [exact limit | exact (made m J)]. }
-    assert (narrow : forall m n, In m (TetCorners u) -> In n (TetCorners u) ->
-      Bounded WidthLimit (Difference (PlacedPosition warping cut m)
-                                     (PlacedPosition warping cut n))).
-    { intros m n M N k.
-      pose proof (PlacedNarrow before warping cut 2 (Corners tid) (CornersNoWider tid)
-        (Sane tid) m n (made m M) (made n N) k) as B.
-      revert B. change ((2 + 2) * Steps) with 262144. change WidthLimit with 524288.
-      lia. }
-    destruct u as [a b c d]. cbn [MapTet VolumeFits TetCorners] in *.
-    apply VolumesFit; try (apply narrow; cbn [In]; tauto).
-    intros p J k. cbn [In] in J.
-    repeat (destruct J as [<- | J]; [apply in_type; cbn [In]; tauto|]). destruct J.
-  Qed.
-
   Lemma KeyComparisonsFit : ComparisonsFit KeyThresholds.
   Proof.
     intros k t T. cbn [KeyThresholds].
@@ -80,14 +49,11 @@ Section Placed.
 
   Theorem KeyNothingOverflows : NothingOverflows mesh KeyThresholds.
   Proof.
-    split; [exact KeyComparisonsFit|].
-    intros anchor case near. split.
-    - intros v I. pose proof (CornersInRange anchor case v near I) as limit.
-      split; [exact limit|]. intros d low half k L H T u.
-      split; [apply WarpedFits; [exact limit | lia]|].
-      split; [apply CutFits; [exact limit | lia]|].
-      apply MiddleFits; assumption.
-    - intros t. apply KeyVolumes, near.
+    apply (OfCornersNothingOverflows before warping cut Sane); [|exact KeyComparisonsFit].
+    intros tid u m I J.
+    pose proof (proj1 (OrderedFollows (CutKey cut) before warping tid
+      (CutKeysApart cut tid) u I) m J) as B.
+    destruct m; cbn [Belongs OfCorners] in *; tauto.
   Qed.
 
   (** Keys fit 32 bits. *)

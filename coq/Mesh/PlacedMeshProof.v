@@ -43,13 +43,23 @@ Section Placed.
 
   Hypothesis Sane : forall tid, Moderate before warping cut (Corners tid).
 
-  Lemma PlacedVolumes anchor case t : Bounded AnchorLimit anchor ->
-    In t (PlacedWithin mesh (STId anchor case)) -> VolumeFits t.
+  (** Whatever is made of the corners of a structured tetrahedron and of the cuts
+      between them, in any order of the diagonals. *)
+  Definition MadeOfCorners (names : StructuredTetId -> list (UnstructuredTet MeshVertex))
+    : Prop :=
+    forall tid u m, In u (names tid) -> In m (TetCorners u) ->
+      OfCorners before warping (Corners tid) m.
+
+  Lemma VolumesOfCorners names signs anchor case t :
+    MadeOfCorners names -> Bounded AnchorLimit anchor ->
+    In t (PlacedWithin (MakeMesh names signs (PlacedPosition warping cut))
+            (STId anchor case)) ->
+    VolumeFits t.
   Proof.
-    intros near I. unfold PlacedWithin in I. cbn [PlacedMesh TetsWithin PositionIn] in I.
+    intros of_corners near I. unfold PlacedWithin in I. cbn [TetsWithin PositionIn] in I.
     apply in_map_iff in I. destruct I as (u & <- & I).
     set (tid := STId anchor case) in *.
-    pose proof (fun m => PlacedOfCorners _ _ tid u m I) as made.
+    pose proof (fun m => of_corners tid u m I) as made.
     assert (limit : forall v, In v (Corners tid) -> Bounded LatticeLimit v)
       by (intros v; apply CornersInRange, near).
     assert (in_type : forall m, In m (TetCorners u) -> forall k,
@@ -70,18 +80,27 @@ Section Placed.
     repeat (destruct J as [<- | J]; [apply in_type; cbn [In]; tauto|]). destruct J.
   Qed.
 
-  Theorem PlacedNothingOverflows th :
-    th = AngleThresholds \/ th = EmbeddingThresholds \/ th = NoWarpThresholds ->
-    NothingOverflows mesh th.
+  Theorem OfCornersNothingOverflows names signs th :
+    MadeOfCorners names -> ComparisonsFit th ->
+    NothingOverflows (MakeMesh names signs (PlacedPosition warping cut)) th.
   Proof.
-    intros known. split; [intros k t; exact (DecisionsFit th k t known)|].
+    intros of_corners fit. split; [exact fit|].
     intros anchor case near. split.
     - intros v I. pose proof (CornersInRange anchor case v near I) as limit.
       split; [exact limit|]. intros d low half k L H T u.
       split; [apply WarpedFits; [exact limit | lia]|].
       split; [apply CutFits; [exact limit | lia]|].
       apply MiddleFits; assumption.
-    - intros t. apply PlacedVolumes, near.
+    - intros t. apply VolumesOfCorners; assumption.
+  Qed.
+
+  Theorem PlacedNothingOverflows th :
+    th = AngleThresholds \/ th = EmbeddingThresholds \/ th = NoWarpThresholds ->
+    NothingOverflows mesh th.
+  Proof.
+    intros known. apply OfCornersNothingOverflows.
+    - intros tid u m I. exact (PlacedOfCorners _ _ tid u m I).
+    - intros k t. exact (DecisionsFit th k t known).
   Qed.
 End Placed.
 
