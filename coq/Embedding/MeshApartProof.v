@@ -67,6 +67,49 @@ Proof. vm_compute. reflexivity. Qed.
 Definition Ends (v : MeshVertex) : list Coord3 :=
   match v with Corner c => [c] | Cut a m => [a; m] end.
 
+(** Of whatever tetrahedra are named from such symbols. *)
+Section Checked.
+  Variables (h : Handedness) (f1 f2 f3 p q : Coord3) (ts : list SymbolicTet).
+  Let name s := Orient h (MapTet (Name f1 f2 f3 p q) s).
+  Hypothesis whole : CheckApart ts = true.
+
+  Lemma CheckedReaches t : In t (map name ts) -> forall c, In c [f1; f2; f3; p] ->
+    exists v, In v (TetCorners t) /\ In c (Ends v).
+  Proof.
+    pose proof whole as C.
+    intros I c J. apply in_map_iff in I. destruct I as (s & <- & I).
+    unfold CheckApart in C. rewrite forallb_forall in C. specialize (C _ I).
+    apply andb_prop in C. destruct C as [C _]. rewrite forallb_forall in C.
+    assert (L : exists l, In l [F1; F2; F3; P] /\ c = LocateFive f1 f2 f3 p q l).
+    { destruct J as [<-|[<-|[<-|[<-|[]]]]];
+        [exists F1|exists F2|exists F3|exists P]; cbn; tauto. }
+    destruct L as (l & L & ->). specialize (C l L). apply existsb_exists in C.
+    destruct C as (x & X & C). exists (Name f1 f2 f3 p q x). split.
+    - apply OrientCorners. rewrite MapTetCorners. apply in_map, X.
+    - destruct x as [a|a m]; rewrite ?NameBase, ?NameCut; cbn [Touches Ends In] in *;
+        rewrite ?orb_true_iff, ?SameLabelEqual in C; intuition congruence.
+  Qed.
+
+  Lemma CheckedKnown t t' : NoDup [f1; f2; f3; p; q] ->
+    In t (map name ts) -> In t' (map name ts) ->
+    incl (TetCorners t) (TetCorners t') -> t = t'.
+  Proof.
+    pose proof whole as C.
+    intros D I I' Sub. apply in_map_iff in I. destruct I as (s & <- & I).
+    apply in_map_iff in I'. destruct I' as (r & <- & I').
+    unfold CheckApart in C. rewrite forallb_forall in C. specialize (C _ I).
+    apply andb_prop in C. destruct C as [_ C]. rewrite forallb_forall in C.
+    specialize (C r I'). apply orb_prop in C. destruct C as [C|C].
+    - exfalso. rewrite negb_true_iff in C.
+      enough (true = false) by discriminate. rewrite <- C. symmetry.
+      apply forallb_forall. intros x X. apply MemberIn.
+      apply (InNames f1 f2 f3 p q D). rewrite <- MapTetCorners.
+      apply (OrientCorners h), Sub, OrientCorners.
+      rewrite MapTetCorners. apply in_map, X.
+    - apply SameTetEqual in C. subst r. reflexivity.
+  Qed.
+End Checked.
+
 Section Structured.
   Variables (before : SignField) (warping : Coord3 -> Warping).
   Variable tid : StructuredTetId.
@@ -102,19 +145,8 @@ Section Structured.
   Proof.
     destruct Labelled as (h & f1 & f2 & f3 & p & q & s1 & s2 & s3 & sp & sq & _ & ->
       & _ & _ & ->).
-    pose proof (ForAllSignAssignmentsSound _ StencilsApart s1 s2 s3 sp sq) as C.
-    cbv beta in C.
-    intros I c J. apply in_map_iff in I. destruct I as (s & <- & I).
-    unfold CheckApart in C. rewrite forallb_forall in C. specialize (C _ I).
-    apply andb_prop in C. destruct C as [C _]. rewrite forallb_forall in C.
-    assert (L : exists l, In l [F1; F2; F3; P] /\ c = LocateFive f1 f2 f3 p q l).
-    { destruct J as [<-|[<-|[<-|[<-|[]]]]];
-        [exists F1|exists F2|exists F3|exists P]; cbn; tauto. }
-    destruct L as (l & L & ->). specialize (C l L). apply existsb_exists in C.
-    destruct C as (x & X & C). exists (Name f1 f2 f3 p q x). split.
-    - apply OrientCorners. rewrite MapTetCorners. apply in_map, X.
-    - destruct x as [a|a m]; rewrite ?NameBase, ?NameCut; cbn [Touches Ends In] in *;
-        rewrite ?orb_true_iff, ?SameLabelEqual in C; intuition congruence.
+    exact (CheckedReaches h f1 f2 f3 p q _
+      (ForAllSignAssignmentsSound _ StencilsApart s1 s2 s3 sp sq) t).
   Qed.
 
   Lemma KnownByCorners t t' : In t (PlacedNames before warping tid) ->
@@ -123,20 +155,8 @@ Section Structured.
   Proof.
     destruct Labelled as (h & f1 & f2 & f3 & p & q & s1 & s2 & s3 & sp & sq & D & _
       & _ & _ & ->).
-    pose proof (ForAllSignAssignmentsSound _ StencilsApart s1 s2 s3 sp sq) as C.
-    cbv beta in C.
-    intros I I' Sub. apply in_map_iff in I. destruct I as (s & <- & I).
-    apply in_map_iff in I'. destruct I' as (r & <- & I').
-    unfold CheckApart in C. rewrite forallb_forall in C. specialize (C _ I).
-    apply andb_prop in C. destruct C as [_ C]. rewrite forallb_forall in C.
-    specialize (C r I'). apply orb_prop in C. destruct C as [C|C].
-    - exfalso. rewrite negb_true_iff in C.
-      enough (true = false) by discriminate. rewrite <- C. symmetry.
-      apply forallb_forall. intros x X. apply MemberIn.
-      apply (InNames f1 f2 f3 p q D). rewrite <- MapTetCorners.
-      apply (OrientCorners h), Sub, OrientCorners.
-      rewrite MapTetCorners. apply in_map, X.
-    - apply SameTetEqual in C. subst r. reflexivity.
+    exact (CheckedKnown h f1 f2 f3 p q _
+      (ForAllSignAssignmentsSound _ StencilsApart s1 s2 s3 sp sq) t t' D).
   Qed.
 End Structured.
 
@@ -178,6 +198,26 @@ Proof.
     (proj1 (StuffedFollows before warping tid' t' E' I') v (C v V)) K).
 Qed.
 
+(** Whatever the tetrahedra are made by: a point inside both is inside the hull of
+    the vertices that they share. *)
+Lemma ApartByCorners after place tid tid' t t' : InLattice tid -> InLattice tid' ->
+  (forall c, In c (Corners tid) -> exists v, In v (TetCorners t) /\ In c (Ends v)) ->
+  (forall v, In v (TetCorners t') -> Belongs after (Corners tid') v) ->
+  (tid = tid' -> incl (TetCorners t) (TetCorners t') -> t = t') ->
+  MeetInSharedVertices place t t' ->
+  Overlap (MapTet place t) (MapTet place t') -> tid = tid' /\ t = t'.
+Proof.
+  intros E E' reaches belongs known M (w & w' & W & W' & T & O).
+  assert (N : forall w, AllPositive w -> NonNegative w)
+    by (intros []; cbn; lia).
+  pose proof (SameCorners SameVertex w t w' t' W (M w w' (N w W) (N w' W') T O)) as C.
+  assert (same : tid = tid').
+  { apply CornersDetermine; [assumption..|]. intros c J.
+    destruct (reaches c J) as (v & V & K).
+    exact (EndsBelong _ _ v c (belongs v (C v V)) K). }
+  split; [exact same|exact (known same C)].
+Qed.
+
 Lemma ApartBySharing before warping place tid tid' t t' :
   InLattice tid -> InLattice tid' ->
   In t (PlacedNames before warping tid) ->
@@ -185,13 +225,11 @@ Lemma ApartBySharing before warping place tid tid' t t' :
   MeetInSharedVertices place t t' ->
   Overlap (MapTet place t) (MapTet place t') -> tid = tid' /\ t = t'.
 Proof.
-  intros E E' I I' M (w & w' & W & W' & T & O).
-  assert (N : forall w, AllPositive w -> NonNegative w)
-    by (intros []; cbn; lia).
-  pose proof (SameCorners SameVertex w t w' t' W (M w w' (N w W) (N w' W') T O)) as C.
-  pose proof (OwnerKnown before warping tid tid' t t' E E' I I' C).
-  subst tid'. split; [reflexivity|].
-  exact (KnownByCorners before warping tid t t' I I' C).
+  intros E E' I I'.
+  apply (ApartByCorners (fun c => PlacedSign before warping (Corner c))); try assumption.
+  - exact (ReachesAllCorners before warping tid t I).
+  - exact (proj1 (StuffedFollows before warping tid' t' E' I')).
+  - intros <-. exact (KnownByCorners before warping tid t t' I I').
 Qed.
 
 Theorem InteriorsApart long short sign cut tid tid' t t' :

@@ -230,6 +230,23 @@ Proof.
   specialize (P (DirectionKind d)). fold u in Cuts. lia.
 Qed.
 
+(** The paper's warp at alpha of at most 1/4 of a long edge and 1/2 of a short one. *)
+Lemma LittleWarpFits long short sign cut :
+  let th := TH long short in
+  0 < long <= 64 -> 0 < short <= 128 -> CutsOnEdges sign cut ->
+  CutsInside sign (WarpVertex th sign cut) cut /\
+  KeepsShortEdges (fun c => WarpedPosition c (WarpVertex th sign cut c)).
+Proof.
+  intros th L S C. split.
+  - assert (T : forall k, 0 < ThresholdSteps th k <= 32768).
+    { intros k. unfold th, ThresholdSteps. change (Steps / 256) with 256.
+      destruct k; lia. }
+    apply CutsInsideWarped; try assumption; intros k; specialize (T k);
+      change Steps with 65536; lia.
+  - apply (WarpKeepsShortEdges th sign cut); [|exact C].
+    unfold th. cbn [MovesLittle]. lia.
+Qed.
+
 Theorem MeshEmbeds long short sign cut tid tid' t t' :
   let th := TH long short in
   0 < long <= 64 -> 0 < short <= 128 ->
@@ -239,14 +256,7 @@ Theorem MeshEmbeds long short sign cut tid tid' t t' :
 Proof.
   intros th L S C E E' I I'. rewrite StuffedByName in I, I'.
   apply (PlacedMeshEmbeds sign (WarpVertex th sign cut) cut tid tid' t t');
-    try assumption.
-  - assert (T : forall k, 0 < ThresholdSteps th k <= 32768).
-    { intros k. unfold th, ThresholdSteps. change (Steps / 256) with 256.
-      destruct k; lia. }
-    apply CutsInsideWarped; try assumption; intros k; specialize (T k);
-      change Steps with 65536; lia.
-  - apply (WarpKeepsShortEdges th sign cut); [|exact C].
-    unfold th. cbn [MovesLittle]. lia.
+    try assumption; apply LittleWarpFits; assumption.
 Qed.
 
 Theorem MidpointMeshEmbeds sign tid tid' t t' :

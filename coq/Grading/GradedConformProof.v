@@ -6,7 +6,7 @@
 
 From Certet Require Import Embedding.Definitions.
 From Certet Require Import Lattice.Tiling Lattice.FaceProof Stuffing.VerticesProof
-  Embedding.AroundProof Mesh.Method Mesh.CertifiedSpec Mesh.PlacedMeshProof.
+  Embedding.AroundProof Embedding.WholeProof Mesh.Method Mesh.CertifiedSpec Mesh.PlacedMeshProof.
 From Certet Require Import Grading.Octree Grading.Flag Grading.GradedTet
   Grading.Surface Grading.GradingSpec.
 From Certet Require Import Grading.PartitionProof Grading.GradedVolumeProof
@@ -151,8 +151,8 @@ Section Placed.
     intros ((A & B & C) & N).
     assert (exists f, In f (FaceOf stid i)) as [f F]
       by (destruct A as (v & _ & V); eauto).
-    destruct (FaceHasTriangle before warping stid i f F (plus f F))
-      as (t & x & y & z & T & H & LX & LY & LZ).
+    destruct (within_face (PlacedJoins before warping) stid i f F (plus f F))
+      as (x & y & z & (t & T & H) & LX & LY & LZ).
     exists t. split; [exact T|]. split; [|exact N].
     destruct (forth t x y z T H LX LY LZ) as ((X & Y & Z) & D & E & G).
     destruct H as ((HX & HY & HZ) & _).

@@ -39,16 +39,11 @@ Section Placed.
     MeetInSharedVertices place t t' ->
     Overlap (MapTet place t) (MapTet place t') -> tid = tid' /\ t = t'.
   Proof.
-    intros M (w & w' & W & W' & T & O).
-    assert (N : forall w, AllPositive w -> NonNegative w) by (intros []; cbn; lia).
-    pose proof (SameCorners SameVertex w t w' t' W (M w w' (N w W) (N w' W') T O)) as C.
-    assert (same : tid = tid').
-    { apply CornersDetermine; [assumption..|]. intros c J.
-      destruct (OrderedReaches key before warping tid apart t here c J) as (v & V & K).
-      exact (EndsBelong _ _ v c
-        (proj1 (OrderedFollows key before warping tid' apart' t' there) v (C v V)) K). }
-    split; [exact same|]. destruct same.
-    exact (OrderedKnown key before warping tid apart t t' here there C).
+    apply (ApartByCorners (fun c => PlacedSign before warping (Corner c)));
+      try assumption.
+    - exact (OrderedReaches key before warping tid apart t here).
+    - exact (proj1 (OrderedFollows key before warping tid' apart' t' there)).
+    - intros same. destruct same. exact (OrderedKnown key before warping tid apart t t' here there).
   Qed.
 End Placed.
 
@@ -63,14 +58,8 @@ Theorem KeyMeshEmbeds long short sign cut tid tid' t t' :
 Proof.
   intros th L S C E E' I I'.
   apply (OrderedMeshEmbeds (CutKey cut) sign (WarpVertex th sign cut) cut tid tid' t t'
-    E E' (CutKeysApart cut tid) (CutKeysApart cut tid') I I').
-  - assert (T : forall k, 0 < ThresholdSteps th k <= 32768).
-    { intros k. unfold th, ThresholdSteps. change (Steps / 256) with 256.
-      destruct k; lia. }
-    apply CutsInsideWarped; try assumption; intros k; specialize (T k);
-      change Steps with 65536; lia.
-  - apply (WarpKeepsShortEdges th sign cut); [|exact C].
-    unfold th. cbn [MovesLittle]. lia.
+    E E' (CutKeysApart cut tid) (CutKeysApart cut tid') I I');
+    apply LittleWarpFits; assumption.
 Qed.
 
 Theorem KeyInteriorsApart long short sign cut tid tid' t t' :

@@ -148,18 +148,7 @@ Section Named.
   Proof.
     destruct (OrderedNamed f1 f2 f3 p q distinct key before warping tid vertices apart)
       as [h ->].
-    pose proof (proj2 NamedFollowChecked) as C.
-    intros I c J. apply in_map_iff in I. destruct I as (s & <- & I).
-    unfold CheckApart in C. rewrite forallb_forall in C. specialize (C _ I).
-    apply andb_prop in C. destruct C as [C _]. rewrite forallb_forall in C.
-    assert (L : exists l, In l [F1; F2; F3; P] /\ c = at_ l).
-    { rewrite corners in J. destruct J as [<-|[<-|[<-|[<-|[]]]]];
-        [exists F1|exists F2|exists F3|exists P]; cbn; tauto. }
-    destruct L as (l & L & ->). specialize (C l L). apply existsb_exists in C.
-    destruct C as (x & X & C). exists (name x). split.
-    - apply OrientCorners. rewrite MapTetCorners. apply in_map, X.
-    - destruct x as [a|a m]; rewrite ?NameBase, ?NameCut; cbn [Touches Ends In] in *;
-        rewrite ?orb_true_iff, ?SameLabelEqual in C; intuition congruence.
+    rewrite corners. exact (CheckedReaches h f1 f2 f3 p q _ (proj2 NamedFollowChecked) t).
   Qed.
 
   Lemma NamedKnown t t' : In t (OrderedNames key before warping tid) ->
@@ -168,19 +157,7 @@ Section Named.
   Proof.
     destruct (OrderedNamed f1 f2 f3 p q distinct key before warping tid vertices apart)
       as [h ->].
-    pose proof (proj2 NamedFollowChecked) as C.
-    intros I I' Sub. apply in_map_iff in I. destruct I as (s & <- & I).
-    apply in_map_iff in I'. destruct I' as (r & <- & I').
-    unfold CheckApart in C. rewrite forallb_forall in C. specialize (C _ I).
-    apply andb_prop in C. destruct C as [_ C]. rewrite forallb_forall in C.
-    specialize (C r I'). apply orb_prop in C. destruct C as [C|C].
-    - exfalso. rewrite negb_true_iff in C.
-      enough (true = false) by discriminate. rewrite <- C. symmetry.
-      apply forallb_forall. intros x X. apply MemberIn.
-      apply (InNames f1 f2 f3 p q distinct). rewrite <- MapTetCorners.
-      apply (OrientCorners h), Sub, OrientCorners.
-      rewrite MapTetCorners. apply in_map, X.
-    - apply SameTetEqual in C. subst r. reflexivity.
+    exact (CheckedKnown h f1 f2 f3 p q _ (proj2 NamedFollowChecked) t t' distinct).
   Qed.
 End Named.
 

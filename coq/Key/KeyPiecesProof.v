@@ -7,10 +7,10 @@ From Certet Require Import Key.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Stencil.CompatibilityChecker Stencil.TriangleChecker
   Stencil.TriangleCheckerProof Stuffing.NameProof Stuffing.MeshProof
-  Embedding.EdgeRank Embedding.LeavingProof Embedding.AroundProof
+  Embedding.EdgeRank Embedding.LeavingProof Embedding.AroundProof Embedding.WholeProof
   Key.Orders Key.OrderProof Key.KeyChecker Key.KeysApartProof Key.FaceRuleProof
   Key.KeyFollowsProof Key.KeyMeshProof Key.KeyMesh
-  Embedding.PiecesSpec Mesh.Method Mesh.MeshPiecesSpec Mesh.MeshPiecesProof.
+  Mesh.Method.
 Open Scope Z_scope.
 
 Lemma OrdersWhole : ForAllCornerSigns (fun sign =>
@@ -30,13 +30,17 @@ Section Mesh.
     let ts := NamedRanked f1 f2 f3 p q key before warping in
     NoDup [f1; f2; f3; p; q] /\ VerticesAre f1 f2 f3 p q tid F1 F2 F3 P /\
     TetsWithin mesh tid = map (fun s => Orient h (MapTet (Name f1 f2 f3 p q) s)) ts /\
-    CheckWhole sign ts = true.
+    CheckWhole sign ts = true /\
+    (forall l, In l [F1; F2; F3; P] ->
+       PlacedSign before warping (Corner (LocateFive f1 f2 f3 p q l)) = sign l).
   Proof.
     pose proof (CutKeysApart cut tid) as apart. fold key in apart.
     destruct (CornersNamed tid) as (f1 & f2 & f3 & p & q & D & V & C).
     rewrite C in apart.
     destruct (OrderedNamed f1 f2 f3 p q D key before warping tid V apart) as [h N].
     exists h, f1, f2, f3, p, q. cbv zeta. repeat (split; [assumption|]).
+    split;
+      [|intros l L; symmetry; exact (NamedSignCorner f1 f2 f3 p q before warping l L)].
     pose proof (ForAllCornerSignsSound _ OrdersWhole
       (PlacedSign before warping (Corner f1)) (PlacedSign before warping (Corner f2))
       (PlacedSign before warping (Corner f3)) (PlacedSign before warping (Corner p))) as W.
@@ -44,62 +48,10 @@ Section Mesh.
     exact (W _ (NamedOrderListed _ _ _ _ _ _ _ _)).
   Qed.
 
-  Lemma KeyWhole tid t u : InLattice tid -> In t (TetsWithin mesh tid) ->
-    In u (TetsWithin mesh tid) -> Joined (TetOf mesh) ShareFace t u.
-  Proof.
-    intros E I J. assert (M : forall t, In t (TetsWithin mesh tid) -> TetOf mesh t)
-      by (intros s S; exists tid; auto).
-    pose proof (M u J) as U. pose proof (M t I) as T.
-    destruct (NamedWhole tid) as (h & f1 & f2 & f3 & p & q & D & _ & N & C).
-    rewrite N in I, J, M.
-    apply in_map_iff in I. destruct I as (s & <- & I).
-    apply in_map_iff in J. destruct J as (r & <- & J).
-    unfold CheckWhole in C. apply andb_prop in C.
-    destruct C as [C _]. rewrite forallb_forall in C. specialize (C s I).
-    rewrite forallb_forall in C. specialize (C r J).
-    apply existsb_exists in C. destruct C as (m & K & C).
-    apply andb_prop in C. destruct C as [A B].
-    assert (Mm : TetOf mesh (Orient h (MapTet (Name f1 f2 f3 p q) m))).
-    { apply M. apply (in_map (fun s =>
-        Orient h (MapTet (Name f1 f2 f3 p q) s))), K. }
-    destruct (CloseMeans h f1 f2 f3 p q s m D A) as [A'|A'],
-      (CloseMeans h f1 f2 f3 p q m r D B) as [B'|B'].
-    - rewrite A', B'. constructor. exact U.
-    - rewrite A'. apply JoinedNext; assumption.
-    - rewrite <- B'. apply JoinedNext; assumption.
-    - eapply JoinedThen; apply JoinedNext; eassumption.
-  Qed.
-
-  Lemma KeyFace tid i f : In f (FaceOf tid i) -> InsideMesh mesh f ->
-    exists a b c, AmongTriangles (TetsWithin mesh tid) a b c /\
-      LiesIn (FaceOf tid i) a /\ LiesIn (FaceOf tid i) b /\ LiesIn (FaceOf tid i) c.
-  Proof.
-    intros I A.
-    destruct (NamedWhole tid) as (h & f1 & f2 & f3 & p & q & D & V & N & C).
-    rewrite N. destruct (FaceNamed f1 f2 f3 p q tid i V) as (face & L & F).
-    rewrite F in *. unfold CheckWhole in C. apply andb_prop in C.
-    destruct C as [_ C]. rewrite forallb_forall in C. specialize (C face L).
-    apply orb_prop in C. destruct C as [C|C].
-    - exfalso. rewrite negb_true_iff in C.
-      enough (true = false) by discriminate. rewrite <- C. symmetry.
-      apply in_map_iff in I. destruct I as (l & <- & I).
-      apply existsb_exists. exists l. split; [exact I|].
-      rewrite (NamedSignCorner f1 f2 f3 p q before warping).
-      + unfold InsideMesh in A. cbn [mesh KeyMesh SignIn] in A. rewrite A. reflexivity.
-      + revert I. clear -L. cbn in L. intuition subst; cbn in *; tauto.
-    - apply existsb_exists in C. destruct C as (s & J & C).
-      apply existsb_exists in C. destruct C as ([[a b] c] & T & C).
-      apply TrianglesHasTriangle in T.
-      exists (Name f1 f2 f3 p q a), (Name f1 f2 f3 p q b), (Name f1 f2 f3 p q c).
-      split; [|apply (TriangleOnLiesIn f1 f2 f3 p q D), C].
-      exists (Orient h (MapTet (Name f1 f2 f3 p q) s)).
-      split; [apply (in_map (fun s => Orient h (MapTet (Name f1 f2 f3 p q) s))), J|].
-      rewrite OrientHasTriangle, HasTriangleName by exact D. exact T.
-  Qed.
-
   (** ** The mesh *)
 
-  Theorem KeyJoinsWithin : JoinsWithin mesh.
+  Theorem KeyJoinsWithin :
+    JoinsWithin (TetsWithin mesh) (fun c => SignIn mesh (Corner c)).
   Proof.
     constructor.
     - intros tid t v _ I.
@@ -112,8 +64,12 @@ Section Mesh.
       pose proof (proj1 (OrderedFollows key before warping tid (CutKeysApart cut tid) t I)
         v V) as B.
       destruct v as [c|a m]; [|discriminate plus]. exists c. destruct B. auto.
-    - exact KeyWhole.
-    - exact KeyFace.
+    - intros tid t u E.
+      destruct (NamedWhole tid) as (h & f1 & f2 & f3 & p & q & D & _ & N & C & _).
+      exact (CheckedJoined _ tid h f1 f2 f3 p q _ _ D N C E t u).
+    - intros tid i f.
+      destruct (NamedWhole tid) as (h & f1 & f2 & f3 & p & q & D & V & N & C & S).
+      exact (CheckedFace _ _ tid h f1 f2 f3 p q _ _ D N C i f V S).
     - intros tid i f I A a b c Fa Fb Fc.
       apply (KeyFacesAgree before warping cut tid i (ex_intro _ f (conj I A)) a b c Fa Fb Fc).
   Qed.

@@ -4,7 +4,7 @@ From Certet Require Import Key.Definitions.
 From Certet Require Import Embedding.GreedyProof Embedding.LeavingProof
   Embedding.SettleProof Embedding.SettledMeshProof Topology.VoxelSpec
   Topology.VoxelProof Topology.VoxelMeshProof Topology.SettledVoxelProof
-  Embedding.PiecesSpec Mesh.Method Mesh.MeshPiecesSpec Mesh.MeshPiecesProof
+  Embedding.PiecesSpec Embedding.AroundProof Mesh.Method Mesh.MeshPiecesSpec
   Key.KeyMesh Key.KeyPiecesProof.
 Open Scope Z_scope.
 
@@ -14,7 +14,10 @@ Local Strategy 1000 [WarpVertex Settle].
 Theorem KeyMeshPieces before warping cut : NoWall before warping ->
   let mesh := KeyMesh before warping cut in
   PiecesAreThoseOf mesh (InsideMesh mesh).
-Proof. intros N. apply PiecesByEdges; [apply KeyJoinsWithin|exact N]. Qed.
+Proof.
+  intros N mesh p q t u.
+  exact (PiecesByEdges _ _ (KeyJoinsWithin before warping cut) N p q t u).
+Qed.
 
 Section Swept.
   Variables (sample : SignField) (cut : CutField) (turns : list Coord3).
@@ -23,10 +26,10 @@ Section Swept.
 
   Theorem KeyPiecesKept : PiecesAreThoseOf mesh (PlusBefore sign).
   Proof.
-    apply PiecesOfSamples.
-    - apply KeyJoinsWithin.
-    - exact (SettledMakesNoWall KeyThresholds sign cut LevelGap turns (OpenDecided sample)).
-    - exact (SettledLeaves KeyThresholds sign cut LevelGap turns).
+    intros p q t u.
+    exact (PiecesOfSamples _ _ _ (KeyJoinsWithin _ _ _)
+      (SettledLeaves KeyThresholds sign cut LevelGap turns) p q t u
+      (SettledMakesNoWall KeyThresholds sign cut LevelGap turns (OpenDecided sample))).
   Qed.
 
   Theorem KeyNoPieceLost p : PlusBefore sign p ->
@@ -34,9 +37,8 @@ Section Swept.
     exists q t, InsideMesh mesh q /\ MadeAround mesh q t /\
       Joined (PlusBefore sign) Adjacent p q.
   Proof.
-    apply NoSampleLost.
-    - apply KeyJoinsWithin.
-    - exact (SettledLeaves KeyThresholds sign cut LevelGap turns).
+    exact (NoSampleLost _ _ _ (KeyJoinsWithin _ _ _)
+      (SettledLeaves KeyThresholds sign cut LevelGap turns) p).
   Qed.
 
   Theorem KeyOutsideKept p q : ~ PlusBefore sign p -> ~ PlusBefore sign q ->

@@ -20,17 +20,6 @@ Section Mesh.
   (** A lattice point that is inside the mesh. *)
   Definition InsideMesh (c : Coord3) : Prop := SignIn mesh (Corner c) = Plus.
 
-  (** No face of the lattice whose corners are all on the surface has + on both
-      sides. *)
-  Definition NoWallIn : Prop :=
-    forall a b c p q,
-      a <> b -> b <> c -> a <> c ->
-      (forall v, In v [a; b; c] -> SignIn mesh (Corner v) = OnSurface) ->
-      InsideMesh p -> InsideMesh q ->
-      (exists tid, InLattice tid /\ incl [a; b; c; p] (Corners tid)) ->
-      (exists tid, InLattice tid /\ incl [a; b; c; q] (Corners tid)) ->
-      p = q.
-
   (** Two tetrahedra are joined by faces just as + corners of their structured
       tetrahedra are joined by edges of the lattice. *)
   Definition PiecesAreThoseOf (inside : Coord3 -> Prop) : Prop :=

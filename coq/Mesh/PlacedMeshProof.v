@@ -7,7 +7,7 @@
 From Coq Require Import Reals.
 From Certet Require Import Embedding.Definitions.
 From Certet Require Import Stuffing.MeshProof Angles.DegreesSpec
-  Embedding.AroundProof Range.RangeSpec Range.RangeProof Mesh.Method
+  Embedding.AroundProof Embedding.WholeProof Range.RangeSpec Range.RangeProof Mesh.Method
   Mesh.CertifiedSpec.
 Open Scope Z_scope.
 

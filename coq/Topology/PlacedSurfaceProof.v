@@ -4,7 +4,7 @@ From Certet Require Import Topology.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Stencil.CompatibilityChecker Stuffing.NameProof
   Stuffing.MeshProof Embedding.EdgeRank Embedding.MeshApartProof
-  Embedding.AroundProof Topology.StencilSurface Topology.LocalSurfaceProof.
+  Embedding.AroundProof Embedding.WholeProof Topology.StencilSurface Topology.LocalSurfaceProof.
 
 Section Placed.
   Variables (before : SignField) (warping : Coord3 -> Warping).

@@ -25,11 +25,8 @@ struct Candidate {
 
 /// How far the chord over a part of the curve is from its middle, in long edges.
 double sagitta_of(const Curve& curve, double from, double to) {
-  using optimising::operator+;
-  using optimising::operator-;
-  using optimising::operator*;
   const Vector chord = 0.5 * (curve.place(from) + curve.place(to));
-  return optimising::length(curve.place((from + to) / 2) - chord) / long_edge;
+  return length(curve.place((from + to) / 2) - chord) / long_edge;
 }
 
 class Search {
@@ -297,10 +294,9 @@ void Targets::pin_bends() {
   const auto lengths = curve_.lengths();
   const std::size_t segments = points.size() - 1;
   for (std::size_t i = curve_.is_loop() ? 0 : 1; i < segments; ++i) {
-    using optimising::operator-;
     const Vector in = points[i] - points[i == 0 ? segments - 1 : i - 1], out = points[i + 1] - points[i];
     const double turn =
-        std::atan2(optimising::length(optimising::cross(in, out)), optimising::dot(in, out)) *
+        std::atan2(length(cross(in, out)), dot(in, out)) *
         (180 / std::numbers::pi);
     if (turn >= least_turn) bends.push_back({turn, lengths[i]});
   }

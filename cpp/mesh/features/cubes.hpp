@@ -33,11 +33,8 @@ void visit_around(Coord3 p, const Visit& visit) {
 /// The same for all cubes that a line passes, each several times.
 template <class Visit>
 void visit_along(const Vector& from, const Vector& to, const Visit& visit) {
-  using optimising::operator+;
-  using optimising::operator-;
-  using optimising::operator*;
   const Vector by = to - from;
-  const double parts = std::ceil(optimising::length(by) / (1 << (cube_bits - 1))) + 1;
+  const double parts = std::ceil(length(by) / (1 << (cube_bits - 1))) + 1;
   for (double i = 0; i <= parts; ++i) visit_around(in_steps(from + (i / parts) * by), visit);
 }
 

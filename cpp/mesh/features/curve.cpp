@@ -7,11 +7,6 @@
 namespace certet::features {
 namespace {
 
-using optimising::dot;
-using optimising::operator+;
-using optimising::operator-;
-using optimising::operator*;
-
 distance::TriangleTree tree_of(const std::vector<Vector>& points) {
   std::vector<distance::Triangle> segments;
   for (std::uint32_t i = 0; i + 1 < points.size(); ++i) segments.push_back({i, i + 1, i + 1});

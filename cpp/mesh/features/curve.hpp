@@ -10,11 +10,9 @@
 
 #include "certet/features.hpp"
 #include "mesh/distance/triangle_tree.hpp"
-#include "mesh/optimise/vector.hpp"
+#include "vectors.hpp"
 
 namespace certet::features {
-
-using optimising::Vector;
 
 inline constexpr double long_edge = 2.0 * steps;
 inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();

@@ -8,13 +8,6 @@
 namespace certet::features {
 namespace {
 
-using optimising::between;
-using optimising::cross;
-using optimising::dot;
-using optimising::length;
-using optimising::operator*;
-using optimising::operator-;
-
 /// A triangle less high than this, in steps, has no normal of its own: its corners are rounded.
 constexpr double least_height = 64;
 

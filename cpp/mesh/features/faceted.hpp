@@ -8,11 +8,9 @@
 #include <vector>
 
 #include "certet/placed_domain.hpp"
-#include "mesh/optimise/vector.hpp"
+#include "vectors.hpp"
 
 namespace certet::features {
-
-using optimising::Vector;
 
 /// One side of a triangle, between two points of growing numbers.
 struct Side {

@@ -9,13 +9,6 @@
 namespace certet::features {
 namespace {
 
-using optimising::cross;
-using optimising::dot;
-using optimising::length;
-using optimising::operator+;
-using optimising::operator-;
-using optimising::operator*;
-
 /// Of the ray in the middle: settling may have put a vertex beside the surface.
 constexpr double middle_reach = 0.4 * long_edge;
 /// Rays around that, in steps: far enough for a normal to be known to a tenth of a degree.

@@ -13,10 +13,6 @@ namespace certet {
 namespace features {
 namespace {
 
-using optimising::between;
-using optimising::dot;
-using optimising::length;
-
 /// Of two edges, one behind the other.
 constexpr double sharp_turn = 40;
 

@@ -9,13 +9,6 @@
 namespace certet::features {
 namespace {
 
-using optimising::cross;
-using optimising::dot;
-using optimising::length;
-using optimising::operator+;
-using optimising::operator-;
-using optimising::operator*;
-
 /// Two vertices may turn by so much less than the edge between them does, as faces are bent on the way
 /// to it.
 constexpr double slack = 0.25;

@@ -17,11 +17,6 @@ namespace certet {
 namespace features {
 namespace {
 
-using optimising::between;
-using optimising::length;
-using optimising::operator+;
-using optimising::operator*;
-
 /// What is to be kept, and the surface between.
 struct Kept {
   const Features& features;

@@ -8,13 +8,6 @@
 namespace certet::features {
 namespace {
 
-using optimising::cross;
-using optimising::dot;
-using optimising::length;
-using optimising::operator+;
-using optimising::operator-;
-using optimising::operator*;
-
 /// Steps between rays onto a face, round after round: what a face is bent within twice that is
 /// what its plane misses the line by.
 constexpr std::array<double, 5> strides{8192, 4096, 2048, 1024, 1024};

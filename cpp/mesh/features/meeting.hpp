@@ -19,7 +19,7 @@ struct OnLine {
   /// Of length 1, along the line: with the first face on the left, seen from outside.
   [[nodiscard]] Vector along() const {
     const auto& [left, right] = wedge.normals;
-    return unit(wedge.convex ? optimising::cross(left, right) : optimising::cross(right, left));
+    return unit(wedge.convex ? cross(left, right) : cross(right, left));
   }
 };
 

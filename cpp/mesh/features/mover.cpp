@@ -9,11 +9,6 @@
 namespace certet::features {
 namespace {
 
-using optimising::between;
-using optimising::length;
-using optimising::operator+;
-using optimising::operator*;
-
 /// In long edges, from where stuffing put it.
 constexpr double greatest_reach = 2;
 /// In squared cosines.

@@ -9,9 +9,6 @@
 namespace certet::features {
 namespace {
 
-using optimising::operator+;
-using optimising::operator*;
-
 Coord3 at(const Ray& ray, double steps_out) {
   return in_steps(ray.origin + steps_out * ray.direction);
 }

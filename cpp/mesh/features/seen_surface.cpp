@@ -11,10 +11,6 @@
 namespace certet::features {
 namespace {
 
-using optimising::cross;
-using optimising::operator+;
-using optimising::operator-;
-
 /// Those at whose edges triangles turn by more than so many degrees, and their neighbours.
 std::vector<std::uint8_t> doubtful_ones(const SeenSurface& surface, double least) {
   struct Side {

@@ -5,10 +5,6 @@
 namespace certet::features {
 namespace {
 
-using optimising::dot;
-using optimising::operator-;
-using optimising::operator*;
-
 distance::TriangleTree tree_of(const Features& features, const std::vector<std::uint32_t>& chosen) {
   std::vector<Vector> points;
   std::vector<distance::Triangle> triangles;
@@ -48,8 +44,8 @@ Vector TrianglePatches::nearest(std::uint32_t patch, const Vector& point) const 
 Vector TrianglePatches::normal(std::uint32_t patch, const Vector& point) const {
   const distance::TriangleTree& tree = each_[patch];
   const auto& [a, b, c] = tree.corners(tree.nearest(point).triangle);
-  const Vector n = optimising::cross(b - a, c - a);
-  const double size = optimising::length(n);
+  const Vector n = cross(b - a, c - a);
+  const double size = length(n);
   return size > 0 ? (1 / size) * n : Vector{0, 0, 0};
 }
 

@@ -13,13 +13,6 @@
 namespace certet::features {
 namespace {
 
-using optimising::cross;
-using optimising::dot;
-using optimising::length;
-using optimising::operator+;
-using optimising::operator-;
-using optimising::operator*;
-
 /// Between points of a curve.
 constexpr double spacing = long_edge / 16;
 /// Points so near to a corner are looked for anew once that is known: an edge of the mesh may lead

@@ -6,11 +6,6 @@
 namespace certet::features {
 namespace {
 
-using optimising::dot;
-using optimising::length;
-using optimising::operator+;
-using optimising::operator-;
-
 /// Of points, or of segments.
 distance::TriangleTree tree_of(std::vector<Vector> points, std::uint32_t ends) {
   std::vector<distance::Triangle> parts;

@@ -199,11 +199,4 @@ inline constexpr std::array<Stencil, key_stencil_count> key_stencil_table =
 
 static_assert(key_detail::tables.count == key_stencil_count);
 
-/// Where no cut is compared with another all are alike, and the stencils are the paper's.
-static_assert([] {
-  for (std::size_t p = 0; p < pattern_count; ++p)
-    if (key_stencil_table[cut_orders[p].stencil[0]] != stencil_table[p]) return false;
-  return true;
-}());
-
 }  // namespace certet
