@@ -91,7 +91,7 @@ class Pieces(NamedTuple):
 
 class Warp(NamedTuple):
     """What became of the vertices that the surface passes too close to; all 0 but by the methods
-    "embedded" and "key"."""
+    "key" and "embedded"."""
 
     violated: int
     """So many there were."""
@@ -751,10 +751,10 @@ def mesh_image(
         any are chosen, like {(1, 5): "bone", 7: 9}
     size : the long edge of the lattice, in world units (default: the smallest spacing)
     margin : cells of the lattice around the solid, at least 1
-    method : "embedded" (default: dihedral angles from 10.77 to 164.76 degrees, no tetrahedra
-        overlap, the surface is a manifold, of several labels but for single points, and no piece
-        of the samples is lost, cut or joined to another), "key" (the same from 11.18 to 157.13
-        degrees, of one material: where several meet it is "embedded"), "angles" and "embedding" (the paper's
+    method : "key" (default: dihedral angles from 11.18 to 157.13 degrees, no tetrahedra overlap,
+        the surface is a manifold, and no piece of the samples is lost, cut or joined to another;
+        where several materials meet it is "embedded"), "embedded" (the same from 10.77 to 164.76
+        degrees, of several labels but for single points), "angles" and "embedding" (the paper's
         rule with either of its thresholds; from 9.27 to 161.46 degrees with the second) or
         "midpoint" (from 30 to 135: edges are cut in the middle, whatever the surface does
         between its ends)
@@ -1113,7 +1113,7 @@ def _options(method: str | None, cuts: str, guarantee: str | None, threads: int,
     if guarantee not in (None, "angles", "embedding"):
         raise ValueError(f"guarantee is 'angles' or 'embedding', not {guarantee!r}")
     if method is None:
-        method = "midpoint" if cuts == "midpoint" else guarantee or "embedded"
+        method = "midpoint" if cuts == "midpoint" else guarantee or "key"
     elif (cuts, guarantee) != ("bisect", None):
         raise ValueError("method says all that cuts and guarantee do: give one or the others")
     if optimise is not False and optimise is not True and not 0 < optimise <= 60:
