@@ -26,11 +26,11 @@ From Certet Require Export Stuffing.Stuffing Stuffing.Domain.
 From Certet Require Export Mesh.Method Mesh.CertifiedSpec.
 From Certet Require Mesh.CertifiedMeshProof.
 
-(** Whatever the method, whatever the domain, and whichever lattice points are
-    taken as inside: every tetrahedron has positive volume; every dihedral angle
-    is within the method's bounds; both sides of a face have the same triangles;
-    a triangle that only one tetrahedron has lies on the surface; and no integer
-    overflows. *)
+(** Whatever the method, diagonals by key among them, whatever the domain, and
+    whichever lattice points are taken as inside: every tetrahedron has positive
+    volume; every dihedral angle is within the method's bounds; both sides of a face
+    have the same triangles; a triangle that only one tetrahedron has lies on the
+    surface; and no integer overflows. *)
 Theorem CertifiedMesh :
   forall (method : Method) (sign : SignField) (domain : PositionSigns),
     let mesh := MeshOf method sign domain in

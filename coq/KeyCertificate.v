@@ -19,7 +19,7 @@ From Certet Require Export Stencil.UnstructuredTet Stencil.StencilSet.
 From Certet Require Export Warp.Cut Warp.Warp.
 From Certet Require Export Stuffing.Stuffing Stuffing.Domain.
 From Certet Require Export Embedding.WarpOrClamp Embedding.Settle.
-From Certet Require Export Key.KeyTet Key.KeyStuffing Key.KeyMesh.
+From Certet Require Export Key.KeyTet Key.KeyStuffing.
 
 (** What is meant. *)
 From Certet Require Export Lattice.NeighborSpec Stencil.TriangleSpec Stuffing.MeshSpec.
@@ -193,12 +193,20 @@ Theorem KeyBoundsInDegrees :
     WithinDegrees (1118 / 100) (15713 / 100) t.
 Proof. exact KeyDegreesProof.KeyBoundsInDegrees. Qed.
 
-(** and with any rule of who stays. *)
+(** with any rule of who stays, *)
 Theorem KeyRuledBoundsInDegrees :
   forall sign cut stays limit tid t, CutsOnEdges sign cut ->
     In t (KeyWarpOrClamp KeyThresholds sign cut stays limit tid) ->
     WithinDegrees (1118 / 100) (15713 / 100) t.
 Proof. exact KeyDegreesProof.KeyRuledBoundsInDegrees. Qed.
+
+(** and by the rule that the product runs by default, wherever the cuts are. *)
+Theorem KeySweptBoundsInDegrees :
+  forall sample cut turns, CutsOnEdges sample cut ->
+    let mesh := KeySweptMesh (OpenSigns sample) (OpenCuts sample cut) turns in
+    forall tid t, In t (PlacedWithin mesh tid) ->
+      WithinDegrees (1118 / 100) (15713 / 100) t.
+Proof. exact KeySettledProof.KeySweptBoundsInDegrees. Qed.
 
 (** ** The whole mesh *)
 

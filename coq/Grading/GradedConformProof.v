@@ -5,8 +5,9 @@
     whole. *)
 
 From Certet Require Import Embedding.Definitions.
-From Certet Require Import Lattice.Tiling Lattice.FaceProof Stuffing.VerticesProof
-  Embedding.AroundProof Embedding.WholeProof Mesh.Method Mesh.CertifiedSpec Mesh.PlacedMeshProof.
+From Certet Require Import Lattice.Tiling Lattice.FaceProof
+  Embedding.EdgeRank Embedding.AroundProof Embedding.WholeProof Key.KeyPiecesProof
+  Key.CertifiedKeyProof Mesh.Method Mesh.CertifiedSpec Mesh.PlacedMeshProof.
 From Certet Require Import Grading.Octree Grading.Flag Grading.GradedTet
   Grading.Surface Grading.GradingSpec.
 From Certet Require Import Grading.PartitionProof Grading.GradedVolumeProof
@@ -104,42 +105,41 @@ Proof.
     try (now destruct E); try (now destruct F); tauto.
 Qed.
 
-Section Placed.
-  Variables (before : SignField) (warping : Coord3 -> Warping).
-  Local Notation names := (PlacedNames before warping).
-  Local Notation after := (PlacedSign before warping).
+(** What is within structured tetrahedra, whatever its diagonals. *)
+Section Within.
+  Variables (names : StructuredTetId -> list (UnstructuredTet MeshVertex)).
+  Variable after : SignField.
+  Hypothesis joins : JoinsWithin names after.
 
-  Lemma NamesVertices stid t m : In t (names stid) -> In m (TetCorners t) ->
+  Lemma NamesVertices stid t m : InLattice stid -> In t (names stid) ->
+    In m (TetCorners t) ->
     (exists i, m = Corner (VertexAt (GetStructuredTet stid) i)) \/
     (exists i j, m = Cut (VertexAt (GetStructuredTet stid) i)
                          (VertexAt (GetStructuredTet stid) j) /\
-       after (Corner (VertexAt (GetStructuredTet stid) j)) = Minus).
+       after (VertexAt (GetStructuredTet stid) j) = Minus).
   Proof.
-    destruct stid as [anchor case]. unfold PlacedNames.
-    destruct (GetStructuredTet (STId anchor case)) as [v1 v2 v3 v4 n1 n2 n3 n4].
-    cbn [VertexAt]. intros I J. apply in_map_iff in I. destruct I as (u & <- & I).
-    assert (J' : In m (TetCorners u))
-      by (destruct (CaseHandedness case), u; cbn [Orient TetCorners In] in *; tauto).
-    assert (P : forall v, In v [v1; v2; v3; v4] -> exists i,
-      v = match i with First => v1 | Second => v2 | Third => v3 | Fourth => v4 end).
-    { intros v [<- | [<- | [<- | [<- | []]]]];
+    intros even I J. pose proof (within_belongs joins stid t m even I J) as B.
+    assert (P : forall v, In v (Corners stid) -> exists i,
+      v = VertexAt (GetStructuredTet stid) i).
+    { unfold Corners. destruct (GetStructuredTet stid). cbn [VertexAt].
+      intros v [<- | [<- | [<- | [<- | []]]]];
         [exists First | exists Second | exists Third | exists Fourth]; reflexivity. }
-    destruct (StencilVertices _ _ _ _ _ _ _ I J')
-      as [(v & V & ->) | (p & q & V & W & _ & S & ->)].
-    - left. destruct (P v V) as [i ->]. now exists i.
-    - right. destruct (P p V) as [i ->], (P q W) as [j ->]. exists i, j. auto.
+    destruct m as [c|p q]; cbn [Belongs] in B.
+    - left. destruct (P c (proj1 B)) as [i ->]. now exists i.
+    - right. destruct B as (V & W & _ & S). destruct (P p V) as [i ->], (P q W) as [j ->].
+      exists i, j. auto.
   Qed.
 
   (** A face of a structured tetrahedron that is inside is whole. *)
-  Lemma WholeStructured stid i a b c :
-    (forall f, In f (FaceOf stid i) -> after (Corner f) = Plus) ->
+  Lemma WholeStructured stid i a b c : InLattice stid ->
+    (forall f, In f (FaceOf stid i) -> after f = Plus) ->
     LiesIn (FaceOf stid i) a -> LiesIn (FaceOf stid i) b -> LiesIn (FaceOf stid i) c ->
     AmongTriangles (names stid) a b c <-> IsWhole (FaceOf stid i) a b c.
   Proof.
-    intros plus.
+    intros even plus.
     assert (corner : forall t m, In t (names stid) -> In m (TetCorners t) ->
       LiesIn (FaceOf stid i) m -> IsCornerIn (FaceOf stid i) m).
-    { intros t m T I L. destruct (NamesVertices stid t m T I)
+    { intros t m T I L. destruct (NamesVertices stid t m even T I)
         as [(k & ->) | (k & l & -> & S)]; [now exists (VertexAt (GetStructuredTet stid) k)|].
       cbn [LiesIn] in L. destruct L as [_ L]. rewrite (plus _ L) in S. discriminate. }
     assert (forth : forall t x y z, In t (names stid) -> HasTriangle t x y z ->
@@ -151,7 +151,7 @@ Section Placed.
     intros ((A & B & C) & N).
     assert (exists f, In f (FaceOf stid i)) as [f F]
       by (destruct A as (v & _ & V); eauto).
-    destruct (within_face (PlacedJoins before warping) stid i f F (plus f F))
+    destruct (within_face joins stid i f F (plus f F))
       as (x & y & z & (t & T & H) & LX & LY & LZ).
     exists t. split; [exact T|]. split; [|exact N].
     destruct (forth t x y z T H LX LY LZ) as ((X & Y & Z) & D & E & G).
@@ -169,7 +169,7 @@ Section Placed.
       cbn [In] in I. destruct I as [<- | [<- | [<- | []]]]; assumption. }
     auto.
   Qed.
-End Placed.
+End Within.
 
 (** A tetrahedron that is kept whole has its faces whole. *)
 Lemma WholePlain tid i a b c :
@@ -191,21 +191,17 @@ Proof.
     auto.
 Qed.
 
-Lemma MeshIsPlaced method sign domain : exists before warping cut,
-  MeshOf method sign domain = PlacedMesh before warping cut.
-Proof. destruct method; do 3 eexists; reflexivity. Qed.
+Lemma MeshJoins method sign domain :
+  JoinsWithin (TetsWithin (MeshOf method sign domain))
+    (CornerSigns (MeshOf method sign domain)).
+Proof. destruct method; try apply PlacedJoins. apply KeyJoinsWithin. Qed.
 
+(** Not by [CertifiedMesh], which rests on real numbers. *)
 Lemma MeshConforms method sign domain : FacesConform (MeshOf method sign domain).
-Proof.
-  destruct (MeshIsPlaced method sign domain) as (before & warping & cut & ->).
-  apply PlacedFacesConform.
-Qed.
+Proof. destruct method; try apply PlacedFacesConform. apply KeyFacesConform. Qed.
 
 Lemma MeshBoundary method sign domain : BoundaryIsSurface (MeshOf method sign domain).
-Proof.
-  destruct (MeshIsPlaced method sign domain) as (before & warping & cut & ->).
-  apply PlacedBoundary.
-Qed.
+Proof. destruct method; try apply PlacedBoundary. apply KeyBoundary. Qed.
 
 (** ** The graded mesh *)
 
@@ -224,8 +220,9 @@ Proof.
 Qed.
 
 Section SharedFace.
-  Variables (before : SignField) (warping : Coord3 -> Warping).
-  Local Notation names := (PlacedNames before warping).
+  Variables (names : StructuredTetId -> list (UnstructuredTet MeshVertex)).
+  Variable after : SignField.
+  Hypothesis joins : JoinsWithin names after.
 
   (** What two neighbours have in common lies in their face. *)
   Lemma SharedLiesIn stid k t u m : InLattice stid ->
@@ -241,8 +238,10 @@ Section SharedFace.
         by (intros ->; exact (LatticeApexNotShared stid k even j E)).
       unfold FaceOf. destruct (GetStructuredTet stid), i, k;
         cbn [FaceAcross VertexAt In]; tauto. }
-    destruct (NamesVertices before warping _ t m T I) as [(i & ->) | (i & j & -> & _)];
-      destruct (NamesVertices before warping _ u _ U J) as [(i' & E) | (i' & j' & E & _)];
+    pose proof (NeighborInLattice stid k even) as even'.
+    destruct (NamesVertices names after joins _ t m even T I)
+      as [(i & ->) | (i & j & -> & _)];
+      destruct (NamesVertices names after joins _ u _ even' U J) as [(i' & E) | (i' & j' & E & _)];
       try discriminate E.
     - injection E as E. cbn [LiesIn]. now apply (shared i i').
     - injection E as E F. cbn [LiesIn].
@@ -277,9 +276,9 @@ Section Mesh.
   Proof.
     intros M plus. unfold GradedTetsWithin.
     destruct (StructuredName tid) as [stid|] eqn:N; [|apply WholePlain].
-    rewrite <- (FaceOfStructured tid stid i M N) in *. unfold CornerSigns in plus.
-    destruct (MeshIsPlaced method sign domain) as (before & warping & cut & E).
-    rewrite E in *. apply WholeStructured, plus.
+    destruct (StructuredNameCorrect cells tid stid M N) as (even & _).
+    rewrite <- (FaceOfStructured tid stid i M N) in *.
+    exact (WholeStructured _ _ (MeshJoins method sign domain) stid i a b c even plus).
   Qed.
 
   Lemma NeighborSides tid i : InGradedMesh cells tid ->
@@ -356,10 +355,8 @@ Section Mesh.
   Proof.
     intros M T I. unfold GradedTetsWithin in T.
     destruct (StructuredName tid) as [stid|] eqn:N.
-    - destruct (StructuredNameCorrect cells tid stid M N) as (_ & V & _).
-      destruct (MeshIsPlaced method sign domain) as (before & warping & cut & E).
-      rewrite E in T.
-      destruct (NamesVertices before warping stid t _ T I) as [(k & K) | (k & l & K & _)];
+    - destruct (StructuredNameCorrect cells tid stid M N) as (even & V & _).
+      destruct (NamesVertices _ _ (MeshJoins method sign domain) stid t _ even T I) as [(k & K) | (k & l & K & _)];
         [|discriminate K]. injection K as ->. exists k. now rewrite V.
     - destruct T as [<- | []]. apply CornersOfMap in I. destruct I as (w & I & [= ->]).
       now apply GradedVertexIn.
@@ -454,8 +451,7 @@ Section Mesh.
         assert (L : forall m, In m (TetCorners t) -> In m (TetCorners u) ->
           LiesIn (GradedFace tid k) m).
         { rewrite <- (FaceOfStructured tid stid k M N).
-          destruct (MeshIsPlaced method sign domain) as (before & warping & cut & E).
-          rewrite E in T', U. intros m. now apply (SharedLiesIn before warping stid k t u). }
+          intros m. now apply (SharedLiesIn _ _ (MeshJoins method sign domain) stid k t u). }
         pose proof H as ((A & B & C) & _). pose proof HU as ((A' & B' & C') & _).
         destruct (StructuredName (GradedNeighbor cells tid k)) as [other|] eqn:N'.
         * exists u. split; [exact D|]. split; [exact HU|]. right. exists k.

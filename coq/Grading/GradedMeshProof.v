@@ -71,8 +71,8 @@ Section Mesh.
     assert (W : forall (s : Sign) w, WarpedSign s w = Plus -> WarpedPosition v w = Scale Steps v)
       by (intros s [|d n]; [reflexivity | discriminate]).
     destruct method; unfold CornerSigns;
-      cbn [MeshOf StuffedMesh SweptMesh PlacedMesh SignIn PositionIn MeshVertexSign
-        MeshPosition PlacedSign PlacedPosition]; apply W.
+      cbn [MeshOf StuffedMesh SweptMesh PlacedMesh KeySweptMesh KeyMesh SignIn PositionIn
+        MeshVertexSign MeshPosition PlacedSign PlacedPosition]; apply W.
   Qed.
 
   Variable cells : CellSet.

@@ -8,8 +8,7 @@ From Certet Require Import Angles.DegreesSpec Angles.AngleTheorems Angles.Domain
   Embedding.EdgeRank
   Embedding.WarpOrClampProof Range.RangeSpec Range.RangeProof Mesh.Method
   Mesh.CertifiedSpec Mesh.PlacedMeshProof Key.KeysApartProof Key.FaceRuleProof
-  Key.KeyFollowsProof Key.KeyMeshProof Key.KeyBoundsProof Key.KeyDegreesProof
-  Key.KeyMesh.
+  Key.KeyFollowsProof Key.KeyMeshProof Key.KeyBoundsProof Key.KeyDegreesProof.
 Open Scope Z_scope.
 
 Local Strategy 1000 [WarpVertex Bisect].

@@ -9,7 +9,7 @@ From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Stencil.TriangleCheckerProof Stuffing.NameProof Stuffing.MeshProof
   Embedding.EdgeRank Embedding.LeavingProof Embedding.AroundProof Embedding.WholeProof
   Key.Orders Key.OrderProof Key.KeyChecker Key.KeysApartProof Key.FaceRuleProof
-  Key.KeyFollowsProof Key.KeyMeshProof Key.KeyMesh
+  Key.KeyFollowsProof Key.KeyMeshProof
   Mesh.Method.
 Open Scope Z_scope.
 

@@ -1,12 +1,13 @@
 (** * The product's rule of who stays, with diagonals by key: proof *)
 
+From Coq Require Import Reals.
 From Certet Require Import Key.Definitions.
 From Certet Require Import Angles.DegreesSpec Embedding.SettleProof
   Embedding.SettledMeshProof Embedding.MeshEmbedsProof Angles.DomainProof
   Mesh.Method Mesh.CertifiedSpec Mesh.PlacedMeshProof Range.RangeSpec
   Range.RangeProof Embedding.WarpOrClampProof
   Key.OrderProof Key.KeysApartProof Key.KeyBoundsProof Key.KeyDegreesProof
-  Key.KeyEmbedsProof Key.KeyMesh Key.CertifiedKeyProof.
+  Key.KeyEmbedsProof Key.CertifiedKeyProof.
 Open Scope Z_scope.
 
 (** Checking a proof needs their names, never what they are. *)
@@ -57,13 +58,20 @@ Section Swept.
       LevelGapSmall turns).
   Qed.
 
+  Theorem KeySweptBoundsInDegrees tid t :
+    In t (PlacedWithin (KeySweptMesh sign cuts turns) tid) ->
+    WithinDegrees (1118 / 100) (15713 / 100) t.
+  Proof.
+    destruct SweptByRule as (on & stays & limit & E). intros I.
+    apply (KeyRuledBoundsInDegrees sign cuts stays limit tid t on).
+    unfold KeyWarpOrClamp. rewrite <- (KeyTetsExt _ _ _ _ _ E). exact I.
+  Qed.
+
   Theorem KeySweptCertified : Certified (KeySweptMesh sign cuts turns) 1118 15713 KeyThresholds.
   Proof.
     destruct SweptByRule as (on & stays & limit & E).
     apply KeyCertified.
-    - intros tid t I.
-      apply (KeyRuledBoundsInDegrees sign cuts stays limit tid t on).
-      unfold KeyWarpOrClamp. rewrite <- (KeyTetsExt _ _ _ _ _ E). exact I.
+    - exact KeySweptBoundsInDegrees.
     - intros tid. split.
       + intros v d t _ W. unfold warping in E. rewrite E in W.
         pose proof (RuledMovesAtMost KeyThresholds sign cuts stays limit on v d t W).

@@ -10,7 +10,7 @@ From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Topology.EdgeProof Topology.FanProof Topology.DiskManifoldProof
   Topology.SettledSurfaceProof Topology.DiskKeptProof
   Key.Orders Key.OrderProof Key.KeyChecker Key.KeysApartProof Key.FaceRuleProof
-  Key.KeyFollowsProof Key.KeyMeshProof Key.KeyMesh
+  Key.KeyFollowsProof Key.KeyMeshProof
   Mesh.Method Mesh.MeshPiecesSpec Topology.MeshSurfaceSpec.
 Open Scope Z_scope.
 

@@ -5,7 +5,7 @@ From Certet Require Import Embedding.GreedyProof Embedding.LeavingProof
   Embedding.SettleProof Embedding.SettledMeshProof Topology.VoxelSpec
   Topology.VoxelProof Topology.VoxelMeshProof Topology.SettledVoxelProof
   Embedding.PiecesSpec Embedding.AroundProof Mesh.Method Mesh.MeshPiecesSpec
-  Key.KeyMesh Key.KeyPiecesProof.
+  Key.KeyPiecesProof.
 Open Scope Z_scope.
 
 (** Checking a proof needs their names, never what they are. *)

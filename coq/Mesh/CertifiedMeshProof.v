@@ -9,7 +9,7 @@ From Certet Require Import Angles.DegreesSpec Angles.AngleTheorems
   Angles.Degrees.DomainDegreesProof Embedding.WarpOrClampProof
   Embedding.RuledDegreesProof Embedding.SettleProof Embedding.SettledMeshProof
   Range.RangeSpec Range.RangeProof Mesh.Method Mesh.CertifiedSpec
-  Mesh.PlacedMeshProof.
+  Mesh.PlacedMeshProof Key.KeySettledProof.
 Open Scope Z_scope.
 
 Local Strategy 1000 [WarpVertex Bisect Settle].
@@ -99,7 +99,7 @@ Theorem CertifiedMesh :
     Certified mesh (LeastAngle method) (GreatestAngle method)
       (MethodThresholds method).
 Proof.
-  intros [| | | turns] sign domain.
+  intros [| | | turns | turns] sign domain.
   - apply StuffedCertified; [apply AngleThresholdsAtMostHalf | apply BisectedOnEdges
       | apply BisectedBoundsInDegrees | tauto].
   - apply StuffedCertified; [apply EmbeddingThresholdsAtMostHalf | apply BisectedOnEdges
@@ -111,4 +111,5 @@ Proof.
     replace (IZR 13500 / 100)%R with 135%R by lra.
     exact (MidpointBoundsInDegrees sign tid t I).
   - apply SweptCertified, BisectedOnEdges.
+  - exact (CertifiedKeySweptMesh sign domain turns).
 Qed.

@@ -4,16 +4,17 @@
     which vertices are warped; what it promises are the angles.  Another method
     is another case of each definition here. *)
 
-From Certet Require Import Embedding.Definitions.
+From Certet Require Import Key.Definitions.
 Open Scope Z_scope.
 
 (** Cuts found by bisection, and the widest angles; cuts found by bisection, and
-    a mesh that embeds; cuts in the middle, and nothing warped; or cuts found by
+    a mesh that embeds; cuts in the middle, and nothing warped; cuts found by
     bisection, and the shape kept, where vertices have their turns in the order of
-    a list. *)
+    a list; or so with diagonals that follow the cuts. *)
 Inductive Method :=
 | AngleMethod | EmbeddingMethod | MidpointMethod
-| SettledMethod : list Coord3 -> Method.
+| SettledMethod : list Coord3 -> Method
+| KeyMethod : list Coord3 -> Method.
 
 (** Alpha of long and of short edges, in 256ths. *)
 Definition MethodThresholds (m : Method) : Thresholds :=
@@ -22,6 +23,7 @@ Definition MethodThresholds (m : Method) : Thresholds :=
   | EmbeddingMethod => EmbeddingThresholds
   | MidpointMethod => NoWarpThresholds
   | SettledMethod _ => AngleThresholds
+  | KeyMethod _ => KeyThresholds
   end.
 
 (** The least and the greatest dihedral angle, in hundredths of a degree. *)
@@ -29,12 +31,14 @@ Definition LeastAngle (m : Method) : Z :=
   match m with
   | AngleMethod => 1077 | EmbeddingMethod => 927 | MidpointMethod => 3000
   | SettledMethod _ => 1077
+  | KeyMethod _ => 1118
   end.
 
 Definition GreatestAngle (m : Method) : Z :=
   match m with
   | AngleMethod => 16476 | EmbeddingMethod => 16146 | MidpointMethod => 13500
   | SettledMethod _ => 16476
+  | KeyMethod _ => 15713
   end.
 
 (** A mesh: the tetrahedra that are made within each structured tetrahedron, by
@@ -69,6 +73,18 @@ Definition SweptMesh (sign : SignField) (cut : CutField) (turns : list Coord3)
   PlacedMesh sign (PlaceIn (Settle AngleThresholds sign cut LevelGap turns))
              (ClampedCut AngleThresholds cut).
 
+(** that of any warp and any cuts with diagonals by key; that of one sweep, the
+    product's rule of who stays, at the thresholds of this order; *)
+Definition KeyMesh (before : SignField) (warping : Coord3 -> Warping)
+  (cut : CutField) : Mesh :=
+  MakeMesh (KeyNames before warping cut) (PlacedSign before warping)
+           (PlacedPosition warping cut).
+
+Definition KeySweptMesh (sign : SignField) (cut : CutField) (turns : list Coord3)
+  : Mesh :=
+  KeyMesh sign (PlaceIn (Settle KeyThresholds sign cut LevelGap turns))
+          (ClampedCut KeyThresholds cut).
+
 (** and so that of a method.  Which lattice points count as inside is told
     beside the domain: the mesher takes the outermost points of its lattice as
     outside, whatever the domain says. *)
@@ -78,5 +94,7 @@ Definition MeshOf (m : Method) (sign : SignField) (domain : PositionSigns)
   | MidpointMethod => StuffedMesh NoWarpThresholds (Decided sign) MidpointCuts
   | SettledMethod turns =>
       SweptMesh (OpenSigns sign) (OpenCuts sign (BisectedCuts domain)) turns
+  | KeyMethod turns =>
+      KeySweptMesh (OpenSigns sign) (OpenCuts sign (BisectedCuts domain)) turns
   | _ => StuffedMesh (MethodThresholds m) sign (BisectedCuts domain)
   end.

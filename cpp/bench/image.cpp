@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
   }
   try {
     const Method method =
-        std::string_view(argv[3]) == "midpoint" ? Method::midpoint : Method::embedded;
+        std::string_view(argv[3]) == "midpoint" ? Method::midpoint : default_method;
     std::cout << measure(argv[1], std::atof(argv[2]), method, std::atoi(argv[4]),
                          std::atoi(argv[5]))
               << '\n';

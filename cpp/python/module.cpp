@@ -334,6 +334,7 @@ PYBIND11_MODULE(_certet, module) {
   module.def("mesh_function", mesh_function);
   module.def("mesh_surface", mesh_surface);
   module.attr("version") = CERTET_VERSION;
+  module.attr("default_method") = std::string(name(default_method));
 }
 
 }  // namespace certet::python

@@ -25,7 +25,7 @@ namespace certet::python {
 namespace py = pybind11;
 
 struct Options {
-  Method method{};
+  Method method = default_method;
   int threads = 0;
   int order = 1;        ///< 2: tetrahedra of ten nodes
   bool curved = false;  ///< whether middle nodes of the surfaces are put on these

@@ -82,6 +82,11 @@ Definition Proven (m : Method) : Prop :=
         In t (SettledMesh (MethodThresholds m) (OpenSigns sample) (OpenCuts sample cut)
                 LevelGap turns tids) ->
         Promised m t
+  | KeyMethod turns =>
+      forall sample cut tid t, CutsOnEdges sample cut ->
+        In t (PlacedWithin (KeySweptMesh (OpenSigns sample) (OpenCuts sample cut) turns)
+                tid) ->
+        Promised m t
   | AngleMethod | EmbeddingMethod =>
       forall sign cut tid t, CutsOnEdges sign cut ->
         In t (map (MapTet (MeshPosition (MethodThresholds m) sign cut))
@@ -98,7 +103,7 @@ Definition Proven (m : Method) : Prop :=
 
 Theorem CppMethodsProven : AreMethods CppMethods = true /\ forall m, Proven m.
 Proof.
-  split; [vm_compute; reflexivity|]. intros [| | |turns].
+  split; [vm_compute; reflexivity|]. intros [| | |turns|turns].
   - exact DihedralBoundsInDegrees.
   - exact DihedralBoundsEmbeddingInDegrees.
   - intros sign tid t decided cut I. unfold Promised. cbn [LeastAngle GreatestAngle].
@@ -106,4 +111,5 @@ Proof.
     replace (IZR 13500 / 100)%R with 135%R by lra.
     exact (MidpointBoundsInDegrees sign tid t I).
   - intros sample cut. exact (SettledBoundsInDegrees sample cut turns).
+  - intros sample cut tid t on. exact (KeySweptBoundsInDegrees sample cut turns on tid t).
 Qed.

@@ -2,7 +2,6 @@
 
 From Coq Require Import ZArith String List Bool.
 From Certet Require Import Certificate.
-From Certet Require Import Key.KeyStuffing.
 From CertetTables Require Import Table TableRules EngineTables.
 Import ListNotations.
 Open Scope Z_scope.
@@ -21,17 +20,21 @@ Definition MethodCuts (m : Method) : Cuts :=
   match m with MidpointMethod => InTheMiddle | _ => OnTheSurface end.
 
 Definition MethodSettles (m : Method) : bool :=
-  match m with SettledMethod _ => true | _ => false end.
+  match m with SettledMethod _ | KeyMethod _ => true | _ => false end.
+
+(** Whether diagonals end at the lesser cut. *)
+Definition MethodFollowsCuts (m : Method) : bool :=
+  match m with KeyMethod _ => true | _ => false end.
 
 Record NamedMethod := {
   called : string; cuts : Cuts; alpha : Thresholds; settles : bool;
-  follows_cuts : bool;  (** whether diagonals end at the lesser cut *)
+  follows_cuts : bool;
   least : Z; greatest : Z; theorem : string
 }.
 
 Definition Named (name : string) (m : Method) (theorem_ : string) : NamedMethod :=
   {| called := name; cuts := MethodCuts m; alpha := MethodThresholds m;
-     settles := MethodSettles m; follows_cuts := false;
+     settles := MethodSettles m; follows_cuts := MethodFollowsCuts m;
      least := LeastAngle m; greatest := GreatestAngle m; theorem := theorem_ |}.
 
 (** Whose turns come when makes no difference to what is told here. *)
@@ -40,9 +43,7 @@ Definition Methods : list NamedMethod :=
    Named "angles" AngleMethod "DihedralBounds";
    Named "embedding" EmbeddingMethod "DihedralBoundsEmbedding";
    Named "midpoint" MidpointMethod "MidpointBounds";
-   {| called := "key"; cuts := OnTheSurface; alpha := KeyThresholds; settles := true;
-      follows_cuts := true; least := 1118; greatest := 15713;
-      theorem := "CertifiedKeySweptMesh" |}]%string.
+   Named "key" (KeyMethod []) "CertifiedKeySweptMesh"]%string.
 
 (** The number of 53 bits, written in full, that is nearest to so many hundredths. *)
 Definition IsNearest (hundredths : Z) (t : Table) : bool :=

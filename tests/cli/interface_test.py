@@ -86,7 +86,7 @@ class Interfaces(ProgramTest):
             self.assertIn("within theorem " + theorem, check.stdout)
         # Of one label it is the one on a solid.
         report = self.mesh("a.nrrd", "-o", "a.vtu", "--labels", "2")
-        self.assertEqual(report["theorem"], "SettledBoundsInDegrees")
+        self.assertEqual(report["theorem"], "CertifiedKeySweptMesh")
 
     def test_the_surface_of_a_region_is_closed_around_it(self):
         report = self.mesh("a.nrrd", "-o", "a.vtu")

@@ -1,4 +1,4 @@
-"""Diagonals that follow the cuts, by --method key."""
+"""Diagonals that follow the cuts, by --method key and by default."""
 
 import unittest
 
@@ -30,7 +30,11 @@ class Key(ProgramTest):
         sums = {self.mesh(*TORUS, "-o", "a.vtu", "--method", "key", *more)["mesh"]["checksum"]
                 for more in ([], ["--threads", "1"], ["--threads", "8"], ["--max-memory", "8M"])}
         self.assertEqual(len(sums), 1)
-        self.assertNotIn(self.mesh(*TORUS, "-o", "a.vtu")["mesh"]["checksum"], sums)
+        plain = self.mesh(*TORUS, "-o", "a.vtu")
+        self.assertIn(plain["mesh"]["checksum"], sums)
+        self.assertEqual(plain["guarantee"]["asked"], "key")
+        other = self.mesh(*TORUS, "-o", "a.vtu", "--method", "embedded")
+        self.assertNotIn(other["mesh"]["checksum"], sums)
         for grade in ("0", "2"):
             report = self.mesh(*TORUS, "-o", "b.vtu", "--method", "key", "--grade", grade)
             self.assertTrue(report["guarantee"]["holds"])
@@ -48,10 +52,13 @@ class Key(ProgramTest):
         self.assertEqual((report["guarantee"]["asked"], report["guarantee"]["used"]),
                          ("key", "embedded"))
         self.assertEqual(report["theorem"], "MaterialDihedralBoundsInDegrees")
+        asked = self.mesh(*BALLS, "-o", "b.vtu", "--method", "embedded")
+        self.assertEqual(report["mesh"]["checksum"], asked["mesh"]["checksum"])
         plain = self.mesh(*BALLS, "-o", "b.vtu")
-        self.assertEqual(report["mesh"]["checksum"], plain["mesh"]["checksum"])
-        told = self.run_certet("mesh", *BALLS, "-o", "a.vtu", "--method", "key").stdout
-        self.assertIn("(key is of one material, and here several meet)", told)
+        self.assertEqual((plain["mesh"], plain["guarantee"]), (report["mesh"], report["guarantee"]))
+        for choice in ((), ("--method", "key")):
+            told = self.run_certet("mesh", *BALLS, "-o", "a.vtu", *choice).stdout
+            self.assertIn("(key is of one material, and here several meet)", told)
 
     def test_what_is_refused(self):
         for option, value in (("--guarantee", "angles"), ("--cuts", "midpoint")):

@@ -94,9 +94,9 @@ class Formula(ProgramTest):
     def test_every_method_says_so(self):
         theorems = {"embedded": ("SettledBoundsInDegrees", 10.77), "angles": ("DihedralBounds", 10.77),
                     "embedding": ("DihedralBoundsEmbedding", 9.27),
-                    "midpoint": ("MidpointBounds", 30)}
+                    "midpoint": ("MidpointBounds", 30), "key": ("CertifiedKeySweptMesh", 11.18)}
         for choice, method in (
-                ((), "embedded"), (("--method", "embedded"), "embedded"),
+                ((), "key"), (("--method", "key"), "key"), (("--method", "embedded"), "embedded"),
                 (("--method", "paper"), "angles"), (("--guarantee", "angles"), "angles"),
                 (("--method", "paper", "--guarantee", "embedding"), "embedding"),
                 (("--guarantee", "embedding"), "embedding"),

@@ -100,7 +100,7 @@ class ThinTest(ProgramTest):
     def assert_pieces(self, count, *options):
         report = self.mesh("a.nrrd", *options, "-o", "a.vtu")
         self.assertTrue(report["guarantee"]["holds"])
-        self.assertEqual(report["guarantee"]["min_dihedral"], 10.77)
+        self.assertEqual(report["guarantee"]["min_dihedral"], 11.18)
         tets = vtu.tets(self.folder / "a.vtu")
         self.assertEqual(pieces(tets, faces), count)
         self.assertEqual(pieces(tets, iter), count)
@@ -166,7 +166,7 @@ class Shapes(ThinTest):
             with self.subTest(spacing):
                 self.write(size, lambda *at: int(at in inside), spacing)
                 report = self.mesh("a.nrrd", *VOXEL_WALLS, "-o", "a.vtu")
-                self.assertEqual(report["guarantee"]["min_dihedral"], 10.77)
+                self.assertEqual(report["guarantee"]["min_dihedral"], 11.18)
                 tets = vtu.tets(self.folder / "a.vtu")
                 self.assertEqual(set(surface_edges(tets).values()), {2})
                 self.assertEqual(shape_of_mesh(tets), expected)

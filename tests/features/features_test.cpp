@@ -155,7 +155,7 @@ TEST(Features, ShapesAreKept) {
 
 TEST(Features, EveryMethodKeepsItsBounds) {
   std::mt19937_64 random(test_seed());
-  for (const Method method : {Method::embedded, Method::angles, Method::embedding}) {
+  for (const Method method : {Method::embedded, Method::angles, Method::embedding, Method::key}) {
     const parts::Part part = parts::placed(parts::box(1, 1.4, 0.9), random);
     const Kept kept = keep(part, 0.12, 2, method);
     EXPECT_EQ(judge::fault(kept.before, kept.after, kept.features), "") << certet::name(method);

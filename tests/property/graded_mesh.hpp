@@ -116,6 +116,7 @@ inline std::string fault(const PlacedMesh& graded, const PlacedMesh& uniform,
 inline const exact::AngleRange& range_of(Method method) {
   static const exact::AngleRange midpoint(29.9999, 135.0001);  // both are attained
   if (method == Method::midpoint) return midpoint;
+  if (method == Method::key) return exact::key_range;
   return method == Method::embedding ? exact::embedding_range : exact::angles_range;
 }
 

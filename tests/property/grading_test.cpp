@@ -58,7 +58,7 @@ void expect_sound(const Graded& graded, const std::string& what) {
 }
 
 constexpr Method methods[] = {Method::embedded, Method::angles, Method::embedding,
-                              Method::midpoint};
+                              Method::midpoint, Method::key};
 
 Lattice random_lattice(std::mt19937_64& random) {
   const auto place = [&] { return 2 * between(random, -40, 40); };
@@ -94,7 +94,7 @@ TEST(Grading, OfRandomDomainsIsSound) {
     // Cells of all sizes meet in any way.
     const domains::Positional domain =
         domains::with_holes(random, lattice, between(random, 0, 5), 4);
-    expect_sound(grade(domain, lattice, methods[trial % 4]), "trial " + std::to_string(trial));
+    expect_sound(grade(domain, lattice, methods[trial % std::size(methods)]), "trial " + std::to_string(trial));
   }
 }
 

@@ -128,6 +128,7 @@ std::string boundary_fault(const PlainMesh& mesh, const Positional& domain,
 
 std::string fault(const PlainMesh& mesh, const Positional& domain, const Lattice& lattice) {
   const exact::AngleRange& range = mesh.method == Method::embedding ? exact::embedding_range
+                                   : mesh.method == Method::key     ? exact::key_range
                                                                     : exact::angles_range;
   std::string what = points_fault(mesh);
   if (what.empty()) what = angle_fault(mesh, range);
@@ -143,7 +144,8 @@ double volume(const PlainMesh& mesh) {
 }
 
 constexpr Lattice whole{{-18, -18, -18}, {19, 19, 19}};
-constexpr Method warping_methods[] = {Method::embedded, Method::angles, Method::embedding};
+constexpr Method warping_methods[] = {Method::embedded, Method::angles, Method::embedding,
+                                      Method::key};
 
 void expect_sound(const Positional& domain) {
   for (const Method method : warping_methods) {

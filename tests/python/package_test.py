@@ -406,7 +406,9 @@ class Images(unittest.TestCase):
         key = certet.mesh_function(level, bounds, 0.1, method="key")
         self.assertEqual(key.checksum, certet.mesh_function(level, bounds, 0.1, method="key",
                                                             threads=1).checksum)
-        self.assertNotEqual(key.checksum, certet.mesh_function(level, bounds, 0.1).checksum)
+        self.assertEqual(key.checksum, certet.mesh_function(level, bounds, 0.1).checksum)
+        self.assertNotEqual(key.checksum, certet.mesh_function(level, bounds, 0.1,
+                                                               method="embedded").checksum)
         quality = key.quality()
         self.assertTrue(quality.holds)
         self.assertGreater(quality.min_dihedral, 11.18)
@@ -417,6 +419,7 @@ class Images(unittest.TestCase):
         parted = certet.mesh_image(two, method="key")
         self.assertEqual(parted.method, "embedded")
         self.assertEqual(parted.checksum, certet.mesh_image(two).checksum)
+        self.assertEqual(parted.checksum, certet.mesh_image(two, method="embedded").checksum)
 
     def test_far_from_the_origin(self):
         """Bounds that are attained are crossed by rounding alone, which is no fault; what

@@ -250,8 +250,10 @@ Trial make_trial(std::uint64_t seed, std::uint64_t number) {
   const bool midpoint = chance(random, 3);
   const bool settles = chance(random, 2);
   const bool angles = settles || chance(random, 2);
+  const auto settling_method =
+      number / kind_count % 2 == 0 ? certet::Method::key : certet::Method::embedded;
   trial.method = midpoint  ? certet::Method::midpoint
-                 : settles ? certet::Method::embedded
+                 : settles ? settling_method
                  : angles  ? certet::Method::angles
                            : certet::Method::embedding;
   trial.threads = between(random, 1, 2);

@@ -376,6 +376,7 @@ TEST(Engine, NothingIsAssumedThatWasNotSaid) {
   EXPECT_EQ(Lattice{}.origin, (Coord3{0, 0, 0}));
   EXPECT_EQ(Lattice{}.cells, (std::array<std::int32_t, 3>{0, 0, 0}));
   EXPECT_EQ(Method{}, Method::embedded);
+  EXPECT_EQ(default_method, Method::key);
 }
 
 TEST(Engine, WithMidpointCutsTheSurfaceCountsAsInside) {

@@ -115,7 +115,7 @@ class Page(InBrowser):
             self.assertIn(words, text)
         marks = self.js("return [...document.querySelectorAll('text.bound')]"
                         ".map((mark) => mark.textContent)")
-        self.assertEqual(marks, ["10.77°", "164.8°"])
+        self.assertEqual(marks, ["11.18°", "157.1°"])
 
     def test_surface_is_drawn(self):
         self.assertEqual(self.triangles(), self.check["mesh"]["boundary_faces"])

@@ -133,14 +133,14 @@ single precision, where points would fall together or triangles lose their area 
 turn by more than 4.5 degrees; elsewhere, where points would fall together, or
 tetrahedra turn over, or angles leave their bounds by what tables show of them.
 
-With --method embedded or key a vertex that a cut is too close to (violated) moves onto the
+With --method key or embedded a vertex that a cut is too close to (violated) moves onto the
 surface only where that keeps the shape, and not past a neighbour (shortened: of two
 that would pass each other either gives up one half); otherwise, or where to stay is
 nearer, it stays, and the cuts around it are moved away from it (clamped), by at most
 0.4 of an edge.  Pieces, tunnels and cavities of the mesh are those of the
-samples, which are + where the lattice's points are inside.  With --method key a vertex is
-violated by a nearer cut, so that no move has to be shortened, and of a quadrilateral's two
-diagonals that one is taken which ends at the lesser cut, the nearer to its end inside in parts
+samples, which are + where the lattice's points are inside.  With --method key, the default, a
+vertex is violated by a nearer cut, so that no move has to be shortened, and of a quadrilateral's
+two diagonals that one is taken which ends at the lesser cut, the nearer to its end inside in parts
 of its edge.  It is of one material: where several meet the mesh is made by embedded, and table
 and JSON say so.
 
@@ -182,7 +182,7 @@ between voxel centres and has to cover the shape.
 
 Keys of the JSON: certet, command, dry_run, input {kind, name, notes}, output {file, format,
 bytes, origin, frame (lps, ras, or input where the axes are not known), scale}, lattice {cells,
-size, cuts, and with --target-tets: target_tets, tries}, method {name, and of embedded and key:
+size, cuts, and with --target-tets: target_tets, tries}, method {name, and of key and embedded:
 violated, stayed, shortened, missed (the surface, by shortened moves) {greatest, rms,
 greatest_edges, rms_edges}, clamped {cuts and the same}}, theorem, mesh {points, tets, volume,
 volume_fraction (of shapes without an end), checksum, file_checksum, pieces {by_faces,

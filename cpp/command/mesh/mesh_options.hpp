@@ -66,7 +66,7 @@ struct MeshOptions {
   double relative_size = 0;  ///< 0, or a fraction of the solid's longest side
   std::uint64_t target_tets = 0;
   std::int32_t margin = 2;
-  Method method{};
+  Method method = default_method;
   GradeChoice grade;
   std::optional<KeepRule> keep;  ///< which pieces stay; nothing: all
   std::string keep_text;         ///< as the user wrote it

@@ -11,13 +11,13 @@ namespace {
 /// What --method calls them: the paper's rule is that of `angles`, and of `embedding` where
 /// --guarantee says so.
 const std::map<std::string, Method> named_methods{
-    {"embedded", Method::embedded}, {"key", Method::key}, {"paper", Method::angles},
+    {"key", Method::key}, {"embedded", Method::embedded}, {"paper", Method::angles},
     {"midpoint", Method::midpoint}};
 
 /// The method that `--cuts` and `--guarantee` stand for.
 Method implied(const MethodChoice& choice) {
   if (choice.cuts == Cuts::midpoint) return Method::midpoint;
-  return choice.guarantee.value_or(Method::embedded);
+  return choice.guarantee.value_or(default_method);
 }
 
 void check_choice(const MethodChoice& choice, Method method) {
@@ -37,12 +37,12 @@ void check_choice(const MethodChoice& choice, Method method) {
 
 void declare_method(CLI::App& app, MethodChoice& choice) {
   app.add_option("--method", choice.method,
-                 "embedded: no tetrahedra overlap, the surface is a manifold (of several labels "
-                 "but for single points), and no piece is lost, cut or joined to another "
-                 "(default); key: the same with better angles, of one material: diagonals follow "
-                 "the cuts; paper: as published, vertices move "
-                 "onto the surface whatever becomes of thin parts; midpoint: none moves, cuts "
-                 "are in the middle of edges")
+                 "key: no tetrahedra overlap, the surface is a manifold, and no piece is lost, cut "
+                 "or joined to another (default, but of several labels embedded); embedded: the "
+                 "same, of several labels but for single points, with diagonals that do not follow "
+                 "the cuts, and wider angles; paper: as published, vertices move onto the surface "
+                 "whatever becomes of thin parts; midpoint: none moves, cuts are in the middle of "
+                 "edges")
       ->transform(CLI::CheckedTransformer(named_methods))
       ->option_text("NAME");
   app.add_option("--cuts", choice.cuts,

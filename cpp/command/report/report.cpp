@@ -144,9 +144,9 @@ void declare(CLI::App& app, ReportOptions& options) {
       ->option_text("FILE");
   declare_against(app, options.against);
   app.add_option("--guarantee", options.guarantee,
-                 "Of the run, where there is no --run: embedded, key, angles or embedding")
+                 "Of the run, where there is no --run: key, embedded, angles or embedding")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Method>{
-          {"embedded", Method::embedded}, {"key", Method::key}, {"angles", Method::angles},
+          {"key", Method::key}, {"embedded", Method::embedded}, {"angles", Method::angles},
           {"embedding", Method::embedding}}))
       ->option_text("WHICH");
   app.add_option("--cuts", options.cuts, "Of the run, where there is no --run: bisect or midpoint")

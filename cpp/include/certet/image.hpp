@@ -111,7 +111,7 @@ struct ImageLattice {
   double size = 0;  ///< long edge in world units; 0: the smallest voxel spacing
   std::int32_t margin = 2;  ///< lattice cells around the solid, at least 1
   /// Of labels: whether the walls of voxels are halfway between even and odd points.  For
-  /// `Method::embedded` they had better not be, and it keeps more of the volume; with cuts in
+  /// methods that settle they had better not be, and that keeps more of the volume; with cuts in
   /// the middle of edges the solid would be shifted, by 3/16 of a voxel.
   bool walls_halfway = true;
 };

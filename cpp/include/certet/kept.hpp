@@ -61,7 +61,7 @@ ShapeVolume volume_of(const SizedShape& shape, const PlacedDomain& domain,
 /// Its mesh.
 struct MeshedShape {
   const PlacedDomain& domain;
-  Method method{};  ///< that was asked for
+  Method method = default_method;  ///< that was asked for
   std::uint64_t tets = 0;
   double volume = 0;                     ///< world units cubed
   std::optional<PieceCount> pieces = {}; ///< where they are to be compared

@@ -34,6 +34,9 @@ enum class Method : std::uint8_t {
               ///< better angles; several materials are meshed by `embedded`
 };
 
+/// By which a mesh is made where nobody says how: of several materials that is `embedded`.
+inline constexpr Method default_method = Method::key;
+
 /// What a theorem promises of a mesh, in degrees.
 struct AngleBounds {
   double min_dihedral, max_dihedral;

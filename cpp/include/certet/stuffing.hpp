@@ -52,7 +52,7 @@ class Stuffing {
   /// All-zero tetrahedra that `Method::angles` had inverted; if there were any, the
   /// mesh was warped anew by `Method::embedding`.
   [[nodiscard]] std::uint64_t inverted_tets() const;
-  /// What became of the violated vertices, if they settled (`Method::embedded`); else all is 0.
+  /// What became of the violated vertices, if they settled (`Method::key`, `embedded`); else all is 0.
   [[nodiscard]] const WarpFigures& warp_figures() const;
 
   /// Number of layers; layers are numbered from 0.
@@ -160,7 +160,7 @@ class Stuffing {
 /// \throws Error `empty_domain` (nothing is inside at this size), `too_large`
 /// (memory, coordinate range), `cancelled`; what the domain throws.
 Mesh mesh(const PlacedDomain& domain, Method method, Context& context);
-Mesh mesh(const PlacedDomain& domain, Method method = Method::embedded);
+Mesh mesh(const PlacedDomain& domain, Method method = default_method);
 
 /// The same of a mesh of the domain that has been counted already.  \throws Error as `emit`.
 Mesh mesh(const PlacedDomain& domain, const Stuffing& stuffing, Context& context);

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 _Point = Sequence[float]
 
 version: str
+default_method: str
 
 class Options:
     def __init__(self, method: str, threads: int, order: int, curved: bool,

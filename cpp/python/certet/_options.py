@@ -23,10 +23,10 @@ class MeshOptions(TypedDict, total=False):
     target_tets : in the place of `size`: it is found, so that there are about so many tetrahedra,
         within 2 % or as near as 12 tries come
     margin : cells of the lattice around the solid, at least 1
-    method : "embedded" (default: dihedral angles from 10.77 to 164.76 degrees, no tetrahedra
-        overlap, the surface is a manifold, of several labels but for single points, and no piece
-        of the samples is lost, cut or joined to another), "key" (the same from 11.18 to 157.13
-        degrees, of one material: where several meet it is "embedded"), "angles" and "embedding" (the paper's
+    method : "key" (default: dihedral angles from 11.18 to 157.13 degrees, no tetrahedra overlap,
+        the surface is a manifold, and no piece of the samples is lost, cut or joined to another;
+        where several materials meet it is "embedded"), "embedded" (the same from 10.77 to 164.76
+        degrees, of several labels but for single points), "angles" and "embedding" (the paper's
         rule with either of its thresholds; from 9.27 to 161.46 degrees with the second) or
         "midpoint" (from 30 to 135: edges are cut in the middle, whatever the surface does
         between its ends)
@@ -140,7 +140,7 @@ def _method(method: Any, cuts: Any, guarantee: Any) -> str:
     if guarantee not in (None, "angles", "embedding"):
         raise ValueError(f"guarantee is 'angles' or 'embedding', not {guarantee!r}")
     if method is None:
-        return "midpoint" if cuts == "midpoint" else guarantee or "embedded"
+        return "midpoint" if cuts == "midpoint" else guarantee or _certet.default_method
     if (cuts, guarantee) != ("bisect", None):
         raise ValueError("method says all that cuts and guarantee do: give one or the others")
     return _arguments.word("method", method)

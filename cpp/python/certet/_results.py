@@ -60,7 +60,7 @@ class Pieces(NamedTuple):
 
 class Warp(NamedTuple):
     """What became of the vertices that the surface passes too close to; all 0 but by the methods
-    "embedded" and "key"."""
+    "key" and "embedded"."""
 
     violated: int
     """So many there were."""

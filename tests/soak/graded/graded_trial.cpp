@@ -75,8 +75,9 @@ Trial make_trial(Random& random) {
   trial.lattice = random_lattice(random);
   trial.several = between(random, 0, 2) == 0;
   constexpr std::array methods{certet::Method::embedded, certet::Method::midpoint,
-                               certet::Method::angles, certet::Method::embedding};
-  trial.method = methods[static_cast<std::size_t>(between(random, 0, trial.several ? 1 : 3))];
+                               certet::Method::key, certet::Method::angles,
+                               certet::Method::embedding};
+  trial.method = methods[static_cast<std::size_t>(between(random, 0, trial.several ? 1 : 4))];
   if (trial.several)
     trial.domain = of_materials(random, trial.lattice);
   else
