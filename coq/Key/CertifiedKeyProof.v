@@ -7,7 +7,7 @@ From Certet Require Import Key.Definitions.
 From Certet Require Import Angles.DegreesSpec Angles.AngleTheorems Angles.DomainProof
   Embedding.EdgeRank
   Embedding.WarpOrClampProof Range.RangeSpec Range.RangeProof Mesh.Method
-  Mesh.CertifiedSpec Mesh.PlacedMeshProof Key.KeysApartProof Key.FaceRuleProof
+  Mesh.CertifiedSpec Mesh.PlacedMeshProof Mesh.CertifiedMeshProof Key.KeysApartProof Key.FaceRuleProof
   Key.KeyFollowsProof Key.KeyMeshProof Key.KeyBoundsProof Key.KeyDegreesProof
   Key.KeyMesh.
 Open Scope Z_scope.
@@ -91,10 +91,7 @@ Qed.
 
 Lemma KeyClampedOnEdge cut p q : 0 <= ClampedCut KeyThresholds cut p q <= Steps.
 Proof.
-  unfold ClampedCut. pose proof (KeyThresholdsAtMostHalf (KindBetween p q)).
-  assert (0 <= ThresholdSteps KeyThresholds (KindBetween p q))
-    by (destruct (KindBetween p q); vm_compute; discriminate).
-  lia.
+  apply ClampedOnEdge; [exact KeyThresholdsAtMostHalf|intros []; discriminate].
 Qed.
 
 Theorem CertifiedKeyRuledMesh sign cut stays limit : CutsOnEdges sign cut ->
