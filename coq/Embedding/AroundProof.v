@@ -23,6 +23,16 @@ Proof.
   destruct case, i; reflexivity.
 Qed.
 
+(** What has ends at all corners of a structured tetrahedron belongs to no other. *)
+Lemma OneOwner after tid tid' (t : UnstructuredTet MeshVertex) :
+  InLattice tid -> InLattice tid' ->
+  (forall c, In c (Corners tid) -> exists v, In v (TetCorners t) /\ In c (Ends v)) ->
+  (forall v, In v (TetCorners t) -> Belongs after (Corners tid') v) -> tid = tid'.
+Proof.
+  intros E E' R B. apply CornersDetermine; [assumption..|]. intros c J.
+  destruct (R c J) as (v & V & K). exact (EndsBelong _ _ v c (B v V) K).
+Qed.
+
 (** ** What is asked *)
 
 Section Made.
@@ -164,9 +174,9 @@ Section Joined.
   Lemma OwnerWithin tid tid' t : InLattice tid -> InLattice tid' ->
     In t (within tid) -> In t (within tid') -> tid = tid'.
   Proof.
-    intros E E' I I'. apply CornersDetermine; [assumption..|]. intros c J.
-    destruct (within_reaches joins tid t c E I J) as (v & V & K).
-    exact (EndsBelong _ _ v c (within_belongs joins tid' t v E' I' V) K).
+    intros E E' I I'. apply (OneOwner after tid tid' t E E').
+    - intros c. exact (within_reaches joins tid t c E I).
+    - intros v. exact (within_belongs joins tid' t v E' I').
   Qed.
 
   Lemma PointsOfOne tid p q : In p (Corners tid) -> In q (Corners tid) ->

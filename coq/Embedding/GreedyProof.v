@@ -122,103 +122,90 @@ Section Greedy.
     Qed.
   End Two.
 
-  Section Before.
-    Variables (tid : StructuredTetId) (w : Weights) (t : UnstructuredTet MeshVertex).
-    Variables (tid' : StructuredTetId) (w' : Weights) (t' : UnstructuredTet MeshVertex).
-    Hypothesis F : Filling tid w t.
-    Hypothesis F' : Filling tid' w' t'.
-    Hypothesis E : SameShares w t w' t'.
+  (** No more than four. *)
+  Lemma FourCorners tid (a b c m n : Coord3) : NoDup [a; b; c; m; n] ->
+    ~ incl [a; b; c; m; n] (Corners tid).
+  Proof.
+    intros D I. pose proof (NoDup_incl_length D I) as L.
+    unfold Corners in L. destruct (GetStructuredTet tid). cbn in L. lia.
+  Qed.
 
-    Let E' : SameShares w' t' w t := fun g => eq_sym (E g).
+  (** No cut is too light that comes before one that is too heavy. *)
+  Lemma NotBefore tid w t tid' w' t' a b m :
+    Filling tid w t -> Filling tid' w' t' -> SameShares w t w' t' ->
+    weight w t (Cut a m) < weight w' t' (Cut a m) ->
+    weight w' t' (Cut b m) < weight w t (Cut b m) ->
+    In (Cut b m) (TetCorners t) ->
+    ~ key a m < key b m.
+  Proof.
+    intros F F' E L H Ib R. pose proof F as (Apart & W & B & J).
+    assert (E' : SameShares w' t' w t) by (intros g; symmetry; apply E).
+    destruct (SharesOfCut tid w t tid' w' t' F F' a m L) as (A & M & Sa & _).
+    destruct (MadeGood tid w t tid' w' t' F F' E a _ Sa L)
+      as (v & Hv & Iv & Ia & Bv & [->|[[n ->]|[n ->]]]).
+    - pose proof (J _ _ Iv Ib A). lia.
+    - destruct (CutBelongs tid b m (B _ Ib)) as (Jb & Jm & Nb & Pb & _).
+      destruct (CutBelongs tid a n Bv) as (_ & Jn & Na & _ & Mn & _).
+      assert (N : a <> b) by (intros ->; lia).
+      assert (N' : n <> m) by (intros ->; lia).
+      destruct (J _ _ Iv Ib N N') as [across beside].
+      assert (Lan : key a n <= key b n) by lia.
+      specialize (beside Lan ltac:(lia)).
+      destruct (Apart m n a Jm Jn Ia) as [_ D]; try congruence.
+      destruct (SharesOfCut tid' w' t' tid w t F' F a n Hv) as (_ & _ & _ & Sn).
+      destruct (MadeGood tid' w' t' tid w t F' F E' n _ Sn Hv)
+        as (u & Hu & Iu & In' & Bu & [->|[[x ->]|[c ->]]]).
+      + destruct Bu. congruence.
+      + destruct (CutBelongs tid' n x Bu) as (_ & _ & _ & ? & _). congruence.
+      + destruct (CutBelongs tid' c n Bu) as (_ & _ & Nc & Pc & _).
+        assert (Nac : a <> c) by (intros ->; lia).
+        destruct (SamePoint3 c b) as [->|Nbc].
+        * pose proof F' as (_ & _ & _ & J').
+          destruct (HeavierBelongs tid w t tid' w' t' F F' _ L) as [Im _].
+          destruct (J' _ _ Im Iu N (not_eq_sym N')) as [_ beside'].
+          specialize (beside' ltac:(lia) Lan). lia.
+        * destruct (SharesOfCut tid w t tid' w' t' F F' c n Hu) as (_ & _ & Sc & _).
+          destruct (MadeGood tid w t tid' w' t' F F' E c _ Sc Hu) as (_ & _ & _ & Ic & _).
+          apply (FourCorners tid a b c m n).
+          -- repeat constructor; cbn [In]; intuition congruence.
+          -- intros x I. cbn [In] in I. intuition congruence.
+    - destruct (CutBelongs tid n a Bv) as (_ & _ & _ & _ & Ma & _).
+      congruence.
+  Qed.
 
-    (** No more than four. *)
-    Lemma FourCorners a b c m n : NoDup [a; b; c; m; n] ->
-      ~ incl [a; b; c; m; n] (Corners tid).
-    Proof.
-      intros D I. pose proof (NoDup_incl_length D I) as L.
-      unfold Corners in L. destruct (GetStructuredTet tid). cbn in L. lia.
-    Qed.
+  Lemma NoLighterCut tid w t tid' w' t' :
+    Filling tid w t -> Filling tid' w' t' -> SameShares w t w' t' ->
+    forall a m, weight w' t' (Cut a m) <= weight w t (Cut a m).
+  Proof.
+    intros F F' E a m. apply Z.le_ngt. intros L.
+    destruct (SharesOfCut tid w t tid' w' t' F F' a m L) as (A & M & Sa & Sm).
+    destruct (MadeGood tid w t tid' w' t' F F' E a _ Sa L) as (_ & _ & _ & Ia & _).
+    destruct (MadeGood tid w t tid' w' t' F F' E m _ Sm L)
+      as (v & Hv & Iv & Im & Bv & [->|[[n ->]|[b ->]]]).
+    - destruct Bv. congruence.
+    - destruct (CutBelongs tid m n Bv) as (_ & _ & _ & ? & _). congruence.
+    - destruct (CutBelongs tid b m Bv) as (Ib & _ & Nb & _).
+      assert (N : a <> b) by (intros ->; lia).
+      destruct (proj1 F a b m Ia Ib Im N) as [D _]; [congruence..|].
+      destruct (Z.lt_total (key a m) (key b m)) as [R|[R|R]].
+      + exact (NotBefore _ _ _ _ _ _ a b m F F' E L Hv Iv R).
+      + apply D, R.
+      + refine (NotBefore _ _ _ _ _ _ b a m F' F (fun g => eq_sym (E g)) Hv L _ R).
+        apply (HeavierBelongs tid w t tid' w' t' F F' _ L).
+  Qed.
 
-    (** No cut is too light that comes before one that is too heavy. *)
-    Lemma NotBefore a b m :
-      weight w t (Cut a m) < weight w' t' (Cut a m) ->
-      weight w' t' (Cut b m) < weight w t (Cut b m) ->
-      In (Cut b m) (TetCorners t) ->
-      ~ key a m < key b m.
-    Proof.
-      intros L H Ib R. pose proof F as (Apart & W & B & J).
-      destruct (SharesOfCut tid w t tid' w' t' F F' a m L) as (A & M & Sa & _).
-      destruct (MadeGood tid w t tid' w' t' F F' E a _ Sa L)
-        as (v & Hv & Iv & Ia & Bv & [->|[[n ->]|[n ->]]]).
-      - pose proof (J _ _ Iv Ib A). lia.
-      - destruct (CutBelongs tid b m (B _ Ib)) as (Jb & Jm & Nb & Pb & _).
-        destruct (CutBelongs tid a n Bv) as (_ & Jn & Na & _ & Mn & _).
-        assert (N : a <> b) by (intros ->; lia).
-        assert (N' : n <> m) by (intros ->; lia).
-        destruct (J _ _ Iv Ib N N') as [across beside].
-        assert (Lan : key a n <= key b n) by lia.
-        specialize (beside Lan ltac:(lia)).
-        destruct (Apart m n a Jm Jn Ia) as [_ D]; try congruence.
-        destruct (SharesOfCut tid' w' t' tid w t F' F a n Hv) as (_ & _ & _ & Sn).
-        destruct (MadeGood tid' w' t' tid w t F' F E' n _ Sn Hv)
-          as (u & Hu & Iu & In' & Bu & [->|[[x ->]|[c ->]]]).
-        + destruct Bu. congruence.
-        + destruct (CutBelongs tid' n x Bu) as (_ & _ & _ & ? & _). congruence.
-        + destruct (CutBelongs tid' c n Bu) as (_ & _ & Nc & Pc & _).
-          assert (Nac : a <> c) by (intros ->; lia).
-          destruct (SamePoint3 c b) as [->|Nbc].
-          * destruct F' as (_ & _ & _ & J').
-            destruct (HeavierBelongs tid w t tid' w' t' F F' _ L) as [Im _].
-            destruct (J' _ _ Im Iu N (not_eq_sym N')) as [_ beside'].
-            specialize (beside' ltac:(lia) Lan). lia.
-          * destruct (SharesOfCut tid w t tid' w' t' F F' c n Hu) as (_ & _ & Sc & _).
-            destruct (MadeGood tid w t tid' w' t' F F' E c _ Sc Hu) as (_ & _ & _ & Ic & _).
-            apply (FourCorners a b c m n).
-            -- repeat constructor; cbn [In]; intuition congruence.
-            -- intros x I. cbn [In] in I. intuition congruence.
-      - destruct (CutBelongs tid n a Bv) as (_ & _ & _ & _ & Ma & _).
-        congruence.
-    Qed.
-  End Before.
-
-  Section Unique.
-    Variables (tid : StructuredTetId) (w : Weights) (t : UnstructuredTet MeshVertex).
-    Variables (tid' : StructuredTetId) (w' : Weights) (t' : UnstructuredTet MeshVertex).
-    Hypothesis F : Filling tid w t.
-    Hypothesis F' : Filling tid' w' t'.
-    Hypothesis E : SameShares w t w' t'.
-
-    Lemma NoLighterCut a m : weight w' t' (Cut a m) <= weight w t (Cut a m).
-    Proof.
-      apply Z.le_ngt. intros L.
-      destruct (SharesOfCut tid w t tid' w' t' F F' a m L) as (A & M & Sa & Sm).
-      destruct (MadeGood tid w t tid' w' t' F F' E a _ Sa L) as (_ & _ & _ & Ia & _).
-      destruct (MadeGood tid w t tid' w' t' F F' E m _ Sm L)
-        as (v & Hv & Iv & Im & Bv & [->|[[n ->]|[b ->]]]).
-      - destruct Bv. congruence.
-      - destruct (CutBelongs tid m n Bv) as (_ & _ & _ & ? & _). congruence.
-      - destruct (CutBelongs tid b m Bv) as (Ib & _ & Nb & _).
-        assert (N : a <> b) by (intros ->; lia).
-        destruct (proj1 F a b m Ia Ib Im N) as [D _]; [congruence..|].
-        destruct (Z.lt_total (key a m) (key b m)) as [R|[R|R]].
-        + exact (NotBefore _ _ _ _ _ _ F F' E a b m L Hv Iv R).
-        + apply D, R.
-        + refine (NotBefore _ _ _ _ _ _ F' F (fun g => eq_sym (E g)) b a m Hv L _ R).
-          apply (HeavierBelongs tid w t tid' w' t' F F' _ L).
-    Qed.
-
-    Lemma NoLighterCorner c :
-      (forall a m, weight w t (Cut a m) = weight w' t' (Cut a m)) ->
-      weight w' t' (Corner c) <= weight w t (Corner c).
-    Proof.
-      intros Cuts. apply Z.le_ngt. intros L.
-      destruct (MadeGood tid w t tid' w' t' F F' E c (Corner c))
-        as (v & Hv & _ & _ & _ & [->|[[n ->]|[n ->]]]); auto;
-        try rewrite Cuts in Hv; try lia.
-      cbn [Share]. unfold At. destruct (SamePoint3 c c); [|congruence].
-      reflexivity.
-    Qed.
-  End Unique.
+  Lemma NoLighterCorner tid w t tid' w' t' :
+    Filling tid w t -> Filling tid' w' t' -> SameShares w t w' t' ->
+    forall c, (forall a m, weight w t (Cut a m) = weight w' t' (Cut a m)) ->
+    weight w' t' (Corner c) <= weight w t (Corner c).
+  Proof.
+    intros F F' E c Cuts. apply Z.le_ngt. intros L.
+    destruct (MadeGood tid w t tid' w' t' F F' E c (Corner c))
+      as (v & Hv & _ & _ & _ & [->|[[n ->]|[n ->]]]); auto;
+      try rewrite Cuts in Hv; try lia.
+    cbn [Share]. unfold At. destruct (SamePoint3 c c); [|congruence].
+    reflexivity.
+  Qed.
 
   Theorem GreedyUnique tid w t tid' w' t' :
     Filling tid w t -> Filling tid' w' t' -> SameShares w t w' t' ->

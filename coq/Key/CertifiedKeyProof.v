@@ -90,10 +90,7 @@ Qed.
 
 Lemma KeyClampedOnEdge cut p q : 0 <= ClampedCut KeyThresholds cut p q <= Steps.
 Proof.
-  unfold ClampedCut. pose proof (KeyThresholdsAtMostHalf (KindBetween p q)).
-  assert (0 <= ThresholdSteps KeyThresholds (KindBetween p q))
-    by (destruct (KindBetween p q); vm_compute; discriminate).
-  lia.
+  apply ClampedOnEdge; [exact KeyThresholdsAtMostHalf|intros []; discriminate].
 Qed.
 
 Theorem CertifiedKeyRuledMesh sign cut stays limit : CutsOnEdges sign cut ->

@@ -37,6 +37,10 @@ Qed.
 
 (** ** A structured tetrahedron by names *)
 
+Lemma AtCorner f1 f2 f3 p q l :
+  In l TetLabels -> In (LocateFive f1 f2 f3 p q l) [f1; f2; f3; p].
+Proof. intros [<-|[<-|[<-|[<-|[]]]]]; cbn; tauto. Qed.
+
 Section Named.
   Variables f1 f2 f3 p q : Coord3.
   Hypothesis distinct : NoDup [f1; f2; f3; p; q].
@@ -59,9 +63,6 @@ Section Named.
 
   Lemma NamedSignCorner l : In l TetLabels -> NamedSign l = after (at_ l).
   Proof. intros [<-|[<-|[<-|[<-|[]]]]]; reflexivity. Qed.
-
-  Lemma AtCorner l : In l TetLabels -> In (at_ l) [f1; f2; f3; p].
-  Proof. intros [<-|[<-|[<-|[<-|[]]]]]; cbn; tauto. Qed.
 
   Lemma NamedOrderListed : In NamedOrder (Orders (CutsOf NamedSign)).
   Proof. apply SortListed. Qed.
@@ -267,6 +268,50 @@ Section Named.
   Qed.
 End Named.
 
+(** ** Any structured tetrahedron *)
+
+Lemma CornersNamed tid : exists f1 f2 f3 p q,
+  NoDup [f1; f2; f3; p; q] /\ VerticesAre f1 f2 f3 p q tid F1 F2 F3 P /\
+  Corners tid = [f1; f2; f3; p].
+Proof.
+  destruct (VerticesNamed tid) as (f1 & f2 & f3 & p & q & D & V).
+  exists f1, f2, f3, p, q. split; [exact D|]. split; [exact V|].
+  unfold VerticesAre in V. unfold Corners. destruct (GetStructuredTet tid).
+  destruct V as (-> & -> & -> & ->). reflexivity.
+Qed.
+
+(** What is made within it, on symbols. *)
+Lemma OrderedViewed key before warping tid : KeysApart key (Corners tid) ->
+  exists h f1 f2 f3 p q,
+    NoDup [f1; f2; f3; p; q] /\ VerticesAre f1 f2 f3 p q tid F1 F2 F3 P /\
+    Corners tid = [f1; f2; f3; p] /\
+    OrderedNames key before warping tid
+    = map (fun s => Orient h (MapTet (Name f1 f2 f3 p q) s))
+        (NamedRanked f1 f2 f3 p q key before warping).
+Proof.
+  intros apart. destruct (CornersNamed tid) as (f1 & f2 & f3 & p & q & D & V & C).
+  rewrite C in apart.
+  destruct (OrderedNamed f1 f2 f3 p q D key before warping tid V apart) as [h N].
+  exists h, f1, f2, f3, p, q. auto.
+Qed.
+
+(** What a checker finds in every order holds of it. *)
+Definition InEveryOrder (check : (Label -> Sign) -> list SymbolicTet -> bool) : Prop :=
+  ForAllCornerSigns (fun sign =>
+    forallb (fun order => check sign (RankedTets sign order))
+      (Orders (CutsOf sign))) = true.
+
+Lemma RankedChecked check f1 f2 f3 p q key before warping : InEveryOrder check ->
+  check (NamedSign f1 f2 f3 p before warping)
+    (NamedRanked f1 f2 f3 p q key before warping) = true.
+Proof.
+  intros all. pose proof (ForAllCornerSignsSound _ all
+    (PlacedSign before warping (Corner f1)) (PlacedSign before warping (Corner f2))
+    (PlacedSign before warping (Corner f3)) (PlacedSign before warping (Corner p))) as C.
+  cbv beta in C. rewrite forallb_forall in C.
+  exact (C _ (NamedOrderListed _ _ _ _ _ _ _ _)).
+Qed.
+
 (** ** Every face of every structured tetrahedron *)
 
 Section Face.
@@ -283,10 +328,7 @@ Section Face.
       OnFace key before warping f1 f2 f3 a b c.
   Proof.
     intros different face apart plus.
-    destruct (VerticesNamed tid) as (g1 & g2 & g3 & p & q & distinct & vertices).
-    assert (corners : Corners tid = [g1; g2; g3; p]).
-    { unfold VerticesAre in vertices. unfold Corners.
-      destruct (GetStructuredTet tid). destruct vertices as (-> & -> & -> & ->). reflexivity. }
+    destruct (CornersNamed tid) as (g1 & g2 & g3 & p & q & distinct & vertices & corners).
     rewrite corners in apart, face.
     assert (label : forall f, In f [g1; g2; g3; p] -> exists l,
       In l TetLabels /\ f = LocateFive g1 g2 g3 p q l).

@@ -3,7 +3,7 @@
 From Certet Require Import Key.Definitions.
 From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Stencil.TriangleChecker Stencil.TriangleCheckerProof Stuffing.NameProof
-  Stuffing.MeshProof Embedding.EdgeRank Embedding.MeshApartProof
+  Embedding.EdgeRank Embedding.MeshApartProof
   Key.Orders Key.OrderProof Key.KeyChecker Key.FaceRuleProof.
 Open Scope Z_scope.
 
@@ -42,17 +42,16 @@ Proof. vm_cast_no_check (eq_refl true). Qed.
 Section Named.
   Variables f1 f2 f3 p q : Coord3.
   Hypothesis distinct : NoDup [f1; f2; f3; p; q].
-  Variables (key : Coord3 -> Coord3 -> Z) (before : SignField).
-  Variables (warping : Coord3 -> Warping) (tid : StructuredTetId).
-  Hypothesis vertices : VerticesAre f1 f2 f3 p q tid F1 F2 F3 P.
+  Variables (key : Coord3 -> Coord3 -> Z) (before : SignField) (warping : Coord3 -> Warping).
   Hypothesis apart : KeysApart key [f1; f2; f3; p].
-  Hypothesis corners : Corners tid = [f1; f2; f3; p].
+  Variable h : Handedness.
 
   Local Notation at_ := (LocateFive f1 f2 f3 p q).
   Local Notation name := (Name f1 f2 f3 p q).
   Local Notation sign := (NamedSign f1 f2 f3 p before warping).
   Local Notation order := (NamedOrder f1 f2 f3 p q key before warping).
   Let after c := PlacedSign before warping (Corner c).
+  Let made := map (fun s => Orient h (MapTet name s)) (RankedTets sign order).
 
   Lemma NamedFollowChecked :
     (forall t, In t (RankedTets sign order) -> CheckFollowsBy sign order t = true) /\
@@ -67,20 +66,16 @@ Section Named.
   Lemma IsLabel l : SameLabel l Q = false -> In l TetLabels.
   Proof. destruct l; cbn; tauto || discriminate. Qed.
 
-  Lemma LabelCorner l : In l TetLabels -> In (at_ l) [f1; f2; f3; p].
-  Proof. intros [<-|[<-|[<-|[<-|[]]]]]; cbn; tauto. Qed.
-
-  Lemma NamedBelongs s : CheckBelongs sign s = true -> Belongs after (Corners tid) (name s).
+  Lemma NamedBelongs s : CheckBelongs sign s = true -> Belongs after [f1; f2; f3; p] (name s).
   Proof.
-    rewrite corners.
     destruct s as [a|a m]; rewrite ?NameBase, ?NameCut; cbn [CheckBelongs Belongs];
       rewrite !andb_true_iff, ?negb_true_iff, ?IsSignEqual.
-    - intros [L N]. apply IsLabel in L. split; [apply LabelCorner, L|].
+    - intros [L N]. apply IsLabel in L. split; [apply AtCorner, L|].
       unfold after. rewrite <- (NamedSignCorner f1 f2 f3 p q before warping a L).
       intros M. rewrite M in N. discriminate N.
     - intros [[[La Lm] Sa] Sm]. apply IsLabel in La, Lm. unfold after.
       rewrite <- !(NamedSignCorner f1 f2 f3 p q before warping) by assumption.
-      auto using LabelCorner.
+      auto using AtCorner.
   Qed.
 
   (** Ranks and keys of cuts that share an end. *)
@@ -123,12 +118,9 @@ Section Named.
       apply Z.leb_le, beside.
   Qed.
 
-  Lemma NamedFollows t : In t (OrderedNames key before warping tid) ->
-    FollowsBy key after (Corners tid) t.
+  Lemma NamedFollows t : In t made -> FollowsBy key after [f1; f2; f3; p] t.
   Proof.
-    destruct (OrderedNamed f1 f2 f3 p q distinct key before warping tid vertices apart)
-      as [h ->].
-    intros I. apply in_map_iff in I. destruct I as (s & <- & I).
+    unfold made. intros I. apply in_map_iff in I. destruct I as (s & <- & I).
     pose proof (proj1 NamedFollowChecked s I) as C.
     unfold CheckFollowsBy in C. rewrite andb_true_iff, !forallb_forall in C.
     destruct C as [B J].
@@ -143,20 +135,15 @@ Section Named.
       apply NamedMayJoin; auto.
   Qed.
 
-  Lemma NamedReaches t : In t (OrderedNames key before warping tid) ->
-    forall c, In c (Corners tid) -> exists v, In v (TetCorners t) /\ In c (Ends v).
+  Lemma NamedReaches t : In t made ->
+    forall c, In c [f1; f2; f3; p] -> exists v, In v (TetCorners t) /\ In c (Ends v).
   Proof.
-    destruct (OrderedNamed f1 f2 f3 p q distinct key before warping tid vertices apart)
-      as [h ->].
-    rewrite corners. exact (CheckedReaches h f1 f2 f3 p q _ (proj2 NamedFollowChecked) t).
+    exact (CheckedReaches h f1 f2 f3 p q _ (proj2 NamedFollowChecked) t).
   Qed.
 
-  Lemma NamedKnown t t' : In t (OrderedNames key before warping tid) ->
-    In t' (OrderedNames key before warping tid) ->
+  Lemma NamedKnown t t' : In t made -> In t' made ->
     incl (TetCorners t) (TetCorners t') -> t = t'.
   Proof.
-    destruct (OrderedNamed f1 f2 f3 p q distinct key before warping tid vertices apart)
-      as [h ->].
     exact (CheckedKnown h f1 f2 f3 p q _ (proj2 NamedFollowChecked) t t' distinct).
   Qed.
 End Named.
@@ -168,35 +155,28 @@ Section Lattice.
   Variables (warping : Coord3 -> Warping) (tid : StructuredTetId).
   Hypothesis apart : KeysApart key (Corners tid).
 
-  Lemma CornersNamed : exists f1 f2 f3 p q,
-    NoDup [f1; f2; f3; p; q] /\ VerticesAre f1 f2 f3 p q tid F1 F2 F3 P /\
-    Corners tid = [f1; f2; f3; p].
-  Proof.
-    destruct (VerticesNamed tid) as (f1 & f2 & f3 & p & q & D & V).
-    exists f1, f2, f3, p, q. split; [exact D|]. split; [exact V|].
-    unfold VerticesAre in V. unfold Corners. destruct (GetStructuredTet tid).
-    destruct V as (-> & -> & -> & ->). reflexivity.
-  Qed.
-
   Theorem OrderedFollows t : In t (OrderedNames key before warping tid) ->
     FollowsBy key (fun c => PlacedSign before warping (Corner c)) (Corners tid) t.
   Proof.
-    destruct CornersNamed as (f1 & f2 & f3 & p & q & D & V & C).
-    rewrite C in apart. exact (NamedFollows f1 f2 f3 p q D key before warping tid V apart C t).
+    destruct (OrderedViewed key before warping tid apart)
+      as (h & f1 & f2 & f3 & p & q & D & _ & C & ->).
+    rewrite C in *. exact (NamedFollows f1 f2 f3 p q D key before warping apart h t).
   Qed.
 
   Lemma OrderedReaches t : In t (OrderedNames key before warping tid) ->
     forall c, In c (Corners tid) -> exists v, In v (TetCorners t) /\ In c (Ends v).
   Proof.
-    destruct CornersNamed as (f1 & f2 & f3 & p & q & D & V & C).
-    rewrite C in apart. exact (NamedReaches f1 f2 f3 p q D key before warping tid V apart C t).
+    destruct (OrderedViewed key before warping tid apart)
+      as (h & f1 & f2 & f3 & p & q & _ & _ & -> & ->).
+    exact (NamedReaches f1 f2 f3 p q key before warping h t).
   Qed.
 
   Lemma OrderedKnown t t' : In t (OrderedNames key before warping tid) ->
     In t' (OrderedNames key before warping tid) ->
     incl (TetCorners t) (TetCorners t') -> t = t'.
   Proof.
-    destruct CornersNamed as (f1 & f2 & f3 & p & q & D & V & C).
-    rewrite C in apart. exact (NamedKnown f1 f2 f3 p q D key before warping tid V apart t t').
+    destruct (OrderedViewed key before warping tid apart)
+      as (h & f1 & f2 & f3 & p & q & D & _ & _ & ->).
+    exact (NamedKnown f1 f2 f3 p q D key before warping h t t').
   Qed.
 End Lattice.

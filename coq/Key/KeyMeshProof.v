@@ -10,6 +10,20 @@ From Certet Require Import Lattice.ArrangementProof Stencil.Symbol
   Key.KeyFollowsProof.
 Open Scope Z_scope.
 
+(** The sign of a symbol in use is that of the vertex that it names. *)
+Lemma RankedSign f1 f2 f3 p q key before warping s :
+  In s (NamedRanked f1 f2 f3 p q key before warping) ->
+  forall r, In r (TetCorners s) ->
+    SymbolSign (NamedSign f1 f2 f3 p before warping) r
+    = PlacedSign before warping (Name f1 f2 f3 p q r).
+Proof.
+  intros I r R. pose proof (NamedFits f1 f2 f3 p q key before warping) as fits.
+  pose proof (CheckStaysInSound _ _ (fits_stays _ _ fits) s r I R) as stays.
+  destruct r as [l|a b]; rewrite ?NameBase, ?NameCut; [|reflexivity].
+  cbn [SymbolSign]. apply NamedSignCorner.
+  destruct l; cbn in stays; discriminate stays || (cbn; tauto).
+Qed.
+
 Section Inside.
   Variables (key : Coord3 -> Coord3 -> Z) (before : SignField).
   Variables (warping : Coord3 -> Warping) (tid : StructuredTetId).
@@ -21,20 +35,12 @@ Section Inside.
     (exists v, In v (TetCorners t) /\ signed v = Plus) /\
     (forall v, In v (TetCorners t) -> signed v <> Minus).
   Proof.
-    destruct (CornersNamed tid) as (f1 & f2 & f3 & p & q & D & V & C).
-    rewrite C in apart. unfold made.
-    destruct (OrderedNamed f1 f2 f3 p q D key before warping tid V apart) as [h ->].
+    unfold made. destruct (OrderedViewed key before warping tid apart)
+      as (h & f1 & f2 & f3 & p & q & D & V & _ & ->).
     intros I. apply in_map_iff in I. destruct I as (s & <- & I).
     pose proof (NamedFits f1 f2 f3 p q key before warping) as fits.
-    pose proof (CheckStaysInSound _ _ (fits_stays _ _ fits) s) as stays.
     destruct (CheckInnerSound _ _ (fits_inner _ _ fits) s I) as [(r & R & plus) none].
-    assert (E : forall r, In r (TetCorners s) ->
-      SymbolSign (NamedSign f1 f2 f3 p before warping) r
-      = signed (Name f1 f2 f3 p q r)).
-    { intros x X. specialize (stays x I X). unfold signed.
-      destruct x as [l|a b]; rewrite ?NameBase, ?NameCut; [|reflexivity].
-      cbn [SymbolSign]. apply NamedSignCorner.
-      destruct l; cbn in stays; discriminate stays || (cbn; tauto). }
+    pose proof (RankedSign f1 f2 f3 p q key before warping s I) as E.
     split.
     - exists (Name f1 f2 f3 p q r). split; [|rewrite <- E; assumption].
       apply OrientCorners. rewrite MapTetCorners. apply in_map, R.
@@ -49,29 +55,18 @@ Section Inside.
     LiesIn (FaceOf tid i) a -> LiesIn (FaceOf tid i) b -> LiesIn (FaceOf tid i) c ->
     t = u.
   Proof.
-    destruct (CornersNamed tid) as (f1 & f2 & f3 & p & q & D & V & C).
-    rewrite C in apart. unfold made.
-    destruct (OrderedNamed f1 f2 f3 p q D key before warping tid V apart) as [h ->].
+    unfold made. destruct (OrderedViewed key before warping tid apart)
+      as (h & f1 & f2 & f3 & p & q & D & V & _ & ->).
     destruct (FaceNamed f1 f2 f3 p q tid i V) as (face & listed & ->).
-    intros in_t in_u has_t has_u in_a in_b in_c.
-    apply in_map_iff in in_t as (s & <- & in_s), in_u as (r & <- & in_r).
-    rewrite OrientHasTriangle in has_t, has_u.
-    destruct (HasTriangleNamed _ _ _ _ _ D _ _ _ _ has_t)
-      as (sa & sb & sc & -> & -> & -> & has_s).
-    rewrite HasTriangleName in has_u by exact D.
-    do 2 f_equal.
-    pose proof (NamedFits f1 f2 f3 p q key before warping) as fits.
-    apply (CheckOnceSound face _ (fits_once _ _ fits face listed)) with sa sb sc;
-      try assumption.
-    apply (TriangleOnLiesIn f1 f2 f3 p q D); auto.
+    apply (NamedTriangleOnce f1 f2 f3 p q h face _ D).
+    exact (fits_once _ _ (NamedFits f1 f2 f3 p q key before warping) face listed).
   Qed.
 
   Lemma OrderedReachesOff i t : In t made ->
     ~ (forall v, In v (TetCorners t) -> LiesIn (FaceOf tid i) v).
   Proof.
-    destruct (CornersNamed tid) as (f1 & f2 & f3 & p & q & D & V & C).
-    rewrite C in apart. unfold made.
-    destruct (OrderedNamed f1 f2 f3 p q D key before warping tid V apart) as [h ->].
+    unfold made. destruct (OrderedViewed key before warping tid apart)
+      as (h & f1 & f2 & f3 & p & q & D & V & _ & ->).
     destruct (FaceNamed f1 f2 f3 p q tid i V) as (face & listed & ->).
     intros I on. apply in_map_iff in I. destruct I as (s & <- & I).
     pose proof (NamedFits f1 f2 f3 p q key before warping) as fits.
@@ -96,26 +91,18 @@ Section Inside.
        (exists f, In f (FaceOf tid i) /\ signed (Corner f) = Plus) /\
        LiesIn (FaceOf tid i) a /\ LiesIn (FaceOf tid i) b /\ LiesIn (FaceOf tid i) c).
   Proof.
-    destruct (CornersNamed tid) as (f1 & f2 & f3 & p & q & D & V & C).
-    rewrite C in apart. unfold made.
-    destruct (OrderedNamed f1 f2 f3 p q D key before warping tid V apart) as [h ->].
+    unfold made. destruct (OrderedViewed key before warping tid apart)
+      as (h & f1 & f2 & f3 & p & q & D & V & _ & ->).
     intros I has. apply in_map_iff in I. destruct I as (s & <- & I).
     rewrite OrientHasTriangle in has.
     destruct (HasTriangleNamed _ _ _ _ _ D _ _ _ _ has)
       as (sa & sb & sc & -> & -> & -> & has_s).
     pose proof (NamedFits f1 f2 f3 p q key before warping) as fits.
-    pose proof (CheckStaysInSound _ _ (fits_stays _ _ fits) s) as stays.
-    assert (E : forall r, In r (TetCorners s) ->
-      SymbolSign (NamedSign f1 f2 f3 p before warping) r
-      = signed (Name f1 f2 f3 p q r)).
-    { intros x X. specialize (stays x I X). unfold signed.
-      destruct x as [l|x y]; rewrite ?NameBase, ?NameCut; [|reflexivity].
-      cbn [SymbolSign]. apply NamedSignCorner.
-      destruct l; cbn in stays; discriminate stays || (cbn; tauto). }
+    pose proof (RankedSign f1 f2 f3 p q key before warping s I) as E.
     destruct (proj1 has_s) as (A & B & K).
     destruct (CheckClosedSound _ _ (fits_closed _ _ fits) s sa sb sc I has_s)
       as [surface | [(r & inside_r & differs & has_r) | (face & listed & plus & on)]].
-    - left. revert surface. cbn [TriangleOnSurface].
+    - left. unfold signed. revert surface. cbn [TriangleOnSurface].
       rewrite !E, !andb_true_iff by assumption. intros [[za zb] zc].
       repeat split; match goal with |- ?x = OnSurface => now destruct x end.
     - right. left. exists (Orient h (MapTet (Name f1 f2 f3 p q) r)).

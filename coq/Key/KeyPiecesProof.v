@@ -13,9 +13,7 @@ From Certet Require Import Stencil.Symbol Stencil.SymbolProof
   Mesh.Method.
 Open Scope Z_scope.
 
-Lemma OrdersWhole : ForAllCornerSigns (fun sign =>
-  forallb (fun order => CheckWhole sign (RankedTets sign order))
-    (Orders (CutsOf sign))) = true.
+Lemma OrdersWhole : InEveryOrder CheckWhole.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
 Section Mesh.
@@ -34,18 +32,12 @@ Section Mesh.
     (forall l, In l [F1; F2; F3; P] ->
        PlacedSign before warping (Corner (LocateFive f1 f2 f3 p q l)) = sign l).
   Proof.
-    pose proof (CutKeysApart cut tid) as apart. fold key in apart.
-    destruct (CornersNamed tid) as (f1 & f2 & f3 & p & q & D & V & C).
-    rewrite C in apart.
-    destruct (OrderedNamed f1 f2 f3 p q D key before warping tid V apart) as [h N].
+    destruct (OrderedViewed key before warping tid (CutKeysApart cut tid))
+      as (h & f1 & f2 & f3 & p & q & D & V & C & N).
     exists h, f1, f2, f3, p, q. cbv zeta. repeat (split; [assumption|]).
     split;
       [|intros l L; symmetry; exact (NamedSignCorner f1 f2 f3 p q before warping l L)].
-    pose proof (ForAllCornerSignsSound _ OrdersWhole
-      (PlacedSign before warping (Corner f1)) (PlacedSign before warping (Corner f2))
-      (PlacedSign before warping (Corner f3)) (PlacedSign before warping (Corner p))) as W.
-    cbv beta in W. rewrite forallb_forall in W.
-    exact (W _ (NamedOrderListed _ _ _ _ _ _ _ _)).
+    exact (RankedChecked CheckWhole f1 f2 f3 p q key before warping OrdersWhole).
   Qed.
 
   (** ** The mesh *)

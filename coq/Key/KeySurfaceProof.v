@@ -17,9 +17,7 @@ Open Scope Z_scope.
 (** Checking a proof needs their names, never what they are. *)
 Local Strategy 1000 [WarpVertex Settle StrictDisk].
 
-Lemma OrdersSurface : ForAllCornerSigns (fun sign =>
-  forallb (fun order => CheckSurface sign (RankedTets sign order))
-    (Orders (CutsOf sign))) = true.
+Lemma OrdersSurface : InEveryOrder CheckSurface.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
 Section Mesh.
@@ -35,20 +33,14 @@ Section Mesh.
     = map (fun s => Orient h (MapTet (Name f1 f2 f3 p q) s)) ts /\
     CheckSurface sign ts = true.
   Proof.
-    pose proof (apart tid) as A.
-    destruct (CornersNamed tid) as (f1 & f2 & f3 & p & q & D & V & C).
-    rewrite C in A.
-    destruct (OrderedNamed f1 f2 f3 p q D key before warping tid V A) as [h N].
+    destruct (OrderedViewed key before warping tid (apart tid))
+      as (h & f1 & f2 & f3 & p & q & D & V & C & N).
     exists h, f1, f2, f3, p, q, (NamedSign f1 f2 f3 p before warping),
       (NamedRanked f1 f2 f3 p q key before warping).
     split; [exact D|]. split; [exact C|]. split.
     { intros l L. symmetry. exact (NamedSignCorner f1 f2 f3 p q before warping l L). }
     split; [exact N|].
-    pose proof (ForAllCornerSignsSound _ OrdersSurface
-      (PlacedSign before warping (Corner f1)) (PlacedSign before warping (Corner f2))
-      (PlacedSign before warping (Corner f3)) (PlacedSign before warping (Corner p))) as W.
-    cbv beta in W. rewrite forallb_forall in W.
-    exact (W _ (NamedOrderListed _ _ _ _ _ _ _ _)).
+    exact (RankedChecked CheckSurface f1 f2 f3 p q key before warping OrdersSurface).
   Qed.
 
   Definition KeySurface : SurfaceMesh := {|

@@ -37,19 +37,16 @@ Qed.
 
 (** ** A warp with a rule of who stays *)
 
-Lemma ClampedOnEdge cut p q : 0 <= ClampedCut AngleThresholds cut p q <= Steps.
+Lemma AngleClampedOnEdge cut p q : 0 <= ClampedCut AngleThresholds cut p q <= Steps.
 Proof.
-  unfold ClampedCut. pose proof (AngleThresholdsAtMostHalf (KindBetween p q)).
-  assert (0 <= ThresholdSteps AngleThresholds (KindBetween p q))
-    by (destruct (KindBetween p q); vm_compute; discriminate).
-  lia.
+  apply ClampedOnEdge; [exact AngleThresholdsAtMostHalf|intros []; discriminate].
 Qed.
 
 Lemma RuledModerate sign cut stays limit corners : CutsOnEdges sign cut ->
   Moderate sign (RuledWarping AngleThresholds sign cut stays limit)
     (ClampedCut AngleThresholds cut) corners.
 Proof.
-  intros on. split; [intros v d t _ W | intros p q _; apply ClampedOnEdge].
+  intros on. split; [intros v d t _ W | intros p q _; apply AngleClampedOnEdge].
   pose proof (RuledMovesAtMost AngleThresholds sign cut stays limit on v d t W).
   pose proof (AngleThresholdsAtMostHalf (DirectionKind d)). lia.
 Qed.
@@ -73,7 +70,7 @@ Lemma SweptModerate sample cut vs corners : CutsOnEdges sample cut ->
                 LevelGap vs))
     (ClampedCut AngleThresholds (OpenCuts sample cut)) corners.
 Proof.
-  intros on. split; [intros v d t _ W | intros p q _; apply ClampedOnEdge].
+  intros on. split; [intros v d t _ W | intros p q _; apply AngleClampedOnEdge].
   pose proof (SettledMovesAtMost AngleThresholds (OpenSigns sample)
     (OpenCuts sample cut) LevelGap AngleThresholdsAtMostHalf
     (OpenCutsOnEdges sample cut on) LevelGapSmall vs v d t W).

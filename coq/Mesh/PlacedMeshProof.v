@@ -148,3 +148,12 @@ Proof.
   split; [apply PlacedBoundary|].
   apply PlacedNothingOverflows; assumption.
 Qed.
+
+(** ** Clamped cuts are on their edges *)
+
+Lemma ClampedOnEdge th cut p q : AtMostHalf th ->
+  (forall kind, 0 <= ThresholdSteps th kind) -> 0 <= ClampedCut th cut p q <= Steps.
+Proof.
+  intros half some. unfold ClampedCut.
+  pose proof (half (KindBetween p q)). pose proof (some (KindBetween p q)). lia.
+Qed.

@@ -107,6 +107,25 @@ Proof.
   - now exists Fourth.
 Qed.
 
+(** What is found once on symbols is there once under their names. *)
+Lemma NamedTriangleOnce f1 f2 f3 p q h face ts : NoDup [f1; f2; f3; p; q] ->
+  CheckOnce face ts = true ->
+  let named := map (fun s => Orient h (MapTet (Name f1 f2 f3 p q) s)) ts in
+  let face := map (LocateFive f1 f2 f3 p q) face in
+  forall t u a b c, In t named -> In u named ->
+    HasTriangle t a b c -> HasTriangle u a b c ->
+    LiesIn face a -> LiesIn face b -> LiesIn face c -> t = u.
+Proof.
+  cbv zeta. intros distinct once t u a b c in_t in_u has_t has_u in_a in_b in_c.
+  apply in_map_iff in in_t as (s & <- & in_s), in_u as (r & <- & in_r).
+  rewrite OrientHasTriangle in has_t, has_u.
+  destruct (HasTriangleNamed _ _ _ _ _ distinct _ _ _ _ has_t)
+    as (sa & sb & sc & -> & -> & -> & has_s).
+  rewrite HasTriangleName in has_u by exact distinct.
+  do 2 f_equal. apply (CheckOnceSound face ts once) with sa sb sc; try assumption.
+  apply (TriangleOnLiesIn f1 f2 f3 p q distinct); auto.
+Qed.
+
 Section Inside.
   Variables (th : Thresholds) (sign : SignField) (cut : CutField).
   Variable tid : StructuredTetId.
@@ -155,16 +174,9 @@ Section Inside.
     destruct (StuffTetNamed f1 f2 f3 p q th sign cut tid F1 F2 F3 P vertices)
       as [h named].
     unfold stuffing in *; rewrite named in in_t, in_u.
-    apply in_map_iff in in_t as (s & <- & in_s), in_u as (r & <- & in_r).
-    rewrite OrientHasTriangle in has_t, has_u.
-    destruct (HasTriangleNamed _ _ _ _ _ distinct _ _ _ _ has_t)
-      as (sa & sb & sc & -> & -> & -> & has_s).
-    rewrite HasTriangleName in has_u by exact distinct.
-    do 2 f_equal.
-    apply (CheckOnceSound face (NamedTets f1 f2 f3 p q th sign cut F1 F2 F3 P))
-      with sa sb sc; try assumption.
-    - now apply (CheckInsideSound _ InsideFits).
-    - apply (TriangleOnLiesIn f1 f2 f3 p q distinct); auto.
+    apply (NamedTriangleOnce f1 f2 f3 p q h face
+      (NamedTets f1 f2 f3 p q th sign cut F1 F2 F3 P) distinct) with a b c; try assumption.
+    now apply (CheckInsideSound _ InsideFits).
   Qed.
 
   (** A tetrahedron of the output has a corner off any given face, *)

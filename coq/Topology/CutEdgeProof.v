@@ -8,13 +8,12 @@ From Coq Require Logic.FinFun.
 From Certet Require Import Topology.Definitions.
 From Certet Require Import Embedding.EdgeRank Embedding.GreedyProof
   Embedding.MeshApartProof Embedding.LinkProof Topology.CliqueProof
-  Topology.CornersProof Topology.LocalSurfaceProof Topology.SurfaceProof.
+  Topology.CornersProof Topology.LocalSurfaceProof
+  Topology.SurfaceViewProof Topology.SurfaceProof.
 From Certet Require Import Topology.MeshSurfaceSpec.
 
 Section Mesh.
   Variable mesh : SurfaceMesh.
-  Local Notation before := (signs_before mesh).
-  Local Notation warping := (warping_of mesh).
   Local Notation within := (made_within mesh).
   Local Notation on_it := (OnIt mesh).
   Local Notation triangle := (LocalTriangle mesh).
@@ -59,7 +58,7 @@ Section Mesh.
     { intros a m v [(A & M & Sa & Sm) _] V D Oc Ov.
       assert (Am : a <> m) by (intros ->; congruence).
       cbn [Ends In] in Oc. destruct v as [b|b n].
-      - destruct V as [[Ib _] Sb]. fold (SignAfter before warping b) in Sb.
+      - destruct V as [[Ib _] Sb]. fold (AfterIn mesh b) in Sb.
         exists b. cbn [Ends In].
         split; [|split; [auto|intros f [<-|[]]; auto]].
         apply ThreeApart. unfold SignAfter in *. repeat split; congruence.

@@ -7,15 +7,13 @@ From Coq Require Import Arith.
 From Coq Require Logic.FinFun.
 From Certet Require Import Topology.Definitions.
 From Certet Require Import Angles.Cases.Isometry Embedding.LinkProof
-  Topology.CliqueProof Topology.LocalSurfaceProof Topology.SurfaceProof
+  Topology.CliqueProof Topology.LocalSurfaceProof
+  Topology.SurfaceViewProof Topology.SurfaceProof
   Topology.RingProof Topology.CornersProof Topology.CutEdgeProof Topology.MeshSurfaceSpec.
 
 Section Mesh.
   Variable mesh : SurfaceMesh.
-  Local Notation before := (signs_before mesh).
-  Local Notation warping := (warping_of mesh).
-  Local Notation within := (made_within mesh).
-  Local Notation after := (SignAfter before warping).
+  Local Notation after := (AfterIn mesh).
   Local Notation triangle := (LocalTriangle mesh).
   Local Notation surface := (SurfaceOf (made mesh)).
 

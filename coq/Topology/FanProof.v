@@ -7,6 +7,7 @@
 From Certet Require Import Topology.Definitions.
 From Certet Require Import Angles.Cases.Isometry Embedding.LeavingProof
   Embedding.LinkProof Topology.CliqueProof Topology.LocalSurfaceProof
+  Topology.SurfaceViewProof
   Topology.SurfaceProof Topology.CornersProof Topology.SeparationProof
   Topology.MeshSurfaceSpec.
 
@@ -15,10 +16,7 @@ Proof. vm_compute. reflexivity. Qed.
 
 Section Mesh.
   Variable mesh : SurfaceMesh.
-  Local Notation before := (signs_before mesh).
-  Local Notation warping := (warping_of mesh).
-  Local Notation within := (made_within mesh).
-  Local Notation after := (SignAfter before warping).
+  Local Notation after := (AfterIn mesh).
   Local Notation triangle := (LocalTriangle mesh).
   Local Notation surface := (SurfaceOf (made mesh)).
   Local Notation fan := (FanOf (made mesh)).

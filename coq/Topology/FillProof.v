@@ -130,8 +130,10 @@ Section Fill.
     set (j := Z.min (o * x) ((steps - o) * y)).
     pose proof (N (Base p)) as X. pose proof (N (Base m)) as Y. fold x in X. fold y in Y.
     assert (J : 0 <= j) by (unfold j; nia).
-    exists (fun s => (steps - o) * o * weight s + (- ((steps - o) * j)) * at_ s (Base p)
+    set (weight' s := (steps - o) * o * weight s
+      + (- ((steps - o) * j)) * at_ s (Base p)
       + (- (o * j)) * at_ s (Base m) + (steps * j) * at_ s (CutOf p m)).
+    exists weight'.
     assert (V : forall s, s <> Base p -> s <> Base m -> s <> CutOf p m ->
       at_ s (Base p) = 0 /\ at_ s (Base m) = 0 /\ at_ s (CutOf p m) = 0).
     { intros s A A' A''. unfold At. destruct (SameSym s (Base p)), (SameSym s (Base m)),
@@ -149,7 +151,7 @@ Section Fill.
     { unfold At. destruct (SameSym (CutOf p m) (Base p)), (SameSym (CutOf p m) (Base m)),
         (SameSym (CutOf p m) (CutOf p m)); try congruence. auto. }
     split; [split|].
-    - intros s.
+    - intros s. unfold weight'.
       assert (Ns : 0 <= (steps - o) * o * weight s).
       { apply Z.mul_nonneg_nonneg; [|apply N]. apply Z.mul_nonneg_nonneg; lia. }
       destruct (SameSym s (Base p)) as [->|Np].
@@ -166,7 +168,7 @@ Section Fill.
       { unfold AllSymbols. rewrite !in_app_iff. split; [left; apply in_map, Ip|].
         split; [left; apply in_map, Im|]. right. apply in_map_iff. exists (p, m).
         split; [reflexivity|apply in_prod; assumption]. }
-      destruct In_ as (Bp & Bm & Bc). unfold Weighed.
+      destruct In_ as (Bp & Bm & Bc). unfold Weighed, weight'.
       transitivity (sum (fun s => (steps - o) * o * (value s * weight s)
         + value s * ((- ((steps - o) * j)) * at_ s (Base p))
         + value s * ((- (o * j)) * at_ s (Base m))
@@ -176,26 +178,24 @@ Section Fill.
       pose proof (St p m Edge) as E. fold o in E.
       replace (steps * j * value (CutOf p m)) with (j * (steps * value (CutOf p m))) by ring.
       rewrite E. ring.
-    - destruct (Z.le_ge_cases (o * x) ((steps - o) * y)) as [L|L]; [left|right];
-        intros s O; cbn [In] in O; rewrite InWithout in O.
-      + assert (Ej : j = o * x) by (unfold j; lia).
-        destruct (SameSym s (Base p)) as [->|Np].
-        { destruct Vp as (-> & -> & ->). fold x. rewrite Ej. ring. }
+    - assert (Gone : forall e, weight' e = 0 ->
+        Carried (CutOf p m :: Without e carriers) weight').
+      { intros e E s O. cbn [In] in O. rewrite InWithout in O.
+        destruct (SameSym s e) as [->|Ne]; [exact E|].
         assert (Z0 : weight s = 0) by (apply C; tauto).
         destruct (SameSym s (CutOf p m)) as [->|Nc]; [tauto|].
-        destruct (SameSym s (Base m)) as [->|Nm].
-        { destruct Vm as (-> & -> & ->). fold y in Z0 |- *.
-          assert (j = 0) by (unfold j; nia). nia. }
-        destruct (V s Np Nm Nc) as (-> & -> & ->). rewrite Z0. ring.
-      + assert (Ej : j = (steps - o) * y) by (unfold j; lia).
-        destruct (SameSym s (Base m)) as [->|Nm].
-        { destruct Vm as (-> & -> & ->). fold y. rewrite Ej. ring. }
-        assert (Z0 : weight s = 0) by (apply C; tauto).
-        destruct (SameSym s (CutOf p m)) as [->|Nc]; [tauto|].
+        unfold weight'. rewrite Z0.
         destruct (SameSym s (Base p)) as [->|Np].
-        { destruct Vp as (-> & -> & ->). fold x in Z0 |- *.
-          assert (j = 0) by (unfold j; nia). nia. }
-        destruct (V s Np Nm Nc) as (-> & -> & ->). rewrite Z0. ring.
+        { destruct Vp as (-> & -> & ->). fold x in Z0. assert (j = 0) by (unfold j; nia). nia. }
+        destruct (SameSym s (Base m)) as [->|Nm].
+        { destruct Vm as (-> & -> & ->). fold y in Z0. assert (j = 0) by (unfold j; nia). nia. }
+        destruct (V s Np Nm Nc) as (-> & -> & ->). ring. }
+      destruct (Z.le_ge_cases (o * x) ((steps - o) * y)) as [L|L]; [left|right];
+        apply Gone; unfold weight'.
+      + destruct Vp as (-> & -> & ->). fold x.
+        assert (j = o * x) as -> by (unfold j; lia). ring.
+      + destruct Vm as (-> & -> & ->). fold y.
+        assert (j = (steps - o) * y) as -> by (unfold j; lia). ring.
   Qed.
 
   Lemma MovedThen a b c : Moved a b -> Moved b c -> Moved a c.

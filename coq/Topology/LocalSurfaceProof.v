@@ -39,8 +39,12 @@ Record SurfaceMesh := {
     CheckSurface sign ts = true
 }.
 
+(** The sign of a point of the lattice after the warp, and of a vertex. *)
+Notation AfterIn mesh := (SignAfter (signs_before mesh) (warping_of mesh)).
+Notation PlacedIn mesh := (PlacedSign (signs_before mesh) (warping_of mesh)).
+
 Definition made (mesh : SurfaceMesh) : Mesh :=
-  MakeMesh (made_within mesh) (PlacedSign (signs_before mesh) (warping_of mesh))
+  MakeMesh (made_within mesh) (PlacedIn mesh)
            (PlacedPosition (warping_of mesh) (fun _ _ => MidpointCut)).
 
 (** ** In points *)
@@ -59,13 +63,9 @@ Definition Reach (corners : list Coord3) (vs : list MeshVertex) : Prop :=
 
 Section Mesh.
   Variable mesh : SurfaceMesh.
-  Local Notation before := (signs_before mesh).
-  Local Notation warping := (warping_of mesh).
-  Local Notation within := (made_within mesh).
-
-  Local Notation after := (SignAfter before warping).
-  Local Notation names := within.
-  Local Notation placed := (PlacedSign before warping).
+  Local Notation names := (made_within mesh).
+  Local Notation after := (AfterIn mesh).
+  Local Notation placed := (PlacedIn mesh).
 
   (** A vertex of this structured tetrahedron, on the surface. *)
   Definition OnIt (tid : StructuredTetId) (x : MeshVertex) : Prop :=

@@ -9,136 +9,13 @@ From Certet Require Import Stuffing.MeshProof Embedding.MeshApartProof
   Embedding.AroundProof Topology.CliqueProof Topology.LocalSurfaceProof
   Topology.SurfaceViewProof Topology.MeshSurfaceSpec.
 
-(** ** One structured tetrahedron *)
-
 Section Local.
   Variable mesh : SurfaceMesh.
-  Local Notation before := (signs_before mesh).
-  Local Notation warping := (warping_of mesh).
   Local Notation within := (made_within mesh).
-  Local Notation after := (SignAfter before warping).
+  Local Notation after := (AfterIn mesh).
   Local Notation on_it := (OnIt mesh).
   Local Notation triangle := (LocalTriangle mesh).
   Local Notation surface := (SurfaceOf (made mesh)).
-
-  Section One.
-    Variable tid : StructuredTetId.
-
-    Lemma LocalShape x y z t :
-      In t (within tid) -> HasTriangle t x y z ->
-      on_it tid x -> on_it tid y -> on_it tid z ->
-      (forall u, In u (within tid) -> HasTriangle u x y z -> u = t) /\
-      (Reach (Corners tid) [x; y; z] \/
-       exists a b c e, x = Corner a /\ y = Corner b /\ z = Corner c /\
-         In e (Corners tid) /\ after e = Plus /\
-         Reach (Corners tid) [x; y; z; Corner e]).
-    Proof.
-      destruct (surface_viewed mesh tid)
-        as (h & f1 & f2 & f3 & p & q & sign & ts & D & C & S & N & F).
-      exact (ViewTriangle mesh tid h f1 f2 f3 p q sign ts D C S N F x y z t).
-    Qed.
-
-    Lemma LocalZeros a b c e : In a (Corners tid) -> In b (Corners tid) ->
-      In c (Corners tid) -> In e (Corners tid) -> NoDup [a; b; c; e] ->
-      after a = OnSurface -> after b = OnSurface -> after c = OnSurface ->
-      after e = Plus -> triangle tid (Corner a) (Corner b) (Corner c).
-    Proof.
-      destruct (surface_viewed mesh tid)
-        as (h & f1 & f2 & f3 & p & q & sign & ts & D & C & S & N & F).
-      exact (ViewZeros mesh tid h f1 f2 f3 p q sign ts D C S N F a b c e).
-    Qed.
-
-    Lemma LocalFaceEdge x y : InLattice tid -> on_it tid x -> on_it tid y -> x <> y ->
-      ~ Reach (Corners tid) [x; y] -> (forall a b, x = Corner a -> y = Corner b -> False) ->
-      exists z, triangle tid x y z /\ forall z', triangle tid x y z' -> z' = z.
-    Proof.
-      intros E X Y Ne R B. destruct (surface_viewed mesh tid)
-        as (h & f1 & f2 & f3 & p & q & sign & ts & D & C & S & N & F).
-      destruct (ViewFaceEdge mesh tid h f1 f2 f3 p q sign ts D C S N F x y X Y Ne R B)
-        as (z & T & U). exists z. split; [exact T|]. intros z' T'. apply (U z' T').
-      apply (LocalOnIt mesh tid x y z' E T').
-    Qed.
-
-    Lemma LocalInnerEdge x y z : InLattice tid ->
-      Reach (Corners tid) [x; y] -> (forall a b, x = Corner a -> y = Corner b -> False) ->
-      triangle tid x y z ->
-      exists z', z' <> z /\ triangle tid x y z' /\
-        forall z'', triangle tid x y z'' -> z'' = z \/ z'' = z'.
-    Proof.
-      intros E R B T. destruct (surface_viewed mesh tid)
-        as (h & f1 & f2 & f3 & p & q & sign & ts & D & C & S & N & F).
-      destruct (LocalOnIt mesh tid x y z E T) as (X & Y & Z).
-      destruct (ViewInnerEdge mesh tid h f1 f2 f3 p q sign ts D C S N F
-        x y z X Y Z R B T) as (z' & Ne & T' & U).
-      exists z'. split; [exact Ne|]. split; [exact T'|]. intros z'' W. apply (U z'' W).
-      apply (LocalOnIt mesh tid x y z'' E W).
-    Qed.
-
-    Lemma LocalZeroEdge a b e f z : InLattice tid ->
-      In a (Corners tid) -> In b (Corners tid) ->
-      In e (Corners tid) -> In f (Corners tid) -> NoDup [a; b; e; f] ->
-      triangle tid (Corner a) (Corner b) z ->
-      (after e = Plus /\ after f <> Plus /\ z = CrossingAt after e f) \/
-      (after f = Plus /\ after e <> Plus /\ z = CrossingAt after f e).
-    Proof.
-      intros E A B Ie If Nd T. destruct (surface_viewed mesh tid)
-        as (h & f1 & f2 & f3 & p & q & sign & ts & D & C & S & N & F).
-      pose proof (LocalOnIt mesh tid _ _ z E T) as (_ & _ & Z).
-      exact (ViewZeroEdge mesh tid h f1 f2 f3 p q sign ts D C S N F
-        a b e f z A B Ie If Nd (proj1 (proj2 T)) (proj1 (proj2 (proj2 T))) Z T).
-    Qed.
-
-    Lemma LocalZeroFan z w e f : In z (Corners tid) -> In w (Corners tid) ->
-      In e (Corners tid) -> In f (Corners tid) -> NoDup [z; w; e; f] ->
-      after z = OnSurface -> after e = Plus -> after f <> Plus ->
-      (after w = Plus -> CrossingAt after e f = CrossingAt after w f \/
-         triangle tid (Corner z) (CrossingAt after e f) (CrossingAt after w f)) /\
-      (after w <> Plus ->
-         triangle tid (Corner z) (CrossingAt after e f) (CrossingAt after e w)).
-    Proof.
-      destruct (surface_viewed mesh tid)
-        as (h & f1 & f2 & f3 & p & q & sign & ts & D & C & S & N & F).
-      exact (ViewZeroFan mesh tid h f1 f2 f3 p q sign ts D C S N F z w e f).
-    Qed.
-
-    Lemma LocalZeroEnds z x y : InLattice tid -> triangle tid (Corner z) x y ->
-      exists e f, In e (Corners tid) /\ In f (Corners tid) /\ f <> z /\
-        after e = Plus /\ after f <> Plus /\ x = CrossingAt after e f.
-    Proof.
-      intros E T. destruct (surface_viewed mesh tid)
-        as (h & f1 & f2 & f3 & p & q & sign & ts & D & C & S & N & F).
-      destruct (LocalOnIt mesh tid _ x y E T) as (Z & X & Y).
-      exact (ViewZeroEnds mesh tid h f1 f2 f3 p q sign ts D C S N F
-        z x y (proj1 (proj1 Z)) (proj2 Z) X Y T).
-    Qed.
-
-    Lemma LocalCutFan a m c d : InLattice tid ->
-      In a (Corners tid) -> In m (Corners tid) ->
-      In c (Corners tid) -> In d (Corners tid) -> NoDup [a; m; c; d] ->
-      after a = Plus -> after m = Minus ->
-      let s := Cut a m in let r := ThirdAt after a m c in let u := ThirdAt after a m d in
-      (triangle tid s r u \/ exists w, triangle tid s r w /\ triangle tid s w u) /\
-      forall w x, triangle tid s w x -> w = r \/ w = u \/ triangle tid s r w.
-    Proof.
-      intros E A M Ic Id Nd Sa Sm. destruct (surface_viewed mesh tid)
-        as (h & f1 & f2 & f3 & p & q & sign & ts & D & C & S & N & F).
-      destruct (ViewCutFan mesh tid h f1 f2 f3 p q sign ts D C S N F
-        a m c d A M Ic Id Nd Sa Sm) as [T U].
-      split; [exact T|]. intros w x W.
-      destruct (LocalOnIt mesh tid _ w x E W) as (_ & Ww & Wx).
-      exact (U w x W Ww Wx).
-    Qed.
-  End One.
-
-  (** ** The whole mesh *)
-
-  Lemma OneOwner tid tid' t : InLattice tid -> InLattice tid' ->
-    In t (within tid) -> In t (within tid') -> tid = tid'.
-  Proof.
-    intros E E' I I'. apply CornersDetermine; [assumption..|]. intros c J.
-    destruct (surface_reaches mesh tid t c E I J) as (v & V & K).
-    exact (EndsBelong _ _ v c (surface_belongs mesh tid' t v E' I' V) K).
-  Qed.
 
   Lemma EndsWithin tid x c : on_it tid x -> In c (Ends x) -> In c (Corners tid).
   Proof. intros [B _]. exact (EndsBelong _ _ x c B). Qed.
@@ -163,13 +40,12 @@ Section Local.
     assert (tid = tid').
     { apply (ReachDetermines tid tid' [x; y; z]); try assumption.
       intros v. cbn [In]. intros [<-|[<-|[<-|[]]]]; assumption. }
-    subst tid'. exact (proj1 (LocalShape tid x y z t I H X Y Z) u J K).
+    subst tid'. exact (proj1 (LocalShape mesh tid x y z t I H X Y Z) u J K).
   Qed.
 
   Lemma SurfaceZero x y z : surface x y z ->
-    PlacedSign before warping x = OnSurface /\
-    PlacedSign before warping y = OnSurface /\
-    PlacedSign before warping z = OnSurface.
+    PlacedIn mesh x = OnSurface /\ PlacedIn mesh y = OnSurface /\
+    PlacedIn mesh z = OnSurface.
   Proof.
     intros (t & (tid & E & I) & H & U).
     destruct (surface_boundary mesh tid t x y z I H) as [Z|(u & N & K & J)];
@@ -232,7 +108,7 @@ Section Local.
     after a = OnSurface -> after b = OnSurface -> after c = OnSurface ->
     after e = Plus -> triangle tid (Corner a) (Corner b) (Corner c).
   Proof.
-    intros E I Ab Ac Bc A B C P. apply (LocalZeros tid a b c e); try assumption;
+    intros E I Ab Ac Bc A B C P. apply (LocalZeros mesh tid a b c e); try assumption;
       try (apply I; cbn; tauto). apply AboveDistinct; assumption.
   Qed.
 
@@ -249,7 +125,7 @@ Section Local.
     destruct (LocalOnIt mesh tid _ _ _ E L) as (X & Y & Z).
     assert (N : a <> b /\ a <> c /\ b <> c) by (destruct H; intuition congruence).
     repeat (split; [tauto || assumption|]). destruct N as (Ab & Ac & Bc).
-    destruct (LocalShape tid _ _ _ t I H X Y Z)
+    destruct (LocalShape mesh tid _ _ _ t I H X Y Z)
       as [_ [R|(a' & b' & c' & e & Ea & Eb & Ec & Ie & Pe & R)]];
       [destruct (ThreeCannotReach tid a b c R)|].
     destruct X as [[Ia _] _], Y as [[Ib _] _], Z as [[Ic _] _].
@@ -264,7 +140,9 @@ Section Local.
     destruct Abv as (_ & _ & _ & Pe').
     destruct (ZerosMakeTet tid' a b c e' E' I' Ab Ac Bc Sa Sb Sc Pe') as [(u & J & K) _].
     assert (u = t) by (apply U; [exists tid'; auto|exact K]). subst u.
-    pose proof (OneOwner tid tid' t E E' I J).
+    pose proof (OneOwner after tid tid' t E E'
+      (fun c => surface_reaches mesh tid t c E I)
+      (fun v => surface_belongs mesh tid' t v E' J)).
     subst tid'. assert (In e' (Corners tid)) as W by (apply I'; cbn; tauto).
     destruct (R e' W) as (v & V & In_). cbn [In] in V.
     destruct V as [<-|[<-|[<-|[<-|[]]]]]; cbn [Ends In] in In_;
@@ -285,7 +163,7 @@ Section Local.
     assert (T' : triangle tid' (Corner a) (Corner b) (Corner c))
       by (split; [exists u; auto|auto]).
     destruct (LocalOnIt mesh tid' _ _ _ E' T') as (X' & Y' & Z').
-    destruct (LocalShape tid' _ _ _ u K G X' Y' Z')
+    destruct (LocalShape mesh tid' _ _ _ u K G X' Y' Z')
       as [_ [R|(a' & b' & c' & e' & Ea & Eb & Ec & Ie & Pe' & R)]];
       [destruct (ThreeCannotReach tid' a b c R)|].
     destruct X' as [[Ia _] _], Y' as [[Ib _] _], Z' as [[Ic _] _].
@@ -297,6 +175,6 @@ Section Local.
       destruct (R x Xx) as (v & V & W). apply I. cbn [In] in *.
       destruct V as [<-|[<-|[<-|[<-|[]]]]]; cbn [Ends In] in W; tauto. }
     subst tid'. destruct (LocalOnIt mesh tid _ _ _ E T) as (X & Y & Z).
-    exact (proj1 (LocalShape tid _ _ _ t J H X Y Z) u K G).
+    exact (proj1 (LocalShape mesh tid _ _ _ t J H X Y Z) u K G).
   Qed.
 End Local.

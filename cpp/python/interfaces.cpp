@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "faces.hpp"
-#include "python_mesh.hpp"
 
 namespace certet::python {
 namespace {
@@ -16,24 +15,18 @@ namespace py = pybind11;
 
 /// For each a tuple of its labels, triangles and area; `made` finds them.
 py::list told_of(Survey made, std::span<const Point3> points) {
-  auto* const kept = new std::vector<Interface>(std::move(made.interfaces));
-  const py::capsule owner(kept, [](void* memory) { delete static_cast<std::vector<Interface>*>(memory); });
+  const SharedFaces shared(std::move(made.interfaces));
   py::list all;
-  for (const Interface& interface : *kept)
+  for (const Interface& interface : *shared.kept)
     all.append(py::make_tuple(py::make_tuple(interface.labels[0], interface.labels[1]),
-                              points_of(interface.faces, owner), area_of(interface.faces, points)));
+                              points_of(interface.faces, shared.owner), area_of(interface.faces, points)));
   return all;
 }
 
 }  // namespace
 
 void declare_interfaces(py::module_& module) {
-  module.def("interfaces", [](const PythonMesh& mesh) {
-    return told_of(found_in(mesh.mesh), mesh.world);
-  });
-  module.def("interfaces", [](const FileMesh& mesh) {
-    return told_of(found_in(mesh), mesh.points);
-  });
+  declare_told(module, "interfaces", told_of);
 }
 
 }  // namespace certet::python

@@ -19,16 +19,16 @@ namespace py = pybind11;
 
 /// For each a tuple of its name, triangles and area, in the order of patches.
 py::list told_of_patches(Survey made, std::span<const Point3> points) {
-  auto* const kept = new std::vector<BoundaryFace>(std::move(made.boundary));
-  const py::capsule owner(kept, [](void* memory) { delete static_cast<std::vector<BoundaryFace>*>(memory); });
-  std::ranges::stable_sort(*kept, {}, &BoundaryFace::patch);
+  const SharedFaces shared(std::move(made.boundary));
+  std::vector<BoundaryFace>& kept = *shared.kept;
+  std::ranges::stable_sort(kept, {}, &BoundaryFace::patch);
   py::list all;
-  for (auto begin = kept->cbegin(); begin != kept->cend();) {
-    const auto end = std::find_if(begin, kept->cend(), [&](const BoundaryFace& face) {
+  for (auto begin = kept.cbegin(); begin != kept.cend();) {
+    const auto end = std::find_if(begin, kept.cend(), [&](const BoundaryFace& face) {
       return face.patch != begin->patch;
     });
     const std::span<const BoundaryFace> faces(begin, end);
-    all.append(py::make_tuple(name_of(begin->patch, made), points_of(faces, owner),
+    all.append(py::make_tuple(name_of(begin->patch, made), points_of(faces, shared.owner),
                               area_of(faces, points)));
     begin = end;
   }
@@ -51,12 +51,7 @@ void name_patches_of(PythonMesh& mesh,
 }  // namespace
 
 void declare_patches(py::module_& module) {
-  module.def("patches", [](const PythonMesh& mesh) {
-    return told_of_patches(found_in(mesh.mesh), mesh.world);
-  });
-  module.def("patches", [](const FileMesh& mesh) {
-    return told_of_patches(found_in(mesh), mesh.points);
-  });
+  declare_told(module, "patches", told_of_patches);
   module.def("name_patches", name_patches_of);
 }
 

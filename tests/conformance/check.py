@@ -61,12 +61,16 @@ def bisect(mine, kit):
         yield f"bisect {n}", mine.bisect(sign_at), case["cut"]
 
 
+def whole_meshes(kind, cases, mesh, keys):
+    """What `mesh` answers to what cases tell under these keys."""
+    for case in cases:
+        for key, answer in mesh(*(case[key] for key in keys)).items():
+            yield f"{kind} '{case['name']}', {key}", answer, case[key]
+
+
 def meshes(mine, kit):
-    for case in kit["meshes"]:
-        answers = mine.mesh(*(case[key] for key in (
-            "origin", "cells", "even", "odd", "cuts", "cut", "guarantee")))
-        for key, answer in answers.items():
-            yield f"mesh '{case['name']}', {key}", answer, case[key]
+    yield from whole_meshes("mesh", kit["meshes"], mine.mesh, (
+        "origin", "cells", "even", "odd", "cuts", "cut", "guarantee"))
 
 
 def set_of(number):
@@ -82,11 +86,8 @@ def disks(mine, kit):
 
 
 def settled(mine, kit):
-    for case in kit["settled"]:
-        answers = mine.settled_mesh(*(case[key] for key in (
-            "origin", "cells", "even", "odd", "cut")))
-        for key, answer in answers.items():
-            yield f"settled '{case['name']}', {key}", answer, case[key]
+    yield from whole_meshes("settled", kit["settled"], mine.settled_mesh, (
+        "origin", "cells", "even", "odd", "cut"))
 
 
 def material_stencils(mine, kit):
@@ -98,19 +99,13 @@ def material_stencils(mine, kit):
 
 
 def materials(mine, kit):
-    for case in kit["materials"]:
-        answers = mine.material_mesh(*(case[key] for key in (
-            "origin", "cells", "cuts", "even", "odd", "cut")))
-        for key, answer in answers.items():
-            yield f"materials '{case['name']}', {key}", answer, case[key]
+    yield from whole_meshes("materials", kit["materials"], mine.material_mesh, (
+        "origin", "cells", "cuts", "even", "odd", "cut"))
 
 
 def graded(mine, kit):
-    for case in kit["graded"]:
-        answers = mine.graded_mesh(*(case[key] for key in (
-            "origin", "cells", "levels", "even", "odd", "cut")))
-        for key, answer in answers.items():
-            yield f"graded '{case['name']}', {key}", answer, case[key]
+    yield from whole_meshes("graded", kit["graded"], mine.graded_mesh, (
+        "origin", "cells", "levels", "even", "odd", "cut"))
 
 
 def differences(mine, kit):

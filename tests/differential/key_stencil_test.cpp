@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <stdexcept>
 #include <vector>
 
 #include "certet/lattice/key_stencil.hpp"
@@ -13,6 +12,7 @@
 #include "certified.hpp"
 #include "differences.hpp"
 #include "property/key_diagonals.hpp"
+#include "vertex_arena.hpp"
 
 namespace {
 
@@ -24,7 +24,6 @@ using certet::StencilVertex;
 using certified::Handle;
 
 using Corners = std::array<Coord3, 4>;
-using diagonals::PlacedTets;
 
 /// Where each edge is cut, from its + end: some number, by its corners.
 using CutOf = std::function<int(std::size_t plus, std::size_t minus)>;
@@ -46,40 +45,17 @@ struct Production {
   }
 };
 
-PlacedTets place(const Stencil& stencil, const Corners& corners) {
-  PlacedTets tets;
-  for (const certet::UnstructuredTet& tet : stencil)
-    for (std::size_t i = 0; auto& p : tets.emplace_back()) {
-      p = {corners[tet[i].a], corners[tet[i].b]};
-      ++i;
-    }
-  return tets;
-}
-
-/// The certified stencil; vertices are handles into an arena of places.
 PlacedTets certified_tets(const CornerSigns& signs, const CutOf& cut, const Corners& corners) {
-  PlacedTets placed;
-  std::vector<diagonals::Place> arena;
-  for (const Coord3 c : corners) arena.emplace_back(c, c);
-  const auto corner = [](Handle h) -> std::size_t {
-    if (h < 0 || h >= 4) throw std::logic_error("a cut was taken for a corner");
-    return static_cast<std::size_t>(h);
-  };
-  const auto tets = certified::key_tets(
+  VertexArena arena(corners);
+  const auto corner = VertexArena::corner;
+  return arena.placed(certified::key_tets(
       [&](Handle h) { return signs[corner(h)]; },
-      [&](Handle a, Handle b) {
-        arena.emplace_back(corners[corner(a)], corners[corner(b)]);
-        return static_cast<Handle>(arena.size() - 1);
-      },
+      [&](Handle a, Handle b) { return arena.cut(a, b); },
       [&](Handle a, Handle b) {
         return std::int64_t{3} * cut(corner(a), corner(b)) +
                diagonals::rank_of_edge(corners[corner(a)], corners[corner(b)]);
       },
-      {0, 1, 2, 3});
-  for (const auto& tet : tets)
-    for (std::size_t i = 0; auto& p : placed.emplace_back())
-      p = arena.at(static_cast<std::size_t>(tet[i++]));
-  return placed;
+      {0, 1, 2, 3}));
 }
 
 /// Cuts at one of four places each: all orders of four cuts, and of those that are equal.

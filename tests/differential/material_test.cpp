@@ -35,12 +35,8 @@ using certified::PlacedMaterialTet;
 
 // -- All patterns -------------------------------------------------------------------------
 
-/// A corner twice, or the ends of a cut edge, that of the higher material first.
-struct Place {
-  Coord3 a, b;
-  friend bool operator==(const Place&, const Place&) = default;
-};
-using PlacedTets = std::vector<certified::OfMaterial<Place>>;
+/// Of a cut edge, the end of the higher material is first.
+using PlacedMaterialTets = std::vector<certified::OfMaterial<Place>>;
 
 /// The material of a tetrahedron all of whose corners have moved; none of theirs.
 constexpr std::int32_t shared_material = 1000;
@@ -50,9 +46,9 @@ const Stencils production = [](const CornerMaterials& corners) {
   return certet::material_tets(corners);
 };
 
-PlacedTets place(const MaterialStencil& stencil, const CornerMaterials& corners,
-                 const std::array<Coord3, 4>& vertices) {
-  PlacedTets tets;
+PlacedMaterialTets place(const MaterialStencil& stencil, const CornerMaterials& corners,
+                         const std::array<Coord3, 4>& vertices) {
+  PlacedMaterialTets tets;
   for (const certet::MaterialTet& tet : stencil) {
     auto& [material, places] = tets.emplace_back();
     material = tet.owner == certet::shared_owner ? shared_material : corners[tet.owner];
@@ -64,29 +60,23 @@ PlacedTets place(const MaterialStencil& stencil, const CornerMaterials& corners,
   return tets;
 }
 
-PlacedTets certified_tets(const CornerMaterials& corners, const std::array<Coord3, 4>& vertices) {
-  std::vector<Place> arena;
-  for (const Coord3 v : vertices) arena.push_back({v, v});
-  const auto corner = [](Handle h) -> std::size_t {
-    if (h < 0 || h >= 4) throw std::logic_error("a cut was taken for a corner");
-    return static_cast<std::size_t>(h);
-  };
+PlacedMaterialTets certified_tets(const CornerMaterials& corners,
+                                  const std::array<Coord3, 4>& vertices) {
+  VertexArena arena(vertices);
+  const auto corner = VertexArena::corner;
   const auto tets = certified::material_tets(
       [&](Handle h) -> std::optional<certified::Material> {
         if (corners[corner(h)] == moved_corner) return std::nullopt;
         return corners[corner(h)];
       },
-      [&](Handle a, Handle b) {
-        arena.push_back({vertices[corner(a)], vertices[corner(b)]});
-        return static_cast<Handle>(arena.size() - 1);
-      },
+      [&](Handle a, Handle b) { return arena.cut(a, b); },
       {0, 1, 2, 3}, shared_material);
-  PlacedTets placed;
+  PlacedMaterialTets placed;
   for (const auto& [material, handles] : tets) {
     auto& tet = placed.emplace_back();
     tet.material = material;
     std::ranges::transform(handles, tet.vertices.begin(),
-                           [&](Handle h) { return arena.at(static_cast<std::size_t>(h)); });
+                           [&](Handle h) { return arena.at(h); });
   }
   return placed;
 }

@@ -9,6 +9,7 @@
 #include "certified.hpp"
 #include "differences.hpp"
 #include "implementation.hpp"
+#include "vertex_arena.hpp"
 
 namespace {
 
@@ -17,45 +18,11 @@ using certet::Stencil;
 using certet::StencilVertex;
 using certified::Handle;
 
-/// A vertex of the output in space: a lattice point twice, or the + and the -
-/// end of a cut edge.
-struct Place {
-  Coord3 a, b;
-  friend bool operator==(const Place&, const Place&) = default;
-};
-using PlacedTets = std::vector<std::array<Place, 4>>;
-
-PlacedTets place(const Stencil& stencil, const std::array<Coord3, 4>& vertices) {
-  PlacedTets tets;
-  for (const certet::UnstructuredTet& tet : stencil)
-    for (std::size_t i = 0; auto& p : tets.emplace_back()) {
-      p = {vertices[tet[i].a], vertices[tet[i].b]};
-      ++i;
-    }
-  return tets;
-}
-
-/// The certified stencil; its vertices are handles into an arena of places.
 PlacedTets certified_tets(const CornerSigns& signs, const std::array<Coord3, 4>& vertices) {
-  std::vector<Place> arena;
-  arena.reserve(vertices.size());
-  for (const Coord3 v : vertices) arena.push_back({v, v});
-  const auto corner = [](Handle h) -> std::size_t {
-    if (h < 0 || h >= 4) throw std::logic_error("a cut was taken for a corner");
-    return static_cast<std::size_t>(h);
-  };
-  const auto tets = certified::unstructured_tets(
-      [&](Handle h) { return signs[corner(h)]; },
-      [&](Handle a, Handle b) {
-        arena.push_back({vertices[corner(a)], vertices[corner(b)]});
-        return static_cast<Handle>(arena.size() - 1);
-      },
-      {0, 1, 2, 3});
-  PlacedTets placed;
-  for (const auto& tet : tets)
-    for (std::size_t i = 0; auto& p : placed.emplace_back())
-      p = arena.at(static_cast<std::size_t>(tet[i++]));
-  return placed;
+  VertexArena arena(vertices);
+  return arena.placed(certified::unstructured_tets(
+      [&](Handle h) { return signs[VertexArena::corner(h)]; },
+      [&](Handle a, Handle b) { return arena.cut(a, b); }, {0, 1, 2, 3}));
 }
 
 std::string show(const CornerSigns& signs) {

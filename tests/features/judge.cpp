@@ -7,6 +7,7 @@
 
 #include "certet/survey.hpp"
 #include "exact.hpp"
+#include "mesh_numbers.hpp"
 
 namespace judge {
 namespace {
@@ -41,16 +42,6 @@ double from_triangle(const Point& p, const certet::TriangleCorners& t) {
   if (size(normal) > 0 && within(a, b) && within(b, c) && within(c, a))
     return std::fabs(dot(minus(p, a), normal)) / size(normal);
   return std::min({from_segment(p, a, b), from_segment(p, b, c), from_segment(p, c, a)});
-}
-
-std::vector<std::array<std::uint64_t, 4>> numbers_of(const Mesh& mesh) {
-  std::vector<std::array<std::uint64_t, 4>> all;
-  std::visit(
-      [&](const auto& tets) {
-        for (const auto& [a, b, c, d] : tets) all.push_back({a, b, c, d});
-      },
-      mesh.tets);
-  return all;
 }
 
 std::vector<std::array<std::uint64_t, 3>> boundary_of(const Mesh& mesh) {

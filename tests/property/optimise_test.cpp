@@ -22,6 +22,7 @@
 #include "domains.hpp"
 #include "exact.hpp"
 #include "materials.hpp"
+#include "mesh_numbers.hpp"
 
 namespace {
 
@@ -40,16 +41,6 @@ Corners corners_of(const Mesh& mesh) {
       [&](const auto& tets) {
         for (const auto& [a, b, c, d] : tets)
           all.push_back({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]});
-      },
-      mesh.tets);
-  return all;
-}
-
-std::vector<std::array<std::uint64_t, 4>> numbers_of(const Mesh& mesh) {
-  std::vector<std::array<std::uint64_t, 4>> all;
-  std::visit(
-      [&](const auto& tets) {
-        for (const auto& [a, b, c, d] : tets) all.push_back({a, b, c, d});
       },
       mesh.tets);
   return all;

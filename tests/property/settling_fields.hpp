@@ -47,6 +47,18 @@ inline std::string fault(const Model& model, const Tets& mesh,
   return "";
 }
 
+/// How many meshes of fields by a rule have this fault.
+template <class Field>
+int wrong_meshes(const std::vector<Field>& fields, const Lattice& lattice, const Rule& rule,
+                 const std::string& how, const exact::AngleRange& range = exact::angles_range) {
+  int wrong = 0;
+  for (const Field& field : fields) {
+    Model model(field, lattice, rule);
+    wrong += fault(model, model.mesh(), range) == how;
+  }
+  return wrong;
+}
+
 /// The corners of every tetrahedron, those of least coordinates first.
 inline std::vector<exact::Tet> positions(const Tets& mesh) {
   std::vector<exact::Tet> placed;
@@ -56,6 +68,13 @@ inline std::vector<exact::Tet> positions(const Tets& mesh) {
   }
   std::ranges::sort(placed);
   return placed;
+}
+
+/// In what a mesh, or the figures of its warp, are not exactly those of a model; nothing if so.
+inline std::string difference(Model& model, const Tets& made, const WarpFigures& figures) {
+  const Tets expected = model.mesh();
+  if (figures != model.figures()) return "the figures are others";
+  return positions(made) == positions(expected) ? "" : "the tetrahedra are others";
 }
 
 inline constexpr Lattice small{{-6, -8, -4}, {7, 8, 7}};

@@ -6,18 +6,10 @@
 
 #include "certet/checksum.hpp"
 #include "certet/write_mesh.hpp"
+#include "nowhere.hpp"
 
 namespace repeatability {
 namespace {
-
-/// Takes a mesh and keeps nothing.
-class Nowhere final : public certet::MeshWriter {
- public:
-  void points(std::span<const certet::Point3>) override {}
-  void tets(std::span<const certet::Tet<std::uint32_t>>, std::span<const std::int32_t>) override {}
-  void tets(std::span<const certet::Tet<std::uint64_t>>, std::span<const std::int32_t>) override {}
-  void finish() override {}
-};
 
 certet::Stuffing counted(const Shape& shape, const Manner& manner, certet::Context& context) {
   certet::Stuffing stuffing(*shape.domain, shape.lattice, manner.method, context);

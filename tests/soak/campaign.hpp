@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstdint>
 #include <exception>
+#include <fstream>
 #include <iostream>
 #include <random>
 #include <stdexcept>
@@ -64,6 +65,12 @@ auto verdicts_of(std::uint64_t count, unsigned threads, const Judge& judge) {
     });
   workers.clear();
   return verdicts;
+}
+
+/// To the terminal, and to the file that was asked for.
+inline void tell(const CampaignArguments& arguments, const std::string& table) {
+  std::cout << table;
+  if (!arguments.report.empty()) std::ofstream(arguments.report) << table;
 }
 
 /// parse() may throw; run(arguments) says how many trials had a fault.

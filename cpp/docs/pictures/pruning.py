@@ -1,6 +1,6 @@
 """Pruning: zero vertices that no + vertex neighbours are no points of the mesh."""
 
-from svg import INK, INSIDE, LINE, PAPER, SOFT, SURFACE, Picture
+from svg import INK, INSIDE, LINE, PAPER, SOFT, SURFACE, explained
 
 # Signs of even vertices in three rows of one layer, after warping.
 ROWS = {"j + 1": "----------0-----",
@@ -14,9 +14,8 @@ def bits(row, sign):
 
 
 def draw(_):
-    picture = Picture(1080, 640, "Pruning, a word at a time")
-    picture.heading((30, 40), "Pruning: which zero vertices are points of the mesh")
-    picture.lines((30, 66), (
+    picture = explained(1080, 640, "Pruning, a word at a time",
+                        "Pruning: which zero vertices are points of the mesh", (
         "A tetrahedron of the output has a + corner, so that a zero vertex is used only if one of its 14 neighbours is +. "
         "The others are",
         "turned to −; then every + or zero vertex is a point, and points can be counted by their bits. All 64 vertices of "
@@ -31,8 +30,7 @@ def draw(_):
                ("+ of row j + 1", bits(ROWS["j + 1"], "+")), ("+ of row j − 1", bits(ROWS["j − 1"], "+"))]
     any_plus = [any(words[i] for _, words in shifted) for i in range(16)]
     kept = [z and a for z, a in zip(zero, any_plus)]
-    for i in range(16):
-        picture.text((left + cell * (i + 0.5), top - 14), str(i), 12, SOFT, "middle", mono=True)
+    picture.indices(left, top - 14, cell, 16)
     picture.text((left - 20, top - 14), "index i", 12, SOFT, "end")
     for n, (name, row) in enumerate(ROWS.items()):
         y = top + 12 + 30 * n

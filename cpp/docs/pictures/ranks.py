@@ -1,6 +1,6 @@
 """How points are numbered: by row, kind and rank, with words of bits and counts of bits."""
 
-from svg import INK, INSIDE, LINE, PAPER, SOFT, Picture
+from svg import INK, INSIDE, LINE, PAPER, SOFT, explained
 
 BITS = 16  # of a word, which has 64
 ACCENT = "#b03a8c"
@@ -27,9 +27,8 @@ def kinds():
 
 
 def draw(_):
-    picture = Picture(1080, 628, "Numbering by rank")
-    picture.heading((30, 40), "Numbering by rank: a point's number is computed, never looked up")
-    picture.lines((30, 66), (
+    picture = explained(1080, 628, "Numbering by rank",
+                        "Numbering by rank: a point's number is computed, never looked up", (
         "The points of a row (j, k) stand kind by kind: corners of each grid, then the cuts of each family of edges. "
         "A kind has a",
         "word of bits for every 64 indices i: bit i is set where the index owns a point of that kind. Before a word "
@@ -37,8 +36,7 @@ def draw(_):
         "as the row has in the kinds and words before it. (Here a word has 16 bits, and 7 of the 16 kinds are "
         "shown.)"))
     left, top, cell, high = 330, 168, 33, 34
-    for i in range(BITS):
-        picture.text((left + cell * (i + 0.5), top - 12), str(i), 12, SOFT, "middle", mono=True)
+    picture.indices(left, top - 12, cell, BITS)
     picture.text((left - 18, top - 12), "index i", 12, SOFT, "end")
     picture.text((left + cell * BITS + 50, top - 12), "before", 13, INK, "middle", "700")
     picture.text((left + cell * BITS + 120, top - 12), "popcount", 13, INK, "middle", "700")

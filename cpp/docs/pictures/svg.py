@@ -50,6 +50,11 @@ class Picture:
         for n, words in enumerate(lines):
             self.text((at[0], at[1] + 20 * n), words, 13.5, SOFT)
 
+    def indices(self, left, y, cell, count):
+        """Above the cells of a row: 0 to count - 1."""
+        for i in range(count):
+            self.text((left + cell * (i + 0.5), y), str(i), 12, SOFT, "middle", mono=True)
+
     def arrow(self, a, b, colour=INK, width=1.8):
         dx, dy = b[0] - a[0], b[1] - a[1]
         length = (dx * dx + dy * dy) ** 0.5
@@ -115,3 +120,11 @@ def tetrahedron(picture, view, corners, fill, opacity=0.55, edge=INK, width=1.4)
     faces = [[corners[n] for n in range(4) if n != across] for across in range(4)]
     for face in sorted(faces, key=lambda f: -view.depth(mean(f))):
         picture.polygon([view(p) for p in face], fill, opacity, edge, width)
+
+
+def explained(width, height, title, heading, lines):
+    """A picture with a heading, and sentences below it."""
+    picture = Picture(width, height, title)
+    picture.heading((30, 40), heading)
+    picture.lines((30, 66), lines)
+    return picture

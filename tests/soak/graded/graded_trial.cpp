@@ -9,6 +9,7 @@
 #include "domains.hpp"
 #include "holes.hpp"
 #include "materials.hpp"
+#include "nowhere.hpp"
 #include "property/graded_mesh.hpp"
 #include "seed.hpp"
 
@@ -105,13 +106,7 @@ void spoil(PlacedMesh& mesh, Plant plant) {
 
 /// Keeps a checksum alone: of lattice positions, which the frame leaves as they are.
 std::uint64_t streamed(const Stuffing& stuffing, std::uint64_t bytes, certet::Context& context) {
-  class Nowhere final : public certet::MeshWriter {
-   public:
-    void points(std::span<const certet::Point3>) override {}
-    void tets(std::span<const certet::Tet<std::uint32_t>>, std::span<const std::int32_t>) override {}
-    void tets(std::span<const certet::Tet<std::uint64_t>>, std::span<const std::int32_t>) override {}
-    void finish() override {}
-  } nowhere;
+  Nowhere nowhere;
   return certet::write_mesh(stuffing, {}, certet::cut_slabs(stuffing, bytes), nowhere, context)
       .checksum;
 }

@@ -11,11 +11,9 @@
 /// Ends with status 1 if a mesh has a fault, 2 on wrong usage.
 
 #include <algorithm>
-#include <fstream>
-#include <iostream>
 #include <sstream>
 
-#include "../campaign.hpp"
+#include "../numbered_campaign.hpp"
 #include "label_trial.hpp"
 #include "subject.hpp"
 
@@ -23,34 +21,7 @@ namespace {
 
 using labelled::Verdict;
 
-struct Arguments : soak::CampaignArguments {
-  std::uint64_t count = 96, first = 0;
-  labelled::Plant plant{};
-};
-
-/// \throws std::exception on wrong usage
-Arguments parse(int argc, char** argv) {
-  Arguments arguments;
-  soak::read_options(argc, argv, [&](const std::string& name, const std::string& value) {
-    if (name == "--count") arguments.count = std::stoull(value);
-    else if (name == "--first") arguments.first = std::stoull(value);
-    else if (name == "--plant") arguments.plant = static_cast<labelled::Plant>(soak::number_of(labelled::plant_names, value));
-    else return arguments.take(name, value);
-    return true;
-  });
-  return arguments;
-}
-
-/// An exception is a fault too.
-Verdict judged(std::uint64_t number, const Arguments& arguments) {
-  try {
-    return labelled::judge(arguments.seed, number, arguments.plant);
-  } catch (const std::exception& error) {
-    Verdict verdict;
-    verdict.faults.push_back(std::string("an exception: ") + error.what());
-    return verdict;
-  }
-}
+using Arguments = soak::NumberedArguments<labelled::Plant>;
 
 /// A row of the table.
 struct Row {
@@ -84,22 +55,13 @@ struct Row {
 };
 
 std::uint64_t tell_all(const Arguments& arguments) {
-  const std::vector<Verdict> verdicts =
-      soak::verdicts_of(arguments.count, arguments.threads, [&](std::uint64_t i) {
-        return judged(arguments.first + i, arguments);
-      });
+  const std::vector<Verdict> verdicts = soak::verdicts_of(arguments, labelled::judge);
   constexpr std::size_t kinds = labelled::subject_kinds.size();
   std::array<Row, kinds> rows;
   Row all;
-  std::ostringstream sentences;
-  int left = 20;
   for (std::size_t n = 0; n < verdicts.size(); ++n) {
     rows[(arguments.first + n) % kinds].add(verdicts[n]);
     all.add(verdicts[n]);
-    for (const std::string& fault : verdicts[n].faults)
-      if (left-- > 0)
-        sentences << "\ncertet_label_soak --seed " << arguments.seed << " --first "
-                  << arguments.first + n << " --count 1: " << fault << "\n";
   }
   std::ostringstream table;
   table << "seed " << arguments.seed << ", from " << arguments.first
@@ -110,14 +72,15 @@ std::uint64_t tell_all(const Arguments& arguments) {
            "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (std::size_t kind = 0; kind < kinds; ++kind) rows[kind].tell(table, labelled::subject_kinds[kind]);
   all.tell(table, "all");
-  table << sentences.str();
-  std::cout << table.str();
-  if (!arguments.report.empty()) std::ofstream(arguments.report) << table.str();
+  table << soak::faults_of<labelled::Plant, Verdict>("certet_label_soak", arguments, verdicts);
+  soak::tell(arguments, table.str());
   return all.faulty;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return soak::campaign("certet_label_soak", [&] { return parse(argc, argv); }, tell_all);
+  return soak::campaign("certet_label_soak", [&] {
+    return soak::numbered_arguments<labelled::Plant>(argc, argv, 96, labelled::plant_names);
+  }, tell_all);
 }

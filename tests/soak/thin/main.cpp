@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iostream>
 #include <sstream>
 #include <stdexcept>
 
@@ -106,8 +104,7 @@ std::uint64_t tell_all(const Arguments& arguments) {
   for (const Source source : {Source::image, Source::field})
     faulty += tell(table, source, run(source, arguments),
                    arguments.first[static_cast<std::size_t>(source)]);
-  std::cout << table.str();
-  if (!arguments.report.empty()) std::ofstream(arguments.report) << table.str();
+  soak::tell(arguments, table.str());
   return faulty;
 }
 
