@@ -11,13 +11,16 @@ From Coq Require Import ZArith List.
 
 (** What is meant to run. *)
 From Certet Require Export Lattice.Coord3 Lattice.StructuredTet Lattice.Tiling.
-From Certet Require Export C15.Sites C15.C15Tet.
+From Certet Require Export Stencil.UnstructuredTet Warp.Cut Stuffing.Stuffing.
+From Certet Require Export Key.KeyTet Key.KeyStuffing.
+From Certet Require Export C15.Sites C15.C15Tet C15.TilingStuffing C15.C15Stuffing.
 
 (** What is meant. *)
-From Certet Require Export Lattice.NeighborSpec Angles.Geometry C15.C15Spec.
+From Certet Require Export Lattice.NeighborSpec Stencil.TriangleSpec Stuffing.MeshSpec.
+From Certet Require Export Angles.Geometry Key.FaceRule C15.C15Spec.
 
 (** Why it holds. *)
-From Certet Require C15.C15TilingProof.
+From Certet Require C15.C15TilingProof C15.TilingMeshProof C15.C15MeshProof.
 
 Open Scope Z_scope.
 
@@ -69,3 +72,62 @@ Proof. exact C15TilingProof.C15VolumesPositive. Qed.
 
 Theorem C15VolumesFill : C15SixVolumes = CellSixVolume.
 Proof. exact C15TilingProof.C15VolumesFill. Qed.
+
+(** ** The mesh, with diagonals by key *)
+
+(** In any tiling and any order of the cuts the triangles that a tetrahedron has on
+    a face with a + corner are those that the face's own rule says, from the signs
+    of its corners and the keys of its cuts alone. *)
+Theorem TilingFaceRule :
+  forall (T : Tiling), VerticesApart T ->
+    forall key after (id : Identifier T) f1 f2 f3,
+      let face := (f1 :: f2 :: f3 :: nil)%list in
+      KeysApart key (VerticesOf T id) ->
+      NoDup face -> incl face (VerticesOf T id) ->
+      (exists f, In f face /\ after f = Plus) ->
+      forall a b c, LiesIn face a -> LiesIn face b -> LiesIn face c ->
+        AmongTriangles (TilingNames T key after id) a b c <->
+        AmongFaceTriangles
+          (FaceTriangles MeshVertex (AfterSign after) MeshIntersection (MeshKey key)
+             (Corner f1) (Corner f2) (Corner f3)) a b c.
+Proof. exact TilingMeshProof.TilingFaceRule. Qed.
+
+(** Cuts that share an end never have the same key. *)
+Theorem C15CutKeysApart :
+  forall cut tid, KeysApart (C15CutKey cut) (C15Corners tid).
+Proof. exact C15MeshProof.C15CutKeysApart. Qed.
+
+(** Whatever the signs after warping and the cuts: a tetrahedron of the output has a
+    corner inside and none outside; *)
+Theorem C15TetrahedraInside :
+  forall after cut (tid : C15TetId) t,
+    In t (TilingNames C15Tiling (C15CutKey cut) after tid) ->
+    (exists v, In v (TetCorners t) /\ AfterSign after v = Plus) /\
+    (forall v, In v (TetCorners t) -> AfterSign after v <> Minus).
+Proof. exact C15MeshProof.C15TetrahedraInside. Qed.
+
+(** both sides of a face with a corner inside have the same triangles, each of one
+    tetrahedron of either side; *)
+Theorem C15FacesConform :
+  forall after cut (tid : C15TetId) i a b c,
+    let face := TilingFace C15Tiling tid i in
+    let made := TilingNames C15Tiling (C15CutKey cut) after in
+    LiesIn face a -> LiesIn face b -> LiesIn face c ->
+    ((exists f, In f face /\ after f = Plus) ->
+     AmongTriangles (made tid) a b c <->
+     AmongTriangles (made (TilingNeighbor C15Tiling tid i)) a b c) /\
+    (forall t u, In t (made tid) -> In u (made tid) ->
+       HasTriangle t a b c -> HasTriangle u a b c -> t = u).
+Proof. exact C15MeshProof.C15FacesConform. Qed.
+
+(** and a triangle that no other tetrahedron has lies on the surface. *)
+Theorem C15BoundaryOnSurface :
+  forall after cut (tid : C15TetId) t a b c,
+    let made := TilingNames C15Tiling (C15CutKey cut) after in
+    let sign := AfterSign after in
+    In t (made tid) -> HasTriangle t a b c ->
+    (sign a = OnSurface /\ sign b = OnSurface /\ sign c = OnSurface) \/
+    (exists u, u <> t /\ HasTriangle u a b c /\
+       (In u (made tid) \/
+        exists i, In u (made (TilingNeighbor C15Tiling tid i)))).
+Proof. exact C15MeshProof.C15BoundaryOnSurface. Qed.
