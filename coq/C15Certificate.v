@@ -4,10 +4,11 @@
     regular than those of the body-centred cubic lattice, with dihedral angles from
     60 to 74.3 degrees.
 
-    Read [C15/Sites.v], the vertices and the edges, and [C15/C15Tet.v], the
-    tetrahedra as data.  [make audit] checks this page as the others. *)
+    Read [C15/Sites.v], the vertices and the edges, [C15/C15Tet.v], the tetrahedra as
+    data, and [C15/C15Stuffing.v], what is put in their place.  [make audit] checks
+    this page as the others. *)
 
-From Coq Require Import ZArith List.
+From Coq Require Import ZArith Reals List.
 
 (** What is meant to run. *)
 From Certet Require Export Lattice.Coord3 Lattice.StructuredTet Lattice.Tiling.
@@ -17,10 +18,13 @@ From Certet Require Export C15.Sites C15.C15Tet C15.TilingStuffing C15.C15Stuffi
 
 (** What is meant. *)
 From Certet Require Export Lattice.NeighborSpec Stencil.TriangleSpec Stuffing.MeshSpec.
-From Certet Require Export Angles.Geometry Key.FaceRule C15.C15Spec.
+From Certet Require Export Angles.Geometry Angles.AnglesSpec Angles.DegreesSpec.
+From Certet Require Export Key.FaceRule C15.C15Spec C15.C15AnglesSpec C15.C15WarpSpec.
 
 (** Why it holds. *)
 From Certet Require C15.C15TilingProof C15.TilingMeshProof C15.C15MeshProof.
+From Certet Require C15.C15WarpProof C15.C15LatticeProof C15.C15BoundsProof.
+From Certet Require C15.C15DegreesProof.
 
 Open Scope Z_scope.
 
@@ -131,3 +135,51 @@ Theorem C15BoundaryOnSurface :
        (In u (made tid) \/
         exists i, In u (made (TilingNeighbor C15Tiling tid i)))).
 Proof. exact C15MeshProof.C15BoundaryOnSurface. Qed.
+
+(** ** Angles *)
+
+(** Where no edge is short of both its ends, what warping leaves around a
+    tetrahedron is an admissible placement. *)
+Theorem C15WarpIsAdmissible :
+  forall th sign cut, C15AtMostHalf th -> CutsOnEdges sign cut ->
+    forall tid,
+      C15Admissible sign (C15WarpVertex th sign cut) cut th (C15Corners tid).
+Proof. exact C15WarpProof.C15WarpIsAdmissible. Qed.
+
+(** At 86/256 of an edge from magnesium to magnesium, 96 from magnesium to copper, 80
+    from copper to magnesium and 99 from copper to copper: of every admissible
+    placement every tetrahedron is right-handed, and its dihedral angles are between
+    those whose cotangents' squares are 91/6 and 71/25, *)
+Theorem C15DihedralBounds :
+  forall tid before warping cut,
+    C15Admissible before warping cut C15KeyThresholds (C15Corners tid) ->
+    forall t, In t (C15Tets before warping cut tid) ->
+      WellShaped (AB (CotSq 91 6) (CotSq 71 25)) t.
+Proof. exact C15BoundsProof.C15DihedralBounds. Qed.
+
+(** which is between 14.40 and 149.32 degrees. *)
+Theorem C15DihedralBoundsInDegrees :
+  forall tid before warping cut t,
+    C15Admissible before warping cut C15KeyThresholds (C15Corners tid) ->
+    In t (C15Tets before warping cut tid) ->
+    WithinDegrees (1440 / 100) (14932 / 100) t.
+Proof. exact C15DegreesProof.C15DihedralBoundsInDegrees. Qed.
+
+Theorem C15PositiveVolume :
+  forall tid before warping cut t,
+    C15Admissible before warping cut C15KeyThresholds (C15Corners tid) ->
+    In t (C15Tets before warping cut tid) -> Positive t.
+Proof. exact C15BoundsProof.C15PositiveVolume. Qed.
+
+(** So it is after warping, wherever the cuts are on their edges. *)
+Theorem C15BoundsInDegrees :
+  forall sign cut tid t, CutsOnEdges sign cut ->
+    In t (C15StuffedTets C15KeyThresholds sign cut tid) ->
+    WithinDegrees (1440 / 100) (14932 / 100) t.
+Proof. exact C15DegreesProof.C15BoundsInDegrees. Qed.
+
+(** No tetrahedron of the warped lattice is turned over, kept or dropped. *)
+Theorem C15WarpedLatticePositive :
+  forall sign cut tid, CutsOnEdges sign cut ->
+    Positive (C15WarpedTet (C15WarpVertex C15KeyThresholds sign cut) cut tid).
+Proof. exact C15LatticeProof.C15WarpedLatticePositive. Qed.

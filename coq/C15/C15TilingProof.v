@@ -110,11 +110,29 @@ Qed.
 
 (** *** The way back *)
 
-Lemma C15CaseEqual (a b : C15Case) : {a = b} + {a <> b}.
-Proof. decide equality. Defined.
-
+(** Cases are told apart by their corners. *)
 Definition SameCase (a b : C15Case) : bool :=
-  if C15CaseEqual a b then true else false.
+  forallb (fun i => Coord3Equal (C15Corner a i) (C15Corner b i)) AllPlaces.
+
+Lemma CaseFound a : find (SameCase a) AllC15Cases = Some a.
+Proof. destruct a; reflexivity. Qed.
+
+Lemma FindAlike {A : Type} (f g : A -> bool) l :
+  (forall x, f x = g x) -> find f l = find g l.
+Proof.
+  intros E. induction l as [|x r IH]; [reflexivity|]. cbn [find]. rewrite E, IH.
+  reflexivity.
+Qed.
+
+Lemma SameCaseEqual a b : SameCase a b = true -> a = b.
+Proof.
+  unfold SameCase. rewrite forallb_forall. intros S.
+  assert (E : forall i, C15Corner a i = C15Corner b i)
+    by (intros i; apply Coord3EqualTrue, S, InAllPlaces).
+  assert (Some a = Some b) as same; [|congruence].
+  rewrite <- (CaseFound a), <- (CaseFound b). apply FindAlike. intros c. unfold SameCase.
+  cbn [forallb AllPlaces]. rewrite !E. reflexivity.
+Qed.
 
 Definition PlacesUndo (p q : Place * Place * Place * Place) : bool :=
   forallb (fun i => SamePlace (Pick p (Pick q i)) i) AllPlaces.
@@ -165,7 +183,7 @@ Proof.
   destruct (C15NeighborOf other j) as [back case' p' q' r' s'] eqn:B.
   rewrite !andb_true_iff in T. destruct T as [[[A C] U] U'].
   apply Coord3EqualTrue in A.
-  assert (case' = case) by (unfold SameCase in C; destruct (C15CaseEqual case' case); [assumption|discriminate C]).
+  apply SameCaseEqual in C.
   subst case'.
   exists j, (OrderOfPlaces p' q' r' s'). cbn [C15Vertex C15Across].
   rewrite B. split; [|split; [|split]].
