@@ -8,8 +8,9 @@
     over, so that the same mesh embeds too.
 
     Read [Key/KeyTet.v], the stencils in any order of the cuts, and
-    [Key/KeyStuffing.v], the order.  [Certificate.v] exports this page, and
-    [make audit] checks it as that one. *)
+    [Key/KeyStuffing.v], the order.  [C15Certificate.v] has the same diagonals in
+    another lattice.  [Certificate.v] exports this page and that, and [make audit]
+    checks them as that one. *)
 
 From Coq Require Import ZArith Reals List.
 
@@ -20,6 +21,9 @@ From Certet Require Export Warp.Cut Warp.Warp.
 From Certet Require Export Stuffing.Stuffing Stuffing.Domain.
 From Certet Require Export Embedding.WarpOrClamp Embedding.Settle.
 From Certet Require Export Key.KeyTet Key.KeyStuffing.
+
+(** Another lattice. *)
+From Certet Require Export C15Certificate.
 
 (** What is meant. *)
 From Certet Require Export Lattice.NeighborSpec Stencil.TriangleSpec Stuffing.MeshSpec.

@@ -140,11 +140,14 @@ Section Named.
     rewrite <- !NameBase, LabelledTets by (cbn; tauto). apply map_map.
   Qed.
 
-  Lemma AmongOrdered x y z :
-    AmongTriangles (OrderedNames key before warping tid) (name x) (name y) (name z)
-    <-> AmongTriangles NamedRanked x y z.
+  (** Of any tetrahedra that are so named. *)
+  Variable names : list (UnstructuredTet MeshVertex).
+  Hypothesis named : exists h, names = map (fun t => Orient h (MapTet name t)) NamedRanked.
+
+  Lemma AmongNamed x y z :
+    AmongTriangles names (name x) (name y) (name z) <-> AmongTriangles NamedRanked x y z.
   Proof.
-    destruct OrderedNamed as [h ->]. split.
+    destruct named as [h ->]. split.
     - intros (t & inside & has). apply in_map_iff in inside as (s & <- & inside).
       exists s. split; [easy|].
       now apply (HasTriangleName f1 f2 f3 p q distinct), (OrientHasTriangle h).
@@ -210,7 +213,7 @@ Section Named.
     (exists f, In f [at_ l1; at_ l2; at_ l3] /\ after f = Plus) ->
     forall a b c, LiesIn [at_ l1; at_ l2; at_ l3] a ->
       LiesIn [at_ l1; at_ l2; at_ l3] b -> LiesIn [at_ l1; at_ l2; at_ l3] c ->
-      AmongTriangles (OrderedNames key before warping tid) a b c <->
+      AmongTriangles names a b c <->
       OnFace key before warping (at_ l1) (at_ l2) (at_ l3) a b c.
   Proof.
     intros listed plus a b c in_a in_b in_c.
@@ -224,7 +227,7 @@ Section Named.
     destruct (LiesInName _ _ _ _ _ _ _ in_a) as [sa ->].
     destruct (LiesInName _ _ _ _ _ _ _ in_b) as [sb ->].
     destruct (LiesInName _ _ _ _ _ _ _ in_c) as [sc ->].
-    rewrite AmongOrdered. unfold OnFace.
+    rewrite AmongNamed. unfold OnFace.
     rewrite (LabelledTriangles l1 l2 l3 L1 L2 L3).
     pose proof NamedChecked as C. unfold CheckOrdered in C.
     rewrite !andb_true_iff in C. destruct C as [_ C].
@@ -347,7 +350,8 @@ Section Face.
       cbn [In] in D1, D3. rewrite !ne; [reflexivity|..]; rewrite <- ?E1, <- ?E2, <- ?E3;
         intuition congruence. }
     rewrite E1, E2, E3 in *.
-    exact (NamedFaceRule g1 g2 g3 p q distinct key before warping tid vertices apart
+    exact (NamedFaceRule g1 g2 g3 p q distinct key before warping apart _
+             (OrderedNamed g1 g2 g3 p q distinct key before warping tid vertices apart)
              l1 l2 l3 listed plus).
   Qed.
 

@@ -6,8 +6,8 @@
     and halves in which the cuts cannot be in order are left out. *)
 
 From Certet Require Import Angles.Definitions.
-From Certet Require Import Angles.Forms.Checker Angles.Cases.Configurations
-  Key.KeyTet Key.Orders.
+From Certet Require Import Angles.Forms.BoxForm Angles.Forms.Checker
+  Angles.Cases.Configurations Key.KeyTet Key.Orders.
 Open Scope Z_scope.
 
 (** ** The stencils on symbols *)
@@ -103,6 +103,49 @@ Definition Widest (ranges : list CutRange) (t : UnstructuredTet Symbol)
         end
     end) (TetCorners t) None.
 
+(** ** A quicker check
+
+    As [CheckTet], but that no segment is halved where it fails, and that the first
+    edge that fails is the last that is looked at: ranges will be halved instead. *)
+
+Section Quick.
+  Variable bounds : AngleBounds.
+
+  Definition QuickBound (k : CotSquared) (volume extreme edge : Z)
+    (a b c d : Segment) : bool :=
+    if CheckRanges k volume extreme edge then true else CheckFull k a b c d.
+
+  Definition QuickEdge (volume : Z) (e : Segment * Segment * Segment * Segment) : bool :=
+    let '(a, b, c, d) := e in
+    match bounds with
+      AB acute obtuse =>
+        let nd := NormalsDegrees a b c d in
+        let n := NormalsForm a b c d in
+        let most := Upper nd n in
+        let least := Lower nd n in
+        let edge := Lower (EdgeDegrees a b c d) (EdgeForm a b c d) in
+        if (if most <=? 0 then true
+            else QuickBound acute volume most edge a b c d)
+        then (if 0 <=? least then true
+              else QuickBound obtuse volume least edge a b c d)
+        else false
+    end.
+
+  Fixpoint QuickEdges (volume : Z) (es : list (Segment * Segment * Segment * Segment))
+    : bool :=
+    match es with
+    | [] => true
+    | e :: rest => if QuickEdge volume e then QuickEdges volume rest else false
+    end.
+
+  Definition QuickTet (t : UnstructuredTet Segment) : bool :=
+    match t with
+      UT _ a b c d =>
+        let volume := Lower (VolumeDegrees a b c d) (VolumeForm a b c d) in
+        if 0 <? volume then QuickEdges volume (DihedralEdges t) else false
+    end.
+End Quick.
+
 (** ** The check *)
 
 Definition RangedSegment (r : Ranges) (moves : Quad (option Direction))
@@ -120,20 +163,23 @@ Definition RangedSegment (r : Ranges) (moves : Quad (option Direction))
   end.
 
 Section Check.
-  Variables (bounds : AngleBounds) (r : Ranges).
-  Variables (moves : Quad (option Direction)) (t : UnstructuredTet Symbol).
+  Variable bounds : AngleBounds.
+  (** Where vertices can be while cuts are in such ranges. *)
+  Variable segment : list CutRange -> Symbol -> Segment.
+  Variable t : UnstructuredTet Symbol.
 
   Fixpoint CheckRanged (halvings : nat) (ranges : list CutRange) : bool :=
     if IsEmpty ranges then true
-    else if CheckTet bounds (MapTet (RangedSegment r moves ranges) t) then true
     else
       match halvings, Widest ranges t with
       | S n, Some (c, lo, hi) =>
-          let middle := (lo + hi) / 2 in
-          if CheckRanged n (Tightened (Narrowed c (fun lo hi => (lo, middle)) ranges))
-          then CheckRanged n (Tightened (Narrowed c (fun lo hi => (middle, hi)) ranges))
-          else false
-      | _, _ => false
+          if QuickTet bounds (MapTet (segment ranges) t) then true
+          else
+            let middle := (lo + hi) / 2 in
+            if CheckRanged n (Tightened (Narrowed c (fun lo hi => (lo, middle)) ranges))
+            then CheckRanged n (Tightened (Narrowed c (fun lo hi => (middle, hi)) ranges))
+            else false
+      | _, _ => CheckTet bounds (MapTet (segment ranges) t)
       end.
 End Check.
 
@@ -150,7 +196,8 @@ Definition CheckOrders (bounds : AngleBounds) (r : Ranges) (signs : Quad Sign) :
       let ranges := Tightened (InitialRanges r order) in
       let tets := OrderedTets signs order in
       forallb (fun moves =>
-        forallb (fun t => CheckRanged bounds r moves t Halvings ranges) tets)
+        forallb (fun t => CheckRanged bounds (RangedSegment r moves) t Halvings ranges)
+          tets)
         all_moves) (Orders (CutsBetween signs))
   else true.
 

@@ -220,14 +220,14 @@ Section Placement.
       Fitting at_ (InitialRanges r o) ->
       (forall a e, In (a, e) o -> a <> e) ->
       In t (OrderedTets (TurnQuad g signs) o) ->
-      CheckRanged bounds r moves t Halvings (Tightened (InitialRanges r o)) = true ->
+      CheckRanged bounds (RangedSegment r moves) t Halvings (Tightened (InitialRanges r o)) = true ->
       WellShaped bounds (MapTet place t).
     Proof.
       intros O F N I C.
       assert (cuts : map CutIn (InitialRanges r o) = o).
       { unfold InitialRanges. rewrite map_map. rewrite <- (map_id o) at 2.
         apply map_ext. intros []. reflexivity. }
-      apply (CheckRangedSound at_ bounds r moves t place Hbounds o) with
+      apply (CheckRangedSound at_ bounds (RangedSegment r moves) t place Hbounds o) with
         (halvings := Halvings) (ranges := Tightened (InitialRanges r o));
         [|rewrite CutsTightened; exact cuts|apply TightenedFit, F|exact C].
       intros ranges v E F' J. rewrite <- E in N.
@@ -302,8 +302,9 @@ Section Placement.
       intros same. assert (b = f) by (rewrite <- (TurnTwice g b), same; apply TurnTwice).
       congruence. }
     pose proof (InitialFit g m Hm Hw o inside (SortInOrder _ _)) as F. fold o' in F.
-    assert (C : CheckRanged bounds r (QuadOf (MoveAt before warping anchor case g m)) t4
-      Halvings (Tightened (InitialRanges r o')) = true).
+    assert (C : CheckRanged bounds
+      (RangedSegment r (QuadOf (MoveAt before warping anchor case g m))) t4 Halvings
+      (Tightened (InitialRanges r o')) = true).
     { unfold CheckOrderedRepresentatives in Checked. rewrite forallb_forall in Checked.
       specialize (Checked (TurnQuad g signs)). rewrite filter_In in Checked.
       rewrite SurfaceCornersTurned in Checked. specialize (Checked (conj R Taken)).

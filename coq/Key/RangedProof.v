@@ -1,7 +1,7 @@
 (** * The check of ranged cuts is sound: proof *)
 
 From Certet Require Import Key.Definitions.
-From Certet Require Import Angles.Forms.Checker Angles.Forms.EdgeProof
+From Certet Require Import Angles.Forms.BoxForm Angles.Forms.Checker Angles.Forms.EdgeProof
   Angles.Forms.CheckerProof Angles.Cases.Configurations
   Angles.Cases.ReductionProof Key.Orders Key.OrderProof Key.KeyConfigurations.
 Open Scope Z_scope.
@@ -13,6 +13,45 @@ Lemma SamePairEqual x y : SamePair x y = true <-> x = y.
 Proof.
   destruct x, y. unfold SamePair. cbn [fst snd].
   rewrite andb_true_iff, !LabelEqualTrue. intuition congruence.
+Qed.
+
+(** ** What the quicker check accepts, the check accepts *)
+
+Lemma QuickBoundChecks k volume extreme edge a b c d :
+  QuickBound k volume extreme edge a b c d = true ->
+  CheckBound k volume extreme edge a b c d = true.
+Proof.
+  unfold QuickBound, CheckBound. destruct (CheckRanges k volume extreme edge); [trivial|].
+  intros ->. reflexivity.
+Qed.
+
+Lemma QuickEdgeChecks bounds volume a b c d :
+  QuickEdge bounds volume (a, b, c, d) = true ->
+  CheckEdge bounds volume a b c d = true.
+Proof.
+  destruct bounds as [acute obtuse]. unfold QuickEdge, CheckEdge. cbv zeta.
+  generalize (Upper (NormalsDegrees a b c d) (NormalsForm a b c d)).
+  generalize (Lower (NormalsDegrees a b c d) (NormalsForm a b c d)).
+  generalize (Lower (EdgeDegrees a b c d) (EdgeForm a b c d)).
+  intros edge least most.
+  destruct (if most <=? 0 then true else QuickBound acute volume most edge a b c d)
+    eqn:A; [|discriminate].
+  replace (if most <=? 0 then true else CheckBound acute volume most edge a b c d)
+    with true
+    by (destruct (most <=? 0); [reflexivity|symmetry; apply QuickBoundChecks, A]).
+  destruct (0 <=? least); [trivial|]. apply QuickBoundChecks.
+Qed.
+
+Lemma QuickTetChecks bounds t : QuickTet bounds t = true -> CheckTet bounds t = true.
+Proof.
+  destruct t as [a b c d]. cbn beta iota zeta delta [QuickTet CheckTet].
+  generalize (Lower (VolumeDegrees a b c d) (VolumeForm a b c d)). intros volume.
+  destruct (0 <? volume); [|discriminate].
+  generalize (DihedralEdges (UT Segment a b c d)). intros es Q. apply forallb_forall.
+  induction es as [|e rest IH]; [intros e []|]. cbn [QuickEdges] in Q.
+  destruct (QuickEdge bounds volume e) eqn:E; [|discriminate Q].
+  intros x [<-|I]; [|exact (IH Q x I)].
+  destruct e as [[[p q] r] s]. apply QuickEdgeChecks, E.
 Qed.
 
 (** ** What becomes of ranges, their cuts stay *)
@@ -147,39 +186,38 @@ Section Fitting.
 
   (** *** The check *)
 
-  Variables (bounds : AngleBounds) (r : Ranges) (moves : Quad (option Direction)).
+  Variables (bounds : AngleBounds) (segment : list CutRange -> Symbol -> Segment).
   Variables (t : UnstructuredTet Symbol) (place : Symbol -> Coord3).
   Hypothesis Hbounds : Sensible bounds.
 
   (** Wherever the ranges are, what they say is so. *)
   Variable cuts : list (Label * Label).
   Hypothesis Segments : forall ranges v, map CutIn ranges = cuts -> Fitting ranges ->
-    In v (TetCorners t) -> OnSegment 256 (RangedSegment r moves ranges v) (place v).
+    In v (TetCorners t) -> OnSegment 256 (segment ranges v) (place v).
 
   Theorem CheckRangedSound halvings ranges :
     map CutIn ranges = cuts -> Fitting ranges ->
-    CheckRanged bounds r moves t halvings ranges = true ->
+    CheckRanged bounds segment t halvings ranges = true ->
     WellShaped bounds (MapTet place t).
   Proof.
     assert (whole : forall ranges, map CutIn ranges = cuts -> Fitting ranges ->
-      CheckTet bounds (MapTet (RangedSegment r moves ranges) t) = true ->
+      CheckTet bounds (MapTet (segment ranges) t) = true ->
       WellShaped bounds (MapTet place t)).
     { clear ranges. intros ranges E F T.
       pose proof (fun v => Segments ranges v E F) as S.
       destruct t as [a b c d]. cbn [MapTet TetCorners In] in *.
       apply (CheckTetSound 256 ltac:(lia)
-        bounds (RangedSegment r moves ranges a) (RangedSegment r moves ranges b)
-        (RangedSegment r moves ranges c) (RangedSegment r moves ranges d));
+        bounds (segment ranges a) (segment ranges b)
+        (segment ranges c) (segment ranges d));
         auto 6. }
     revert ranges. induction halvings as [|n IH]; intros ranges E F C;
       cbn [CheckRanged] in C; rewrite (NotEmpty ranges F) in C;
-      destruct (CheckTet bounds (MapTet (RangedSegment r moves ranges) t)) eqn:T.
-    - exact (whole ranges E F T).
-    - discriminate C.
-    - exact (whole ranges E F T).
-    - destruct (Widest ranges t) as [[[c lo] hi]|]; [|discriminate C].
-      set (middle := (lo + hi) / 2) in C.
-      destruct (CheckRanged bounds r moves t n (Tightened (Narrowed c
+      [exact (whole ranges E F C)|].
+    destruct (Widest ranges t) as [[[c lo] hi]|]; [|exact (whole ranges E F C)].
+    destruct (QuickTet bounds (MapTet (segment ranges) t)) eqn:T.
+    - exact (whole ranges E F (QuickTetChecks _ _ T)).
+    - set (middle := (lo + hi) / 2) in C.
+      destruct (CheckRanged bounds segment t n (Tightened (Narrowed c
         (fun lo _ => (lo, middle)) ranges))) eqn:First; [|discriminate C].
       destruct (Z.le_ge_cases (at_ c) (256 * middle)) as [L|L];
         [apply (IH _) in First; [exact First|..]|apply (IH _) in C; [exact C|..]];

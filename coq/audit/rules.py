@@ -10,7 +10,7 @@ import re
 from vernacular import Unreadable, sentences
 
 PAGES = ("PaperCertificate.v", "WholeMeshCertificate.v", "MaterialCertificate.v",
-         "GradingCertificate.v", "KeyCertificate.v", "Certificate.v")
+         "GradingCertificate.v", "C15Certificate.v", "KeyCertificate.v", "Certificate.v")
 DEFINING = {"From", "Import", "Open", "Section", "End", "Variable", "Variables",
             "Definition", "Fixpoint", "Inductive", "Record", "Arguments"}
 PROVING = DEFINING | {"Theorem", "Lemma", "Corollary", "Let", "Hypothesis", "Hypotheses", "Ltac", "Local"}

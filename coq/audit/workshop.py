@@ -87,7 +87,7 @@ class Workshop:
         of those before it none."""
         # No proofs but theirs; and nothing of Mesh, which would have to follow every change of a Spec.
         for page in ("WholeMeshCertificate.v", "MaterialCertificate.v", "GradingCertificate.v",
-                     "KeyCertificate.v"):
+                     "C15Certificate.v", "KeyCertificate.v"):
             self.shorten_page(page, r"Export (?!.*(?:Degrees|Range|\bMesh\.))")
         self.shorten_page("Certificate.v", "Export (?!Mesh)")
 

@@ -19,7 +19,8 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 PAGES = ("coq/Certificate.v", "coq/PaperCertificate.v", "coq/WholeMeshCertificate.v",
-         "coq/MaterialCertificate.v", "coq/GradingCertificate.v", "coq/KeyCertificate.v")
+         "coq/MaterialCertificate.v", "coq/GradingCertificate.v", "coq/C15Certificate.v",
+         "coq/KeyCertificate.v")
 INTRODUCTION = """# From theorem to code
 
 What is proved, the extracted function that it is proved of, the C++ that does the same, and the tests
