@@ -58,7 +58,7 @@ Section Mesh.
     { intros a m v [(A & M & Sa & Sm) _] V D Oc Ov.
       assert (Am : a <> m) by (intros ->; congruence).
       cbn [Ends In] in Oc. destruct v as [b|b n].
-      - destruct V as [[Ib _] Sb]. fold (AfterIn mesh b) in Sb.
+      - destruct V as [[Ib _] Sb]. fold (SignAfter (signs_before mesh) (warping_of mesh) b) in Sb.
         exists b. cbn [Ends In].
         split; [|split; [auto|intros f [<-|[]]; auto]].
         apply ThreeApart. unfold SignAfter in *. repeat split; congruence.

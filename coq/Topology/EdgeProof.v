@@ -13,7 +13,7 @@ From Certet Require Import Angles.Cases.Isometry Embedding.LinkProof
 
 Section Mesh.
   Variable mesh : SurfaceMesh.
-  Local Notation after := (AfterIn mesh).
+  Local Notation after := (SignAfter (signs_before mesh) (warping_of mesh)).
   Local Notation triangle := (LocalTriangle mesh).
   Local Notation surface := (SurfaceOf (made mesh)).
 

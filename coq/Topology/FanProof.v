@@ -16,7 +16,7 @@ Proof. vm_compute. reflexivity. Qed.
 
 Section Mesh.
   Variable mesh : SurfaceMesh.
-  Local Notation after := (AfterIn mesh).
+  Local Notation after := (SignAfter (signs_before mesh) (warping_of mesh)).
   Local Notation triangle := (LocalTriangle mesh).
   Local Notation surface := (SurfaceOf (made mesh)).
   Local Notation fan := (FanOf (made mesh)).

@@ -39,12 +39,8 @@ Record SurfaceMesh := {
     CheckSurface sign ts = true
 }.
 
-(** The sign of a point of the lattice after the warp, and of a vertex. *)
-Notation AfterIn mesh := (SignAfter (signs_before mesh) (warping_of mesh)).
-Notation PlacedIn mesh := (PlacedSign (signs_before mesh) (warping_of mesh)).
-
 Definition made (mesh : SurfaceMesh) : Mesh :=
-  MakeMesh (made_within mesh) (PlacedIn mesh)
+  MakeMesh (made_within mesh) (PlacedSign (signs_before mesh) (warping_of mesh))
            (PlacedPosition (warping_of mesh) (fun _ _ => MidpointCut)).
 
 (** ** In points *)
@@ -64,8 +60,8 @@ Definition Reach (corners : list Coord3) (vs : list MeshVertex) : Prop :=
 Section Mesh.
   Variable mesh : SurfaceMesh.
   Local Notation names := (made_within mesh).
-  Local Notation after := (AfterIn mesh).
-  Local Notation placed := (PlacedIn mesh).
+  Local Notation after := (SignAfter (signs_before mesh) (warping_of mesh)).
+  Local Notation placed := (PlacedSign (signs_before mesh) (warping_of mesh)).
 
   (** A vertex of this structured tetrahedron, on the surface. *)
   Definition OnIt (tid : StructuredTetId) (x : MeshVertex) : Prop :=

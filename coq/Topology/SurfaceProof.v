@@ -12,7 +12,8 @@ From Certet Require Import Stuffing.MeshProof Embedding.MeshApartProof
 Section Local.
   Variable mesh : SurfaceMesh.
   Local Notation within := (made_within mesh).
-  Local Notation after := (AfterIn mesh).
+  Local Notation after := (SignAfter (signs_before mesh) (warping_of mesh)).
+  Local Notation placed := (PlacedSign (signs_before mesh) (warping_of mesh)).
   Local Notation on_it := (OnIt mesh).
   Local Notation triangle := (LocalTriangle mesh).
   Local Notation surface := (SurfaceOf (made mesh)).
@@ -44,8 +45,7 @@ Section Local.
   Qed.
 
   Lemma SurfaceZero x y z : surface x y z ->
-    PlacedIn mesh x = OnSurface /\ PlacedIn mesh y = OnSurface /\
-    PlacedIn mesh z = OnSurface.
+    placed x = OnSurface /\ placed y = OnSurface /\ placed z = OnSurface.
   Proof.
     intros (t & (tid & E & I) & H & U).
     destruct (surface_boundary mesh tid t x y z I H) as [Z|(u & N & K & J)];

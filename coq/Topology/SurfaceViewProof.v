@@ -12,12 +12,12 @@ Section View.
   Variable mesh : SurfaceMesh.
   Variable tid : StructuredTetId.
   Local Notation within := (made_within mesh).
-  Local Notation after := (AfterIn mesh).
+  Local Notation after := (SignAfter (signs_before mesh) (warping_of mesh)).
   Local Notation on_it := (OnIt mesh).
   Local Notation triangle := (LocalTriangle mesh).
 
   (** A view on symbols, and what is known of names in it. *)
-  Ltac viewed :=
+  Local Ltac viewed :=
     destruct (surface_viewed mesh tid)
       as (h & f1 & f2 & f3 & p & q & sign & ts & Apart & Points & Signs & Named & Fits);
     pose proof (AtInjective f1 f2 f3 p q Apart) as AtInjective;
