@@ -135,7 +135,7 @@ class Surfaces(LossTest):
         volume = self.write(plate(0.02))
         self.assert_told(volume, "a.obj", "--size", "0.025", *PAPER)
         self.assert_empty(volume, "a.obj", "--size", "0.04", *PAPER)
-        self.assertEqual(self.mesh("a.obj", "--size", "0.025", "-o", "a.vtu")["warnings"], [])
+        self.assertEqual(self.mesh("a.obj", "--size", "0.024", "-o", "a.vtu")["warnings"], [])
 
     def test_solids_that_overlap_have_the_volume_of_their_union(self):
         """Two plates, one through the other, and one within a thicker one."""
