@@ -29,8 +29,7 @@ Inductive Frame := Fr : Quad Label -> Linear -> Frame.
 Definition OrderIn (f : Frame) : Quad Label := match f with Fr g _ => g end.
 Definition MapOf (f : Frame) : Linear := match f with Fr _ m => m end.
 
-(** Whether no two of them are the same, and whether it takes an odd number of
-    exchanges. *)
+(** How many pairs of labels stand the other way round. *)
 Definition Inversions (g : Quad Label) : Z :=
   let number l := match l with V1 => 1 | V2 => 2 | V3 => 3 | V4 => 4 end in
   let one a b := if number b <? number a then 1 else 0 in
@@ -38,6 +37,7 @@ Definition Inversions (g : Quad Label) : Z :=
     Q4 a b c d => one a b + one a c + one a d + one b c + one b d + one c d
   end.
 
+(** Whether each label stands in it once. *)
 Definition AllDifferent (g : Quad Label) : bool :=
   forallb (fun l => forallb (fun k =>
     implb (LabelEqual (Of g l) (Of g k)) (LabelEqual l k)) AllLabels) AllLabels.
@@ -45,6 +45,7 @@ Definition AllDifferent (g : Quad Label) : bool :=
 Definition LabelOrders : list (Quad Label) :=
   filter AllDifferent (Product4 AllLabels AllLabels AllLabels AllLabels).
 
+(** 1 for an even order, -1 for an odd one. *)
 Definition OrderDeterminant (g : Quad Label) : Z :=
   if Z.even (Inversions g) then 1 else -1.
 
