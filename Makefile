@@ -56,6 +56,7 @@ TEST_PACKAGES := \
   python3 python3-meshio python3-gmsh python3-vtk9 python3-tifffile python3-pydicom \
   python3-nibabel python3-h5py mypy python3-tqdm calculix-ccx freefem++ python3-getfem tetgen \
   chromium chromium-driver python3-selenium \
+  openmpi-bin libopenmpi-dev \
   clang libclang-rt-14-dev valgrind dpkg-dev mandoc groff pkg-config
 # CGAL, by python3-pygalmesh, is GPL: a program of its own that is compared with, linked to nothing.
 BENCH_PACKAGES := $(TEST_PACKAGES) libbenchmark-dev python3-matplotlib python3-pygalmesh
@@ -96,7 +97,7 @@ build: build-deps configured
 
 # The product, its tests and its benchmarks.
 everything: test-deps
-	$(CONFIGURE) -DCERTET_TESTS=ON -DCERTET_BENCH=ON
+	$(CONFIGURE) -DCERTET_TESTS=ON -DCERTET_BENCH=ON -DCERTET_MPI=ON
 	cmake --build $(BUILD) -j $(JOBS)
 
 proofs: proof-deps
