@@ -67,7 +67,7 @@ class Told(JobTest):
     def test_the_work_is_shared_out(self):
         """Most of a cone is at its base: equal layers would be unequal work."""
         cone = ["--expr", "(z+1)/4-sqrt(x^2+y^2)", "--bounds", "-1,-1,-1,1,1,1", "--size", "0.03",
-                "--features", "none", "-o", "a.vtu", "--json", "a.json"]
+                "--features", "off", "-o", "a.vtu", "--json", "a.json"]
         run = self.job(4, "mesh", *cone)
         self.assertEqual(run.returncode, 0, run.stderr)
         told = json.loads((self.folder / "a.json").read_text())
@@ -79,7 +79,7 @@ class Told(JobTest):
 
     def test_kept_pieces(self):
         two = ["--expr", "0.2-min((x-1)^2,(x+1)^2)-y^2-z^2", "--bounds", "-2,-1,-1,2,1,1",
-               "--size", "0.1", "--keep", "1", "--features", "none"]
+               "--size", "0.1", "--keep", "1", "--features", "off"]
         self.mesh(*two, "-o", "one.vtu")
         run = self.job(3, "mesh", *two, "-o", "all.vtu")
         self.assertEqual(run.returncode, 0, run.stderr)

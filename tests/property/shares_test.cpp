@@ -218,7 +218,7 @@ TEST(Shares, AreOfEqualWork) {
   std::vector<std::uint64_t> work(100, 1);
   work[10] = 50;
   const std::vector<std::int32_t> bounds = core::balanced_bounds(work, 3);
-  EXPECT_EQ(bounds, (std::vector<std::int32_t>{0, 10, 51, 100}));
+  EXPECT_EQ(bounds, (std::vector<std::int32_t>{0, 11, 50, 100}));
   // Each has a layer, whatever it holds.
   std::vector<std::uint64_t> one_layer(5, 0);
   one_layer[4] = 7;

@@ -214,7 +214,7 @@ void keep_sharp(const MeshOptions& options, const Counted& counted, std::optiona
   }
   if (!report.features.decision.angle || options.dry_run) return;
   if (options.together != nullptr)
-    refuse("several processes do not keep sharp edges yet; certet mesh does, and --features none "
+    refuse("several processes do not keep sharp edges yet; certet mesh does, and --features off "
            "makes the mesh without");
   const Stopwatch clock;
   if (!made && options.features.automatic && !can_move(counted, report)) {
