@@ -58,6 +58,7 @@ TEST_PACKAGES := \
   python3-pip python3-venv python3-setuptools python3-wheel python3-pybind11 \
   calculix-ccx freefem++ python3-getfem tetgen \
   chromium chromium-driver python3-selenium \
+  openmpi-bin libopenmpi-dev \
   clang libclang-rt-14-dev valgrind dpkg-dev mandoc groff pkg-config
 # CGAL, by python3-pygalmesh, is GPL: a program of its own that is compared with, linked to nothing.
 BENCH_PACKAGES := $(TEST_PACKAGES) libbenchmark-dev python3-matplotlib python3-pygalmesh
@@ -98,7 +99,7 @@ build: build-deps configured
 
 # The product, its tests and its benchmarks.
 everything: test-deps
-	$(CONFIGURE) -DCERTET_TESTS=ON -DCERTET_BENCH=ON
+	$(CONFIGURE) -DCERTET_TESTS=ON -DCERTET_BENCH=ON -DCERTET_MPI=ON
 	cmake --build $(BUILD) -j $(JOBS)
 
 proofs: proof-deps

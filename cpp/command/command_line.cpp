@@ -33,12 +33,15 @@ Run printing(std::string text) {
 
 }  // namespace
 
-CommandLine::CommandLine()
-    : app_("Tetrahedral meshes with proven angles, by isosurface stuffing", "certet") {
-  app_.set_version_flag("--version", "certet " CERTET_VERSION);
+CommandLine::CommandLine() : CommandLine("certet", subcommands) {}
+
+CommandLine::CommandLine(const std::string& program, std::span<const Subcommand> commands)
+    : app_("Tetrahedral meshes with proven angles, by isosurface stuffing", program),
+      program_(program) {
+  app_.set_version_flag("--version", program + " " CERTET_VERSION);
   app_.require_subcommand(1);
   app_.footer(program_notes);
-  for (const Subcommand& command : subcommands) {
+  for (const Subcommand& command : commands) {
     CLI::App* app = app_.add_subcommand(command.name, command.description);
     runs_.emplace_back(app, command.declare(*app));
   }
@@ -53,7 +56,7 @@ Run CommandLine::parse(int argc, char** argv) {
   } catch (const CLI::CallForHelp&) {
     return printing(parsed() == runs_.end() ? app_.help() : parsed()->first->help());
   } catch (const CLI::CallForVersion&) {
-    return printing("certet " CERTET_VERSION "\n");
+    return printing(program_ + " " CERTET_VERSION "\n");
   } catch (const CLI::ParseError& error) {
     throw Error(ErrorCode::bad_option, first_line(error));
   }

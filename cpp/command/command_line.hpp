@@ -4,6 +4,8 @@
 
 #include <CLI/App.hpp>
 #include <memory>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,8 @@ namespace certet::command {
 class CommandLine {
  public:
   CommandLine();
+  /// That of another program, of some subcommands.
+  CommandLine(const std::string& program, std::span<const Subcommand> commands);
 
   /// What the arguments ask for; help and version are printed by it too.
   /// \throws Error `bad_option` with one sentence.
@@ -24,6 +28,7 @@ class CommandLine {
 
  private:
   CLI::App app_;
+  std::string program_;
   std::vector<std::pair<CLI::App*, Run>> runs_;
 };
 

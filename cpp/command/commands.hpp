@@ -29,6 +29,11 @@ Run subcommand(CLI::App& app, void (*declare)(CLI::App&, Options&), const char* 
 /// From an image, a surface, a volume, a formula or a shape to a mesh file.
 Run declare_mesh(CLI::App& app);
 
+struct Together;
+
+/// The same by several processes, which outlive what is returned; the first of them tells of it.
+Run declare_shared_mesh(CLI::App& app, const Together& together);
+
 /// From one mesh file to another.
 Run declare_convert(CLI::App& app);
 
@@ -50,11 +55,11 @@ Run declare_picture(CLI::App& app);
 struct Subcommand {
   const char* name;
   const char* description;
-  Run (*declare)(CLI::App&);
+  std::function<Run(CLI::App&)> declare;
 };
 
 /// In the order of the help.
-inline constexpr std::array subcommands{
+inline const std::array subcommands{
     Subcommand{"mesh", "Mesh an image, a surface, a volume, a formula or a shape", declare_mesh},
     Subcommand{"convert", "Write a mesh file in another format", declare_convert},
     Subcommand{"voxelise", "Make an image of labels of a mesh", declare_voxelise},

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "border.hpp"
 #include "count.hpp"
@@ -13,6 +16,7 @@
 #include "memory.hpp"
 #include "piece_count.hpp"
 #include "sample.hpp"
+#include "share.hpp"
 #include "shared_faces.hpp"
 #include "settle.hpp"
 #include "warped_lattice.hpp"
@@ -28,6 +32,12 @@ void refuse_interfaces(const Stuffing& stuffing) {
     throw Error(ErrorCode::bad_option, "the faces of a mesh that has interfaces are not told");
   if (stuffing.grading_levels() != 0)
     throw Error(ErrorCode::bad_option, "the faces of a graded mesh are not told");
+}
+
+/// What looks at the whole mesh is not told by those who have a share of it.
+void refuse_share(const Stuffing& stuffing) {
+  if (!stuffing.knows_all())
+    throw Error(ErrorCode::bad_option, "this is told of a whole mesh, not of a rank's share of one");
 }
 
 /// The lattice is checked once, here; every coordinate that the engine computes
@@ -64,6 +74,7 @@ struct Stuffing::State {
   std::uint64_t inverted_tets = 0;
   std::unique_ptr<const GradedCells> graded = {};
   std::uint64_t uniform_tets = 0;  ///< of a graded mesh
+  std::optional<Share> share = {};  ///< none: one has all
 };
 
 namespace {
@@ -72,18 +83,40 @@ static_assert(facts(Method::midpoint).thresholds.long_edge == 0 &&
                   facts(Method::midpoint).thresholds.short_edge == 0,
               "with cuts in the middle no cut violates a vertex");
 
-/// The whole lattice, its violated vertices settled.  Diagonals that follow the cuts are of one
+/// The layers that are made here: those of a rank and, for its tetrahedra, the layer behind them.
+struct Parts {
+  Window own, made;
+  Ranks* ranks;  ///< null: one has all
+
+  [[nodiscard]] std::uint64_t sum(std::uint64_t own_count) const {
+    if (ranks == nullptr) return own_count;
+    const std::vector<std::uint64_t> each = gather_each(*ranks, own_count);
+    return std::accumulate(each.begin(), each.end(), std::uint64_t{0});
+  }
+};
+
+Parts whole_parts(const Lattice& lattice) { return {whole(lattice), whole(lattice), nullptr}; }
+
+Parts parts_of(Window own, const Lattice& lattice, Ranks& ranks) {
+  return {own, widened(own, 0, 1, lattice), &ranks};
+}
+
+/// How many layers more a method looks at.
+std::int32_t halo_of(Method method) { return facts(method).settles ? settling_halo : 0; }
+
+/// With its violated vertices settled.  Diagonals that follow the cuts are of one
 /// material: on a tetrahedron that two share each would have its own, so where several meet
 /// `key` falls back to `embedded`.
 WarpedLattice settled_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
-                              const Lattice& lattice, Method& method, Context& context) {
+                              const Lattice& lattice, const Parts& parts, Method& method,
+                              Context& context) {
   if (method == Method::key && planes.materials() != nullptr) method = Method::embedded;
-  const Window all = whole(lattice);
   const Thresholds& thresholds = facts(method).thresholds;
-  Violations violations = find_violations(planes, cuts, all, thresholds, context);
-  Settling settling = settle(planes, violations, thresholds, lattice, all, context);
+  Violations violations = find_violations(
+      planes, cuts, violation_window(parts.made, lattice, settling_halo), thresholds, context);
+  Settling settling = settle(planes, violations, thresholds, lattice, parts.own, context);
   WarpedLattice warped = warp_lattice({planes, std::move(settling.planes)}, violations, cuts,
-                                      thresholds, lattice, all, context);
+                                      thresholds, lattice, parts.made, parts.own, context);
   warped.figures.add(settling.figures);
   warped.diagonals_follow_cuts = facts(method).diagonals_follow_cuts;
   return warped;
@@ -92,24 +125,46 @@ WarpedLattice settled_lattice(const SignPlanes& planes, const Layers<CutLayer>& 
 /// By the paper's rule, all violated vertices moved; `angles` falls back to `embedding` if a
 /// tetrahedron that is dropped came out inverted, for it would cover others.
 WarpedLattice moved_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
-                            const Lattice& lattice, Method& method,
+                            const Lattice& lattice, const Parts& parts, Method& method,
                             std::uint64_t& inverted, Context& context) {
-  const Window all = whole(lattice);
+  const Window around = violation_window(parts.made, lattice, 0);
   const auto warp = [&](const Violations& violations, SignPlanes moved) {
     return warp_lattice({planes, std::move(moved)}, violations, cuts, no_warp_thresholds, lattice,
-                        all, context);
+                        parts.made, context);
   };
   if (method == Method::angles) {
     const Violations violations =
-        find_violations(planes, cuts, all, facts(method).thresholds, context);
+        find_violations(planes, cuts, around, facts(method).thresholds, context);
     SignPlanes moved = move_all(planes, violations, context);
-    inverted = inverted_tets(moved, violations, lattice, all, context);
+    inverted = parts.sum(inverted_tets(moved, violations, lattice, parts.own, context));
     if (inverted == 0) return warp(violations, std::move(moved));
     method = Method::embedding;
   }
   const Violations violations =
-      find_violations(planes, cuts, all, facts(method).thresholds, context);
+      find_violations(planes, cuts, around, facts(method).thresholds, context);
   return warp(violations, move_all(planes, violations, context));
+}
+
+/// `method` becomes the one that was used in the end.
+WarpedLattice warped_lattice(const Domain& domain, const Lattice& lattice, const Parts& parts,
+                             Method& method, std::uint64_t& inverted, Context& context) {
+  const MethodFacts& asked = facts(method);
+  const std::int32_t halo = halo_of(method);
+  SignPlanes planes =
+      sample(domain, lattice, sampled_window(parts.made, lattice, halo), asked, context);
+  const Window cut = asked.cuts == Cuts::midpoint ? parts.made : cut_window(parts.made, lattice, halo);
+  Layers<CutLayer> cuts = find_cuts(planes, domain, lattice, cut, asked.cuts, context);
+  if (asked.cuts == Cuts::midpoint) return unwarped(std::move(planes), std::move(cuts), parts.made);
+  return asked.settles
+             ? settled_lattice(planes, cuts, lattice, parts, method, context)
+             : moved_lattice(planes, cuts, lattice, parts, method, inverted, context);
+}
+
+/// Of all ranks.
+WarpFigures sum(const WarpFigures& own, Ranks& ranks) {
+  WarpFigures all;
+  for (const WarpFigures& figures : gather_each(ranks, own)) all.add(figures);
+  return all;
 }
 
 }  // namespace
@@ -119,18 +174,37 @@ Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, Method method,
   check_range(lattice);
   state_ = within_memory([&] {
     std::uint64_t inverted = 0;
-    const Cuts where = facts(method).cuts;
-    const Window all = whole(lattice);
-    SignPlanes planes = sample(domain, lattice, all, facts(method), context);
-    Layers<CutLayer> cuts = find_cuts(planes, domain, lattice, all, where, context);
     WarpedLattice warped =
-        where == Cuts::midpoint  ? unwarped(std::move(planes), std::move(cuts), all)
-        : facts(method).settles ? settled_lattice(planes, cuts, lattice, method, context)
-                                : moved_lattice(planes, cuts, lattice, method, inverted, context);
-    RowNumbers numbers(warped.planes, lattice, all, context);
+        warped_lattice(domain, lattice, whole_parts(lattice), method, inverted, context);
+    RowNumbers numbers(warped.planes, lattice, whole(lattice), context);
     return std::make_unique<State>(
         State{domain, lattice, std::move(warped), std::move(numbers), method, inverted});
   });
+}
+
+Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, Method method, Ranks& ranks,
+                   Context& context) {
+  check_range(lattice);
+  state_ = within_memory([&] {
+    std::uint64_t inverted = 0;
+    const Parts parts = parts_of(balanced_window(domain, lattice, facts(method), ranks, context),
+                                 lattice, ranks);
+    WarpedLattice warped = warped_lattice(domain, lattice, parts, method, inverted, context);
+    warped.figures = sum(warped.figures, ranks);
+    RowNumbers numbers(warped.planes, lattice, parts.made, context);
+    const Share share = numbered_share(numbers, parts.own, ranks);
+    auto state = std::make_unique<State>(
+        State{domain, lattice, std::move(warped), std::move(numbers), method, inverted});
+    state->share = share;
+    return state;
+  });
+}
+
+void Stuffing::divide(Ranks& ranks) {
+  refuse_share(*this);
+  const State& s = *state_;
+  state_->share = Share{&ranks, balanced_window(s.numbers, s.lattice, ranks), true,
+                        s.numbers.point_count(), s.numbers.tet_count()};
 }
 
 Stuffing::Stuffing(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -139,8 +213,18 @@ Stuffing::~Stuffing() = default;
 Stuffing::Stuffing(Stuffing&&) noexcept = default;
 Stuffing& Stuffing::operator=(Stuffing&&) noexcept = default;
 
-std::uint64_t Stuffing::point_count() const { return state_->numbers.point_count(); }
-std::uint64_t Stuffing::tet_count() const { return state_->numbers.tet_count(); }
+std::uint64_t Stuffing::point_count() const {
+  return state_->share ? state_->share->points : state_->numbers.point_count();
+}
+std::uint64_t Stuffing::tet_count() const {
+  return state_->share ? state_->share->tets : state_->numbers.tet_count();
+}
+Ranks* Stuffing::ranks() const { return state_->share ? state_->share->ranks : nullptr; }
+bool Stuffing::knows_all() const { return !state_->share || state_->share->knows_all; }
+std::int32_t Stuffing::own_begin() const { return state_->share ? state_->share->own.begin : 0; }
+std::int32_t Stuffing::own_end() const {
+  return state_->share ? state_->share->own.end : layers();
+}
 const Lattice& Stuffing::lattice() const { return state_->lattice; }
 Method Stuffing::method() const { return state_->method; }
 std::uint64_t Stuffing::inverted_tets() const { return state_->inverted_tets; }
@@ -213,6 +297,7 @@ void Stuffing::materials_of(std::span<const TetCorners> tets, std::span<Material
 }
 
 Pieces Stuffing::pieces(const Frame& frame, Context& context) const {
+  refuse_share(*this);
   return within_memory([&] {
     const State& s = *state_;
     return count_pieces(s.warped, s.lattice, labels(), uniform_tet_count(), frame, context);
@@ -220,6 +305,7 @@ Pieces Stuffing::pieces(const Frame& frame, Context& context) const {
 }
 
 void Stuffing::grade(const Grading& grading, Context& context) {
+  refuse_share(*this);
   const std::int32_t levels = grading.levels;
   if (levels < 0 || levels > most_grading_levels)
     throw Error(ErrorCode::bad_option, "a mesh is graded by 0 to " +
@@ -265,6 +351,7 @@ void Stuffing::visit_faces_between(std::int32_t layer, const VisitTetPairs& visi
 }
 
 Stuffing Stuffing::keep(const KeepRule& rule, Context& context) {
+  refuse_share(*this);
   return within_memory([&] {
     const State& old = *state_;
     const auto state_of = [&](WarpedLattice warped) {
@@ -298,6 +385,7 @@ std::uint64_t Stuffing::bytes() const {
 }
 
 Mesh emit(const Stuffing& stuffing, const Frame& frame, Context& context) {
+  refuse_share(stuffing);
   checked_size(frame.size);
   return within_memory([&] {
     Mesh mesh;

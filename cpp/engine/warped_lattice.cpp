@@ -147,7 +147,8 @@ void drop_idle_zeros(SignPlanes& planes, Window window, Context& context) {
 
 WarpedLattice warp_lattice(MovedSigns moved, const Violations& violations,
                            const Layers<CutLayer>& cuts, const Thresholds& least,
-                           const Lattice& lattice, Window window, Context& context) {
+                           const Lattice& lattice, Window window, Window counted,
+                           Context& context) {
   if (moved.before.materials() != nullptr)
     moved.after.set_materials(moved_materials(moved, violations, lattice, context));
   const Window warped = warped_window(window, lattice);
@@ -159,7 +160,7 @@ WarpedLattice warp_lattice(MovedSigns moved, const Violations& violations,
     WarpFigures figures;
     left[k] = RemainingCuts(moved, cuts[k], least).take(k, figures);
     if (!window.contains(k)) return;
-    layers[k] = figures;
+    if (counted.contains(k)) layers[k] = figures;
     zeros[k] = displaced_left(
         violations.targets[k],
         [&](Grid grid, int j) { return violations.violated.plus(grid, j, k); }, moved.after, k);

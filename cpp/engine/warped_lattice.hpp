@@ -3,6 +3,7 @@
 /// Third stage, second half: the signs and cuts that are left once vertices have moved.
 
 #include <cstdint>
+#include <utility>
 
 #include "certet/context.hpp"
 #include "certet/warp_figures.hpp"
@@ -42,10 +43,17 @@ std::uint64_t inverted_tets(const SignPlanes& moved, const Violations& violation
                             const Lattice& lattice, Window window, Context& context);
 
 /// The window once vertices have moved, which `moved.after` tells; cuts that are less than
-/// `least` away from an end are moved to there.
+/// `least` away from an end are moved to there.  The figures are those of the layers of the window
+/// that are in `counted` too.
 WarpedLattice warp_lattice(MovedSigns moved, const Violations& violations,
                            const Layers<CutLayer>& cuts, const Thresholds& least,
-                           const Lattice& lattice, Window window, Context& context);
+                           const Lattice& lattice, Window window, Window counted,
+                           Context& context);
+inline WarpedLattice warp_lattice(MovedSigns moved, const Violations& violations,
+                                  const Layers<CutLayer>& cuts, const Thresholds& least,
+                                  const Lattice& lattice, Window window, Context& context) {
+  return warp_lattice(std::move(moved), violations, cuts, least, lattice, window, window, context);
+}
 
 /// Turns the zero vertices that no tetrahedron of the output uses to minus, in the layers
 /// of a window.

@@ -9,6 +9,7 @@
 #include "certet/checksum.hpp"
 #include "certet/error.hpp"
 #include "engine/parallel.hpp"
+#include "gathered.hpp"
 #include "slab.hpp"
 
 namespace certet {
@@ -172,10 +173,14 @@ void write_tets(Source& source, const Slabs& slabs, PointSlab& points, Checksum 
     if (source.label_pieces) parts.add(begin, found, context);
   }
   write(count - 1);
-  written.regions = regions.regions();
-  written.region_pieces = parts.pieces();
   written.checksum = (checksum += tets).value();
   written.file_checksum = (placed += tets).value();
+  if (Ranks* ranks = source.stuffing.ranks()) {
+    pipeline::gather(*ranks, written);
+    pipeline::gather(*ranks, regions);
+  }
+  written.regions = regions.regions();
+  written.region_pieces = parts.pieces();
 }
 
 /// The greatest magnitude of a coordinate of the lattice, in lattice units.
@@ -216,8 +221,8 @@ WrittenMesh write_all(Source& source, const Slabs& slabs, const MiddleNodes* mid
 
 Slabs cut_slabs(const Stuffing& stuffing, std::uint64_t max_bytes) {
   Slabs slabs;
-  slabs.bounds.push_back(0);
-  for (std::int32_t layer = 0; layer < stuffing.layers(); ++layer) {
+  slabs.bounds.push_back(stuffing.own_begin());
+  for (std::int32_t layer = stuffing.own_begin(); layer < stuffing.own_end(); ++layer) {
     const std::int32_t behind = stuffing.points_end(layer + 1);
     const auto points_from = [&](std::int32_t begin) {
       return std::max(slabs.points, stuffing.first_point(behind) - stuffing.first_point(begin));
@@ -231,7 +236,7 @@ Slabs cut_slabs(const Stuffing& stuffing, std::uint64_t max_bytes) {
     slabs.points = points_from(slabs.bounds.back());
     slabs.tets = tets_from(slabs.bounds.back());
   }
-  slabs.bounds.push_back(stuffing.layers());
+  slabs.bounds.push_back(stuffing.own_end());
   slabs.bytes = held_bytes(stuffing, slabs.points, slabs.tets);
   return slabs;
 }

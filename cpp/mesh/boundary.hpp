@@ -89,6 +89,11 @@ class RegionCounts {
   void add(std::span<const std::int32_t> labels);
   RegionCounts& operator+=(const RegionCounts& other);
   [[nodiscard]] std::vector<Region> regions() const;
+  /// Calls visit(label, tets, six_volumes) for each label.
+  template <class Visit>
+  void visit(const Visit& visit) const {
+    for (const auto& [label, count] : counts_) visit(label, count.tets, count.six_volumes);
+  }
 
  private:
   struct Count {

@@ -19,7 +19,8 @@ class Debian(PackageTest):
                         "-B", cls.folder)
         cls.command, = cls.folder.glob("certet_*.deb")
         cls.development, = cls.folder.glob("libcertet-dev_*.deb")
-        cls.parts = sorted(cls.folder.glob("certet-*.deb"))
+        cls.mpi = list(cls.folder.glob("certet-mpi_*.deb"))
+        cls.parts = sorted(set(cls.folder.glob("certet-*.deb")) - set(cls.mpi))
 
     def listed(self, package, *files):
         listing = self.run_program("dpkg-deb", "-c", package)
@@ -50,6 +51,15 @@ class Debian(PackageTest):
             heavy = next(library for library in ("hdf5", "insighttoolkit", "assimp", "openvdb")
                          if library in own)
             self.assertNotIn(heavy, depends)
+
+    def test_mpi(self):
+        """The program of many processes, which alone needs MPI."""
+        if not self.mpi:
+            self.skipTest("it was not built")
+        self.listed(self.mpi[0], "./usr/bin/certet-mpi", "doc/certet-mpi/copyright")
+        self.assertIn("openmpi", self.run_program("dpkg-deb", "-f", self.mpi[0], "Depends"))
+        for package in (self.command, *self.parts):
+            self.assertNotIn("openmpi", self.run_program("dpkg-deb", "-f", package, "Depends"))
 
     def test_runs_from_a_scratch_root(self):
         root = self.folder / "root"

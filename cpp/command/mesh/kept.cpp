@@ -22,7 +22,7 @@ void tell_losses(const SizedShape& shape, const Counted& counted, Context& conte
                  MeshReport& report) {
   MeshedShape mesh{*counted.source.domain, report.asked, report.tets,
                    report.written.world.volume + report.dropped.volume};
-  if (report.dropped.pieces == 0) mesh.pieces = report.pieces.whole;
+  if (report.knows_pieces && report.dropped.pieces == 0) mesh.pieces = report.pieces.whole;
   const Losses losses = find_losses(shape, mesh, context);
   std::vector<std::string> sentences = sentences_on(losses, shape, "--size ");
   std::ranges::move(sentences, std::back_inserter(report.warnings));

@@ -24,10 +24,12 @@
 #include "outputs.hpp"
 #include "patch_options.hpp"
 #include "progress.hpp"
+#include "refusal.hpp"
 #include "regions.hpp"
 #include "source.hpp"
 #include "surface_choice.hpp"
 #include "told_run.hpp"
+#include "together.hpp"
 
 namespace certet::command {
 namespace {
@@ -122,8 +124,10 @@ void write(const MeshOptions& options, const SizedShape& shape, const Counted& c
            const Slabs& slabs, const MeshSize& size, std::span<const Coord3> moved,
            Context& context, Progress& progress, MeshReport& report) {
   const auto& [source, stuffing] = counted;
-  check_room(options.output, report.output_bytes);
-  const auto file = open_writer(options.output, options.format, size);
+  // Of several one looks: another would see what that one has set aside.
+  if (options.together == nullptr || options.together->is_first())
+    check_room(options.output, report.output_bytes);
+  const auto file = open_mesh(options, stuffing, size);
   WatchedWriter writer(*file, size, progress);
   const Frame frame = file_frame(options, report.axes, source.frame);
   const MaterialRuns known = materials_of(counted, size, moved, context);
@@ -148,8 +152,8 @@ Counted count(const MeshOptions& options, const Source& source, Context& context
   report.read_seconds += reading.seconds();
   const auto count_at = [&](double size) {
     PlacedSource placed = source.place(size);
-    check_lattice(placed, options.method, report.memory_limit);
-    Stuffing stuffing(*placed.domain, placed.lattice, options.method, context);
+    check_lattice(placed, options.method, lattice_limit(options, report.memory_limit));
+    Stuffing stuffing = stuffed(options, placed, context);
     grade(options.grade, placed.frame, stuffing, context);
     return Counted{std::move(placed), std::move(stuffing)};
   };
@@ -209,6 +213,9 @@ void keep_sharp(const MeshOptions& options, const Counted& counted, std::optiona
     report.features.decision.why = "the mesh is graded";
   }
   if (!report.features.decision.angle || options.dry_run) return;
+  if (options.together != nullptr)
+    refuse("several processes do not keep sharp edges yet; certet mesh does, and --features off "
+           "makes the mesh without");
   const Stopwatch clock;
   if (!made && options.features.automatic && !can_move(counted, report)) {
     report.features.decision.angle.reset();
@@ -257,6 +264,8 @@ void drop_pieces(const MeshOptions& options, Counted& counted, Context& context,
 
 void count_pieces(const MeshOptions& options, const Counted& counted, Context& context,
                   MeshReport& report) {
+  report.knows_pieces = counted.stuffing.knows_all();
+  if (!report.knows_pieces) return;
   report.pieces = counted.stuffing.pieces(
       output_frame(options, report.axes, counted.source.frame), context);
   report.dropped.kept = report.pieces.whole.by_faces;
@@ -295,6 +304,11 @@ MeshReport run(const MeshOptions& asked, Context& context) {
   MeshOptions options = asked;
   MeshReport report;
   report.memory_limit = memory_limit(options);
+  if (options.together != nullptr) {
+    refuse_alone(options);
+    report.memory_limit = shared_memory_limit(*options.together, report.memory_limit,
+                                              options.max_memory != 0);
+  }
   limit_memory(report.memory_limit + base_bytes);
   check_outputs(options);
   LabelNames names;
@@ -313,6 +327,7 @@ MeshReport run(const MeshOptions& asked, Context& context) {
   progress.stop();
   const Stopwatch looking;
   drop_pieces(options, counted, context, report);
+  share_out(options, counted.stuffing);
   count_pieces(options, counted, context, report);
   report.pieces_seconds = looking.seconds();
   describe(options, counted, progress, report);
@@ -335,9 +350,12 @@ MeshReport run(const MeshOptions& asked, Context& context) {
   if (!options.dry_run)
     write(options, shape, counted, slabs, size, points, context, progress, report);
   watch.see(report.written.regions);
-  watch.see(report.pieces,
-            report.pieces.regions.empty() ? report.written.region_pieces : report.pieces.regions,
-            report.dropped.pieces > 0);
+  if (report.knows_pieces)
+    watch.see(report.pieces,
+              report.pieces.regions.empty() ? report.written.region_pieces : report.pieces.regions,
+              report.dropped.pieces > 0);
+  else
+    watch.see_no_pieces();
   const auto size_for = [&](std::span<const ImageRegion> regions) {
     return size_for_pieces(shape, *source.voxels, regions, report, context);
   };
@@ -347,6 +365,11 @@ MeshReport run(const MeshOptions& asked, Context& context) {
   if (!options.materials.empty()) describe_materials(counted.source, context, report);
   report.total_seconds = clock.seconds();
   report.memory_peak = peak_memory();
+  if (options.together != nullptr) {
+    report.ranks = rank_reports(*options.together, counted.stuffing, report.memory_peak);
+    report.memory_peak =
+        std::ranges::max(report.ranks, {}, &RankReport::memory_peak).memory_peak;
+  }
   return report;
 }
 
@@ -355,6 +378,21 @@ MeshReport run(const MeshOptions& asked, Context& context) {
 Run declare_mesh(CLI::App& app) {
   return [options = declare_mesh_options(app),
           carry_out = run_and_tell<MeshOptions, MeshReport>(run)] { return carry_out(options()); };
+}
+
+Run declare_shared_mesh(CLI::App& app, const Together& together) {
+  return [options = declare_mesh_options(app), &together] {
+    MeshOptions asked = options();
+    asked.together = &together;
+    Context context;
+    context.threads = threads_of(together, asked.run.threads);
+    const MeshReport report = run(asked, context);
+    if (together.is_first()) {
+      warn(report.warnings);
+      tell(report, asked.run.json);
+    }
+    return Status::ok;
+  };
 }
 
 }  // namespace certet::command

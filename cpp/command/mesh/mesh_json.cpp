@@ -111,6 +111,14 @@ Json regions_of_materials(const MeshReport& report) {
   return all;
 }
 
+Json ranks(const std::vector<RankReport>& ranks) {
+  Json all = Json::array();
+  for (const auto& [layers, points, tets, memory_peak, seconds] : ranks)
+    all.push_back({{"layers", layers}, {"points", points}, {"tets", tets},
+                   {"memory_peak", memory_peak}, {"processor_seconds", seconds}});
+  return all;
+}
+
 Json smoothing(const MeshReport& report) {
   const Smoothing& smoothing = *report.smoothing;
   Json json{{"voxel_volume", report.out(smoothing.voxel_volume)}};
@@ -162,7 +170,7 @@ std::string json(const MeshReport& report) {
     json["optimised"] = json_of(*report.optimised, report.size * report.scale);
   json["features"] = json_of(report.features, report.size * report.scale);
   if (report.order) json["order2"] = json_of(*report.order, report.size * report.scale);
-  add_pieces(json["mesh"], report.pieces);
+  if (report.knows_pieces) add_pieces(json["mesh"], report.pieces);
   if (!report.patches.empty()) json["patches"] = json_of(report.patches);
   if (report.distance) json["distance"] = json_of(*report.distance);
   if (!report.keep.empty())
@@ -186,6 +194,7 @@ std::string json(const MeshReport& report) {
                     {"needed", report.memory_needed},
                     {"least", report.memory_least},
                     {"peak", report.memory_peak}};
+  if (!report.ranks.empty()) json["ranks"] = ranks(report.ranks);
   return print(json);
 }
 

@@ -209,7 +209,8 @@ pieces, kept, tets, volume}, dihedral {min, max, lattice_min, lattice_max, round
 guarantee {asked, used, theorem, min_dihedral, max_dihedral, inverted_tets, holds, with
 --optimise or features: angles (checked), of several labels: surface (a sentence on it)}, seconds {read,
 sample, cut, warp, count, pieces, optimise, features, distance, emit, measure, write, total}, memory
-{limit, needed, least, peak}, warnings, where pieces were not compared: losses {not_compared (a
+{limit, needed, least, peak}, of certet-mpi: ranks [{layers, points, tets, memory_peak,
+processor_seconds}], warnings, where pieces were not compared: losses {not_compared (a
 sentence), size (of the finer lattice), cells (of it, to be looked at)}, and for images regions
 [{label, voxels, tets, name where the file or --label-names has one, volume, voxel_volume,
 change_percent, pieces (by faces) and pieces_by_vertices; of several labels with --method paper

@@ -26,6 +26,8 @@
 
 namespace certet::command {
 
+struct Together;
+
 /// What the coordinates of the output are relative to.
 enum class OutputOrigin {
   world,    ///< the input's own origin
@@ -86,6 +88,7 @@ struct MeshOptions {
   std::filesystem::path label_names;  ///< empty: labels have no names
   std::string surface;                ///< what --surface says; empty: all of the boundary
   std::vector<PatchChoice> patches;   ///< of the boundary, that get names
+  const Together* together = nullptr;  ///< those who make the mesh, if they are several processes
 };
 
 /// Declares the options and gives what reads them once the command line has

@@ -24,6 +24,7 @@
 #include "order.hpp"
 #include "regions.hpp"
 #include "report.hpp"
+#include "together.hpp"
 
 namespace certet::command {
 
@@ -69,6 +70,7 @@ struct MeshReport {
   std::optional<OptimiseFigures> optimised;  ///< where vertices moved
   std::vector<PatchFigures> patches;  ///< of the boundary, where it has others than `surface`
   FeaturesReport features;
+  bool knows_pieces = true;  ///< whether they were counted
   Pieces pieces;
   std::optional<DistanceReport> distance;  ///< if it was to be measured
   std::string keep;  ///< which pieces were to stay; empty: all
@@ -82,7 +84,8 @@ struct MeshReport {
   std::uint64_t memory_limit = 0;   ///< what the run may use
   std::uint64_t memory_needed = 0;  ///< what it holds while writing
   std::uint64_t memory_least = 0;   ///< the smallest limit that would do
-  std::uint64_t memory_peak = 0;    ///< what the process had in the end
+  std::uint64_t memory_peak = 0;    ///< what the process had in the end, or the one that had most
+  std::vector<RankReport> ranks;    ///< of several processes
 
   /// Whether vertices moved after stuffing.
   [[nodiscard]] bool moved() const { return optimised || features.figures; }

@@ -56,7 +56,15 @@ void add_settling(Lines& lines, const MeshReport& report) {
               grouped(world.cuts), edges.greatest, world.greatest, edges.rms, world.rms);
 }
 
+void add_ranks(Lines& lines, const std::vector<RankReport>& ranks) {
+  if (ranks.empty()) return;
+  const auto [least, most] = std::ranges::minmax(ranks, {}, &RankReport::tets);
+  lines.add("ranks", "{}, of {} to {} tetrahedra", ranks.size(), grouped(least.tets),
+            grouped(most.tets));
+}
+
 void add_pieces(Lines& lines, const MeshReport& report) {
+  if (!report.knows_pieces) return lines.add("pieces", "not counted by several ranks");
   const DroppedPieces& dropped = report.dropped;
   if (!report.keep.empty())
     lines.add("dropped", "{} of {} pieces: {} tetrahedra, volume {:.6g}", grouped(dropped.pieces),
@@ -163,6 +171,7 @@ std::string table(const MeshReport& report) {
               report.written.measure_seconds, report.written.write_seconds);
   if (report.distance) lines.add("", "distance {:.2f}", report.distance_seconds);
   lines.add("", "total {:.2f}", report.total_seconds);
+  add_ranks(lines, report.ranks);
   lines.add("memory", "needed {}, peak {}, limit {}", bytes(report.memory_needed),
             bytes(report.memory_peak), bytes(report.memory_limit));
   return std::move(lines).text();

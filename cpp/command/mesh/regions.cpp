@@ -89,6 +89,11 @@ void RegionWatch::see(const Pieces& pieces, std::span<const RegionPieces> region
     for (ImageRegion& region : regions_) region.lattice_pieces = whole_.by_faces;
 }
 
+void RegionWatch::see_no_pieces() {
+  pieces_.assign(regions_.size(), std::nullopt);
+  counted_pieces_ = false;
+}
+
 std::vector<MeshedRegion> RegionWatch::regions(std::uint64_t all_tets) const {
   std::vector<MeshedRegion> result;
   const bool whole = source_.voxels && !source_.voxels->level && !source_.voxels->cropped &&

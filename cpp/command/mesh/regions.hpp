@@ -47,6 +47,9 @@ class RegionWatch {
   [[nodiscard]] std::vector<MeshedRegion> regions(std::uint64_t all_tets) const;
   [[nodiscard]] bool counted_pieces() const { return counted_pieces_; }
 
+  /// In the place of the last one where the pieces of the mesh are not known.
+  void see_no_pieces();
+
   /// Sentences about what is lost, split or joined; `written` tells whether there
   /// are tetrahedra to go by, or lattice points alone.  `size_for` looks for a size that
   /// keeps the pieces of some regions, and is asked once at most.

@@ -15,7 +15,11 @@ namespace certet::formats {
 /// less than announced, in the wrong order, or names points that are not there.
 class Announced {
  public:
-  Announced(const MeshSize& size, const OutputFile& file) : size_(size), file_(file) {}
+  Announced(const MeshSize& size, const WritableFile& file)
+      : Announced(size, {0, size.points, 0, size.tets, true}, file) {}
+  /// Of a part of the mesh, the tetrahedra of which may name points of other parts.
+  Announced(const MeshSize& size, const MeshPart& part, const WritableFile& file)
+      : size_(size), part_(part), file_(file) {}
 
   void points(std::uint64_t count);
   template <class Index>
@@ -33,7 +37,8 @@ class Announced {
   void count_tets(std::uint64_t count, std::uint64_t labels);
 
   MeshSize size_;
-  const OutputFile& file_;
+  MeshPart part_;
+  const WritableFile& file_;
   std::uint64_t points_ = 0, tets_ = 0;
 };
 

@@ -8,19 +8,21 @@
 #include <span>
 #include <string>
 
+#include "certet/shared_file.hpp"
+
 namespace certet::formats {
 
 /// Grows under a hidden name in the target's folder and takes the target's name
 /// in `commit`; destroyed before that, it leaves nothing.  A symbolic link as
 /// target is followed, not replaced.
 /// All members throw Error `write_failed` with a sentence that names the target.
-class OutputFile {
+class OutputFile final : public WritableFile {
  public:
   /// Refuses a target that is a folder, a device or read-only.
   explicit OutputFile(const std::filesystem::path& target) : OutputFile(target, target) {}
   /// Sentences name `asked_for` in its place.
   OutputFile(const std::filesystem::path& target, const std::filesystem::path& asked_for);
-  ~OutputFile();
+  ~OutputFile() override;
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
@@ -28,7 +30,7 @@ class OutputFile {
   /// too small is noticed before the work is done.
   void reserve(std::uint64_t bytes);
 
-  void write_at(std::uint64_t offset, std::span<const std::byte> bytes);
+  void write_at(std::uint64_t offset, std::span<const std::byte> bytes) override;
   /// Reads what was written.
   void read_at(std::uint64_t offset, std::span<std::byte> bytes) const;
 
@@ -44,7 +46,7 @@ class OutputFile {
   /// Takes a file that was published away again.
   void retract();
 
-  [[noreturn]] void fail(const std::string& reason) const;
+  [[noreturn]] void fail(const std::string& reason) const override;
 
  private:
   void create();

@@ -17,7 +17,7 @@ namespace certet::formats {
 /// gathered, large ones go straight to the file.
 class Section {
  public:
-  Section(OutputFile& file, std::uint64_t offset, std::size_t capacity = std::size_t{1} << 20)
+  Section(WritableFile& file, std::uint64_t offset, std::size_t capacity = std::size_t{1} << 20)
       : file_(&file), offset_(offset), capacity_(capacity) {}
 
   void append(std::span<const std::byte> bytes);
@@ -37,7 +37,7 @@ class Section {
   void flush();
 
  private:
-  OutputFile* file_;
+  WritableFile* file_;
   std::uint64_t offset_;  ///< of the first byte that is not in the file
   std::size_t capacity_;   ///< bytes that are gathered at most
   std::vector<std::byte> gathered_;

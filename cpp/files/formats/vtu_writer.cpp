@@ -1,7 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
 
+#include "certet/error.hpp"
 #include "announced.hpp"
 #include "element_nodes.hpp"
 #include "output_file.hpp"
@@ -18,9 +22,13 @@ constexpr std::size_t values_at_once = 4096;
 /// The bytes of an array, after its size.
 class ArraySection {
  public:
-  ArraySection(OutputFile& file, const VtuLayout& layout, const VtuArray& array)
-      : section_(file, layout.place(array)) {
-    section_.append_all(std::span<const std::uint64_t>(&array.bytes, 1));
+  /// Behind so many of its `all` numbers, or things of equally many, that others write; the size is
+  /// written by the first.
+  ArraySection(WritableFile& file, const VtuLayout& layout, const VtuArray& array,
+               std::uint64_t before, std::uint64_t all, bool is_first)
+      : section_(file, layout.place(array) +
+                           (is_first ? 0 : sizeof(std::uint64_t) + array.bytes / std::max<std::uint64_t>(all, 1) * before)) {
+    if (is_first) section_.append_all(std::span<const std::uint64_t>(&array.bytes, 1));
   }
 
   template <class T>
@@ -45,52 +53,50 @@ class ArraySection {
   Section section_;
 };
 
-class VtuWriter final : public MeshWriter {
+/// What one of several writes of the arrays, or one alone.
+class VtuArrays {
  public:
-  VtuWriter(const std::filesystem::path& file, const MeshSize& size)
-      : size_(size), layout_(size), file_(file), announced_(size, file_),
-        points_(file_, layout_, layout_.points),
-        connectivity_(file_, layout_, layout_.connectivity),
-        offsets_(file_, layout_, layout_.offsets), types_(file_, layout_, layout_.types) {
-    file_.reserve(layout_.file_bytes);
-    file_.write_at(0, std::as_bytes(std::span(layout_.header)));
-    if (size.labels) label_.emplace(file_, layout_, layout_.label);
+  VtuArrays(WritableFile& file, const MeshSize& size, const MeshPart& part)
+      : file_(file), size_(size), part_(part), layout_(size), announced_(size, part, file),
+        points_(of_points(layout_.points)), connectivity_(of_tets(layout_.connectivity)),
+        offsets_(of_tets(layout_.offsets)), types_(of_tets(layout_.types)), tets_(part.first_tet) {
+    if (part.is_first) file.write_at(0, std::as_bytes(std::span(layout_.header)));
+    if (size.labels) label_.emplace(of_tets(layout_.label));
   }
 
-  void points(std::span<const Point3> points) override {
+  void points(std::span<const Point3> points) {
     announced_.points(points.size());
     points_.append(points);
   }
-  void tets(std::span<const Tet<std::uint32_t>> tets,
-            std::span<const std::int32_t> labels) override {
-    append(tets, labels);
-  }
-  void tets(std::span<const Tet<std::uint64_t>> tets,
-            std::span<const std::int32_t> labels) override {
-    append(tets, labels);
-  }
-  void finish() override;
+  template <class Index>
+  void tets(std::span<const Tet<Index>> tets, std::span<const std::int32_t> labels);
+  void finish();
 
  private:
-  template <class Index>
-  void append(std::span<const Tet<Index>> tets, std::span<const std::int32_t> labels);
+  [[nodiscard]] ArraySection of_points(const VtuArray& array) const {
+    return {file_, layout_, array, part_.first_point, size_.points, part_.is_first};
+  }
+  [[nodiscard]] ArraySection of_tets(const VtuArray& array) const {
+    return {file_, layout_, array, part_.first_tet, size_.tets, part_.is_first};
+  }
   template <class Index>
   void append_indices(std::span<const Tet<Index>> tets);
   template <class Stored, class Index>
   void append_nodes(std::span<const Tet<Index>> tets);
   void append_shapes(std::uint64_t tets);
 
+  WritableFile& file_;
   MeshSize size_;
+  MeshPart part_;
   VtuLayout layout_;
-  OutputFile file_;
   Announced announced_;
   ArraySection points_, connectivity_, offsets_, types_;
   std::optional<ArraySection> label_;
-  std::uint64_t tets_ = 0;  ///< written so far
+  std::uint64_t tets_;  ///< the number of the next one
 };
 
 template <class Index>
-void VtuWriter::append(std::span<const Tet<Index>> tets, std::span<const std::int32_t> labels) {
+void VtuArrays::tets(std::span<const Tet<Index>> tets, std::span<const std::int32_t> labels) {
   announced_.tets(tets, labels);
   append_indices(tets);
   append_shapes(tets.size());
@@ -98,7 +104,7 @@ void VtuWriter::append(std::span<const Tet<Index>> tets, std::span<const std::in
 }
 
 template <class Index>
-void VtuWriter::append_indices(std::span<const Tet<Index>> tets) {
+void VtuArrays::append_indices(std::span<const Tet<Index>> tets) {
   const bool wide = layout_.connectivity.is_64_bit();
   if (size_.middles != nullptr)
     return wide ? append_nodes<std::int64_t>(tets) : append_nodes<std::int32_t>(tets);
@@ -114,7 +120,7 @@ void VtuWriter::append_indices(std::span<const Tet<Index>> tets) {
 }
 
 template <class Stored, class Index>
-void VtuWriter::append_nodes(std::span<const Tet<Index>> tets) {
+void VtuArrays::append_nodes(std::span<const Tet<Index>> tets) {
   ElementNodes nodes(size_);
   for (const Tet<Index>& tet : tets) {
     std::array<Stored, 10> stored;
@@ -125,7 +131,7 @@ void VtuWriter::append_nodes(std::span<const Tet<Index>> tets) {
 }
 
 /// Where each tetrahedron ends, and that it is one.
-void VtuWriter::append_shapes(std::uint64_t tets) {
+void VtuArrays::append_shapes(std::uint64_t tets) {
   const auto offset = [this](std::uint64_t i) { return layout_.per_tet * (tets_ + i + 1); };
   if (layout_.offsets.is_64_bit())
     offsets_.generate<std::int64_t>(tets, offset);
@@ -135,21 +141,61 @@ void VtuWriter::append_shapes(std::uint64_t tets) {
   tets_ += tets;
 }
 
-void VtuWriter::finish() {
+void VtuArrays::finish() {
   announced_.finish();
   for (ArraySection* section : {&points_, &connectivity_, &offsets_, &types_}) section->flush();
   if (label_) label_->flush();
-  file_.write_at(layout_.file_bytes - layout_.footer.size(),
-                 std::as_bytes(std::span(layout_.footer)));
-  file_.commit();
+  if (part_.is_first)
+    file_.write_at(layout_.file_bytes - layout_.footer.size(),
+                   std::as_bytes(std::span(layout_.footer)));
 }
+
+/// `File` is what they are written to.
+template <class File>
+class VtuWriter final : public MeshWriter {
+ public:
+  VtuWriter(std::unique_ptr<File> file, const MeshSize& size, const MeshPart& part)
+      : file_(std::move(file)), arrays_(*file_, size, part) {}
+
+  void points(std::span<const Point3> points) override { arrays_.points(points); }
+  void tets(std::span<const Tet<std::uint32_t>> tets,
+            std::span<const std::int32_t> labels) override {
+    arrays_.tets(tets, labels);
+  }
+  void tets(std::span<const Tet<std::uint64_t>> tets,
+            std::span<const std::int32_t> labels) override {
+    arrays_.tets(tets, labels);
+  }
+  void finish() override {
+    arrays_.finish();
+    file_->commit();
+  }
+
+ private:
+  std::unique_ptr<File> file_;
+  VtuArrays arrays_;
+};
 
 }  // namespace
 
 std::unique_ptr<MeshWriter> open_vtu(const std::filesystem::path& file, const MeshSize& size) {
-  return std::make_unique<VtuWriter>(file, size);
+  auto whole = std::make_unique<OutputFile>(file);
+  whole->reserve(vtu_bytes(size));
+  return std::make_unique<VtuWriter<OutputFile>>(
+      std::move(whole), size, MeshPart{0, size.points, 0, size.tets, true});
 }
 
 std::uint64_t vtu_bytes(const MeshSize& size) { return VtuLayout(size).file_bytes; }
 
 }  // namespace certet::formats
+
+namespace certet {
+
+std::unique_ptr<MeshWriter> open_part_writer(std::unique_ptr<SharedFile> file,
+                                             const MeshSize& size, const MeshPart& part) {
+  if (size.middles != nullptr)
+    throw Error(ErrorCode::bad_option, "several ranks write no tetrahedra of ten nodes");
+  return std::make_unique<formats::VtuWriter<SharedFile>>(std::move(file), size, part);
+}
+
+}  // namespace certet

@@ -18,6 +18,7 @@
 #include "certet/method.hpp"
 #include "certet/pieces.hpp"
 #include "certet/placed_domain.hpp"
+#include "certet/ranks.hpp"
 #include "certet/warp_figures.hpp"
 
 namespace certet {
@@ -39,6 +40,16 @@ class Stuffing {
   /// \throws Error `too_large` (lattice outside the coordinate range, or out
   /// of memory), `cancelled`, `bad_option`; whatever the domain throws.
   Stuffing(const Domain& domain, const Lattice& lattice, Method method, Context& context);
+  /// What this rank has of the same mesh: some of its layers, so many that all have about as much
+  /// work, with numbers that are those of the whole; `point_count` and `tet_count` are of the whole.
+  /// Besides its own layers it knows the points of the one behind them.  Several ranks that call
+  /// it with the same make one mesh.
+  /// \throws Error besides as `Ranks::gather`, and `bad_option` if there are more ranks than layers.
+  Stuffing(const Domain& domain, const Lattice& lattice, Method method, Ranks& ranks,
+           Context& context);
+  /// Shares the layers of a mesh of which each rank has all: who is to write which.
+  /// \throws Error `bad_option` if there are more ranks than layers.
+  void divide(Ranks& ranks);
   ~Stuffing();
   Stuffing(Stuffing&&) noexcept;
   Stuffing& operator=(Stuffing&&) noexcept;
@@ -57,6 +68,13 @@ class Stuffing {
 
   /// Number of layers; layers are numbered from 0.
   [[nodiscard]] std::int32_t layers() const;
+  /// Those who make the mesh together; null: one has all.
+  [[nodiscard]] Ranks* ranks() const;
+  /// Whether all layers are known here.
+  [[nodiscard]] bool knows_all() const;
+  /// The layers of this rank, [own_begin(), own_end()): of one that has all, all.
+  [[nodiscard]] std::int32_t own_begin() const;
+  [[nodiscard]] std::int32_t own_end() const;
   /// The number of the first point (tetrahedron) of a layer; `layers()` gives
   /// the total.
   [[nodiscard]] std::uint64_t first_point(std::int32_t layer) const;

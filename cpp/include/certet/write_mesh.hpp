@@ -44,6 +44,8 @@ struct WrittenMesh : PlacedQuality {
 /// about as long as measuring does.
 /// With `middles`, those of the mesh, which `writer` was told of too, writes them behind the points.
 /// With `moved`, its points once they have moved, writes these in the place of its own.
+/// Of a mesh that several ranks make together each writes its own layers, and all get what is known of
+/// the whole; the pieces of labels are not counted then.
 /// Does not finish the file, so that the caller may ask `standing_of` the mesh first.  What
 /// is written and returned (but for the seconds) does not depend on slabs and
 /// threads.
