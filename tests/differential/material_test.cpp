@@ -8,7 +8,6 @@
 #include <functional>
 #include <random>
 #include <sstream>
-#include <stdexcept>
 
 #include "certet/lattice/material_stencil.hpp"
 #include "certet/lattice/well_shaped.hpp"
@@ -19,6 +18,7 @@
 #include "materials.hpp"
 #include "placed_materials.hpp"
 #include "seed.hpp"
+#include "vertex_arena.hpp"
 #include "whole_mesh.hpp"
 
 namespace {
