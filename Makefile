@@ -54,7 +54,7 @@ TEST_PACKAGES := \
   $(BUILD_PACKAGES) $(DEMO_PACKAGES) $(PROOF_PACKAGES) \
   libgtest-dev libgmock-dev librapidcheck-dev \
   python3 python3-meshio python3-gmsh python3-vtk9 python3-tifffile python3-pydicom \
-  python3-nibabel python3-h5py calculix-ccx freefem++ python3-getfem tetgen \
+  python3-nibabel python3-h5py mypy python3-tqdm python3-nbclient python3-ipykernel calculix-ccx freefem++ python3-getfem tetgen \
   chromium chromium-driver python3-selenium \
   clang libclang-rt-14-dev valgrind dpkg-dev mandoc groff pkg-config
 # CGAL, by python3-pygalmesh, is GPL: a program of its own that is compared with, linked to nothing.

@@ -78,17 +78,11 @@ std::uint64_t parse_whole(const std::string& option, const std::string& text) {
 }
 
 KeepRule parse_keep(const std::string& text) {
-  constexpr std::string_view axes = "xyz";
-  constexpr std::string_view through = "percolating:";
-  if (text == "largest") return KeepLargest{1};
-  if (text.size() == through.size() + 1 && text.starts_with(through) &&
-      axes.find(text.back()) != std::string_view::npos)
-    return KeepPercolating{axes.find(text.back())};
-  const auto count = number_of<std::uint64_t>(text);
-  if (!count || *count == 0)
+  const std::optional<KeepRule> rule = keep_rule(text);
+  if (!rule)
     refuse("--keep takes largest, a number of pieces, or percolating:x, y or z, not '" + text +
            "'");
-  return KeepLargest{*count};
+  return *rule;
 }
 
 std::vector<double> parse_numbers(const std::string& option, const std::string& text) {

@@ -57,6 +57,7 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
                                        const std::vector<std::pair<std::int64_t, std::int64_t>>& labels,
                                        const Levels& iso,
                                        std::optional<double> smooth, const Merges& merges,
+                                       const std::optional<std::pair<Point3, Point3>>& crop,
                                        double size, int margin, const Options& options) {
   Image image = image_of(array, spacing, origin, direction);
   const std::vector<LabelRange> ranges = ranges_of(labels);
@@ -66,9 +67,12 @@ std::shared_ptr<PythonMesh> mesh_image(const py::array& array, const Point3& spa
         const auto kept = std::make_shared<const Image>(std::move(image));
         const auto place = [=, &context](double at) {
           const ImageLattice lattice{at, margin, !facts(options.method).settles};
-          return image_domain(kept, ranges, level, smooth, lattice, options.method, context);
+          auto whole = image_domain(kept, ranges, level, smooth, lattice, options.method, context);
+          return crop ? cropped_domain(std::move(whole), {crop->first, crop->second})
+                      : std::move(whole);
         };
         Shape shape{{kept->name, place}};
+        if (crop) return shape;
         if (level) {
           shape.sized.pieces = [=](Context& own) { return pieces_above(*kept, *level, own); };
           return shape;
@@ -230,6 +234,31 @@ py::array positions_of(const py::object& self) {
                    self);
 }
 
+/// None where all pieces were to stay.
+py::object dropped_of(const PythonMesh& mesh) {
+  if (!mesh.dropped) return py::none();
+  return py::dict("pieces"_a = mesh.dropped->pieces, "tets"_a = mesh.dropped->tets,
+                  "volume"_a = mesh.dropped->volume);
+}
+
+std::optional<KeepRule> rule_of(const std::optional<std::string>& text) {
+  if (!text) return std::nullopt;
+  const std::optional<KeepRule> rule = keep_rule(*text);
+  if (!rule)
+    throw Error(ErrorCode::bad_option,
+                "keep is 'largest', a number of pieces, or 'percolating:x', y or z, not '" + *text +
+                    "'");
+  return rule;
+}
+
+/// What is told how far a run is: a function of Python, or None.
+Follow follower(const py::object& function) {
+  if (function.is_none()) return {};
+  return [function](Stage stage, std::int64_t done, std::int64_t total) {
+    function(std::string(name(stage)), done, total);
+  };
+}
+
 /// What Python raises for an error of the library; pybind11 wants it to take a value.
 // NOLINTNEXTLINE(performance-unnecessary-value-param)
 void translate(std::exception_ptr pointer) {
@@ -249,7 +278,9 @@ PYBIND11_MODULE(_certet, module) {
   py::class_<Options>(module, "Options")
       .def(py::init([](const std::string& method, int threads, int order, bool curved,
                        double optimise, bool automatic, std::optional<double> features,
-                       std::int32_t grade, std::optional<SizeField> sizes) {
+                       std::int32_t grade, std::optional<SizeField> sizes,
+                       const std::optional<std::string>& keep, std::uint64_t target_tets,
+                       const py::object& progress) {
              const std::optional<Method> named = method_named(method);
              if (!named)
                throw Error(ErrorCode::bad_option,
@@ -257,11 +288,12 @@ PYBIND11_MODULE(_certet, module) {
              return Options{*named,   threads,
                             order,    curved,
                             optimise, {automatic, features},
-                            grade,    std::move(sizes)};
+                            grade,    std::move(sizes),
+                            rule_of(keep), target_tets, follower(progress)};
            }),
            py::arg("method"), py::arg("threads"), py::arg("order"), py::arg("curved"),
            py::arg("optimise"), py::arg("automatic"), py::arg("features"), py::arg("grade"),
-           py::arg("sizes"));
+           py::arg("sizes"), py::arg("keep"), py::arg("target_tets"), py::arg("progress"));
   py::class_<PythonMesh, std::shared_ptr<PythonMesh>>(module, "Mesh")
       .def_property_readonly("points", [](const py::object& self) {
         const auto& world = self.cast<const PythonMesh&>().world;
@@ -275,6 +307,7 @@ PYBIND11_MODULE(_certet, module) {
       .def_property_readonly("curve", curve_of)
       .def_property_readonly("optimised", optimised_of)
       .def_property_readonly("features", features_told)
+      .def_property_readonly("dropped", dropped_of)
       .def_property_readonly("size", [](const PythonMesh& mesh) { return mesh.mesh.frame.size; })
       .def_property_readonly("origin", [](const PythonMesh& mesh) { return mesh.mesh.frame.origin; })
       .def_property_readonly("axes", [](const PythonMesh& mesh) { return mesh.mesh.frame.axes; })

@@ -22,7 +22,7 @@ namespace py = pybind11;
 
 /// To be changed with what a state holds.
 std::string mark() {
-  return std::string("4 ") + (std::endian::native == std::endian::little ? "little" : "big");
+  return std::string("5 ") + (std::endian::native == std::endian::little ? "little" : "big");
 }
 
 [[noreturn]] void refuse() {
@@ -140,6 +140,34 @@ std::optional<FeatureFigures> kept_of_state(const py::object& state) {
   return FeatureFigures{real(0), real(1), real(2), real(3), whole(4), whole(5), whole(6), real(7)};
 }
 
+std::vector<std::uint64_t> numbers_of(const WarpFigures& warp) {
+  std::vector<std::uint64_t> numbers{warp.violated, warp.stayed, warp.shortened};
+  for (const CutShift* shift : {&warp.long_edges, &warp.short_edges, &warp.missed})
+    numbers.insert(numbers.end(), {shift->cuts, static_cast<std::uint64_t>(shift->greatest),
+                                   shift->sum_of_squares});
+  return numbers;
+}
+
+WarpFigures warp_of_numbers(const std::vector<std::uint64_t>& n) {
+  if (n.size() != 12) refuse();
+  const auto shift = [&n](std::size_t i) {
+    return CutShift{n[i], static_cast<std::int32_t>(n[i + 1]), n[i + 2]};
+  };
+  return {n[0], n[1], n[2], shift(3), shift(6), shift(9)};
+}
+
+py::object state_of_dropped(const std::optional<DroppedPieces>& dropped) {
+  if (!dropped) return py::none();
+  return py::make_tuple(dropped->pieces, dropped->tets, dropped->volume);
+}
+
+std::optional<DroppedPieces> dropped_of_state(const py::object& state) {
+  if (state.is_none()) return std::nullopt;
+  const auto d = state.cast<py::tuple>();
+  if (d.size() != 3) refuse();
+  return DroppedPieces{d[0].cast<std::uint64_t>(), d[1].cast<std::uint64_t>(), d[2].cast<double>()};
+}
+
 }  // namespace
 
 py::tuple state_of(const PythonMesh& all) {
@@ -152,11 +180,12 @@ py::tuple state_of(const PythonMesh& all) {
       mesh.frame.origin, mesh.frame.axes, mesh.frame.size, mesh.names, bytes_of(border),
       std::string(name(mesh.method)), all.notes, all.warnings,
       state_of_middles(all.middles), state_of_figures(all.optimised), state_of(mesh.patches),
-      all.features.angle, all.features.why, state_of_kept(all.kept));
+      all.features.angle, all.features.why, state_of_kept(all.kept),
+      all.losses, numbers_of(all.warp), state_of_dropped(all.dropped));
 }
 
 std::shared_ptr<PythonMesh> mesh_of_state(const py::tuple& pickled) {
-  const py::tuple state = checked(pickled, 19);
+  const py::tuple state = checked(pickled, 22);
   auto all = std::make_shared<PythonMesh>();
   Mesh& mesh = all->mesh;
   mesh.points = values_of<Buffer<Coord3>>(state[1]);
@@ -183,6 +212,9 @@ std::shared_ptr<PythonMesh> mesh_of_state(const py::tuple& pickled) {
   all->features.angle = state[16].cast<std::optional<double>>();
   all->features.why = state[17].cast<std::string>();
   all->kept = kept_of_state(state[18]);
+  all->losses = state[19].cast<std::vector<std::string>>();
+  all->warp = warp_of_numbers(state[20].cast<std::vector<std::uint64_t>>());
+  all->dropped = dropped_of_state(state[21]);
   return all;
 }
 

@@ -5,17 +5,13 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <array>
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "certet/buffer.hpp"
 #include "certet/curve.hpp"
-#include "certet/curve.hpp"
-#include "certet/mesh.hpp"
 #include "certet/features.hpp"
+#include "certet/mesh.hpp"
 #include "certet/optimise.hpp"
 #include "certet/warp_figures.hpp"
 
@@ -32,7 +28,12 @@ struct PythonMiddles {
 /// Where middle nodes are, and whose.
 PythonMiddles placed(const Mesh& mesh, MiddleNodes nodes, std::optional<CurveFigures> curved);
 
-/// A finished mesh; arrays handed out share its memory.
+/// Pieces that were not to stay.
+struct DroppedPieces {
+  std::uint64_t pieces = 0, tets = 0;
+  double volume = 0;  ///< world units cubed
+};
+
 /// A finished mesh; arrays handed out share its memory.
 struct PythonMesh {
   Mesh mesh;
@@ -45,6 +46,7 @@ struct PythonMesh {
   FeatureDecision features = {};                            ///< whether they moved onto sharp edges
   std::optional<FeatureFigures> kept = std::nullopt;        ///< how much of these the mesh has
   std::optional<PythonMiddles> middles = std::nullopt;  ///< where tetrahedra have ten nodes
+  std::optional<DroppedPieces> dropped = std::nullopt;  ///< where some were to stay
 };
 
 }  // namespace certet::python

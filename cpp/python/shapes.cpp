@@ -1,11 +1,13 @@
 #include "shapes.hpp"
 
+#include <string>
 #include <utility>
 
 #include "certet/curve.hpp"
 #include "certet/error.hpp"
 #include "certet/stuffing.hpp"
 #include "certet/survey.hpp"
+#include "certet/target_size.hpp"
 #include "run.hpp"
 
 namespace certet::python {
@@ -20,37 +22,83 @@ PythonMiddles middles_of(const Mesh& mesh, const Domain& domain, const Options& 
   return placed(mesh, std::move(nodes), curved);
 }
 
-/// Counts a mesh and makes it, and looks for what it has not kept.
-void fill(const Shape& shape, double size, const Options& options, Context& context,
+void grade(const Options& options, const Frame& frame, Stuffing& stuffing, Context& context) {
+  if (options.grade == 0) return;
+  Grading grading;
+  grading.levels = options.grade;
+  if (options.sizes) keep_within(*options.sizes, frame, grading);
+  stuffing.grade(grading, context);
+}
+
+/// At the size that was asked for, or at one that gives as many tetrahedra as were.
+CountedShape count(const SizedShape& shape, double size, const Options& options,
+                   Context& context) {
+  const auto count_at = [&](double at) -> CountedShape {
+    const std::shared_ptr<const PlacedDomain> domain = shape.place(at);
+    Stuffing stuffing(*domain, domain->lattice(), options.method, context);
+    grade(options, domain->frame(), stuffing, context);
+    return {domain, std::move(stuffing)};
+  };
+  if (options.target_tets == 0) return count_at(size);
+  int tries = 0;
+  return count_near(options.target_tets, shape.place(0)->longest_side(), count_at,
+                    [](const CountedShape& one) { return one.stuffing.tet_count(); }, tries);
+}
+
+/// Leaves out the pieces that are not to stay.
+void drop_pieces(const Options& options, CountedShape& counted, Context& context,
+                 PythonMesh& result) {
+  if (!options.keep) return;
+  const Frame& frame = counted.domain->frame();
+  const Stuffing rest = counted.stuffing.keep(*options.keep, context);
+  grade(options, frame, counted.stuffing, context);
+  result.dropped = {rest.pieces(frame, context).whole.by_faces, rest.tet_count(),
+                    volume_of(rest, frame, context)};
+  if (rest.tet_count() > 0 && counted.stuffing.tet_count() == 0)
+    throw Error(ErrorCode::empty_domain,
+                "none of the " + std::to_string(result.dropped->pieces) + " pieces is kept");
+}
+
+/// Moves vertices, for better angles or onto sharp edges.
+void move(const Options& options, const PlacedDomain& domain, Context& context,
           PythonMesh& result) {
-  const std::shared_ptr<const PlacedDomain> domain = shape.sized.place(size);
-  Stuffing stuffing(*domain, domain->lattice(), options.method, context);
-  if (options.grade != 0) {
-    Grading grading;
-    grading.levels = options.grade;
-    if (options.sizes) keep_within(*options.sizes, domain->frame(), grading);
-    stuffing.grade(grading, context);
-  }
-  result.mesh = mesh(*domain, stuffing, context);
   if (options.optimise != 0)
-    result.optimised = optimise(result.mesh, *domain, {options.optimise}, context);
-  result.features = decide_features(options.features, *domain, options.method);
+    result.optimised = optimise(result.mesh, domain, {options.optimise}, context);
+  result.features = decide_features(options.features, domain, options.method);
   if (options.grade != 0) {
     result.features.angle.reset();
     result.features.why = "the mesh is graded";
   }
-  if (result.features.angle)
-    result.kept = keep_features(result.mesh, *domain, *result.features.angle, context);
-  if (result.kept && !result.kept->all_followed()) result.warnings.push_back(sentence_on(*result.kept));
-  if (options.order == 2) result.middles = middles_of(result.mesh, *domain, options, context);
-  result.warp = stuffing.warp_figures();
-  result.notes = shape.notes;
-  const MeshedShape meshed{*domain, options.method, stuffing.tet_count(),
-                           volume_of(stuffing, domain->frame(), context),
-                           stuffing.pieces(domain->frame(), context).whole};
+  if (!result.features.angle) return;
+  result.kept = keep_features(result.mesh, domain, *result.features.angle, context);
+  if (!result.kept->all_followed()) result.warnings.push_back(sentence_on(*result.kept));
+}
+
+/// Looks for what the mesh has not kept; pieces that were dropped are no loss.
+void tell_losses(const Shape& shape, const CountedShape& counted, const Options& options,
+                 Context& context, PythonMesh& result) {
+  const auto& [domain, stuffing] = counted;
+  const DroppedPieces dropped = result.dropped.value_or(DroppedPieces{});
+  MeshedShape meshed{*domain, options.method, stuffing.tet_count(),
+                     volume_of(stuffing, domain->frame(), context) + dropped.volume};
+  if (dropped.pieces == 0) meshed.pieces = stuffing.pieces(domain->frame(), context).whole;
   const Losses losses = find_losses(shape.sized, meshed, context);
   result.losses = sentences_on(losses, shape.sized, "size=");
   if (losses.uncompared) result.notes.push_back(sentence_on(*losses.uncompared));
+}
+
+/// Counts a mesh and makes it.
+void fill(const Shape& shape, double size, const Options& options, Context& context,
+          PythonMesh& result) {
+  CountedShape counted = count(shape.sized, size, options, context);
+  drop_pieces(options, counted, context, result);
+  const PlacedDomain& domain = *counted.domain;
+  result.mesh = mesh(domain, counted.stuffing, context);
+  move(options, domain, context, result);
+  if (options.order == 2) result.middles = middles_of(result.mesh, domain, options, context);
+  result.warp = counted.stuffing.warp_figures();
+  result.notes = shape.notes;
+  tell_losses(shape, counted, options, context, result);
 }
 
 }  // namespace
@@ -79,7 +127,7 @@ std::shared_ptr<PythonMesh> mesh_of(const std::function<Shape(const Context&)>& 
       for (std::string& warning : shape.warnings(result->mesh))
         result->warnings.push_back(std::move(warning));
     result->world = world_points(result->mesh);
-  });
+  }, options.follow);
   return result;
 }
 

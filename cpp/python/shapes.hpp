@@ -14,9 +14,11 @@
 #include "certet/features.hpp"
 #include "certet/kept.hpp"
 #include "certet/method.hpp"
+#include "certet/pieces.hpp"
 #include "certet/size_field.hpp"
 #include "certet/surface.hpp"
 #include "python_mesh.hpp"
+#include "run.hpp"
 
 namespace certet::python {
 
@@ -31,6 +33,9 @@ struct Options {
   FeatureChoice features = {};
   std::int32_t grade = 0;  ///< levels by which the mesh is graded, at most
   std::optional<SizeField> sizes = {};  ///< how large tetrahedra may be
+  std::optional<KeepRule> keep = {};    ///< which pieces stay
+  std::uint64_t target_tets = 0;        ///< about so many are wanted; 0: as the size says
+  Follow follow = {};                   ///< is told how far the run is
 };
 
 /// A shape that can be put on lattices of several sizes, and what is doubtful about it.

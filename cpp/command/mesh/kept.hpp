@@ -5,9 +5,9 @@
 #include <span>
 
 #include "certet/kept.hpp"
+#include "counted.hpp"
 #include "mesh_report.hpp"
 #include "source.hpp"
-#include "target_size.hpp"
 
 namespace certet::command {
 

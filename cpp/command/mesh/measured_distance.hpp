@@ -4,9 +4,9 @@
 
 #include "certet/frame.hpp"
 #include "certet/mesh.hpp"
+#include "counted.hpp"
 #include "distance.hpp"
 #include "source.hpp"
-#include "target_size.hpp"
 
 namespace certet::command {
 

@@ -10,7 +10,9 @@
 
 #include "certet/error.hpp"
 #include "certet/label_names.hpp"
+#include "certet/target_size.hpp"
 #include "commands.hpp"
+#include "counted.hpp"
 #include "kept.hpp"
 #include "measured_distance.hpp"
 #include "memory.hpp"
@@ -25,7 +27,6 @@
 #include "regions.hpp"
 #include "source.hpp"
 #include "surface_choice.hpp"
-#include "target_size.hpp"
 #include "told_run.hpp"
 
 namespace certet::command {
@@ -153,7 +154,8 @@ Counted count(const MeshOptions& options, const Source& source, Context& context
     return Counted{std::move(placed), std::move(stuffing)};
   };
   if (options.target_tets != 0)
-    return count_near(options.target_tets, side, count_at, report.tries);
+    return count_near(options.target_tets, side, count_at,
+                      [](const Counted& one) { return one.stuffing.tet_count(); }, report.tries);
   return count_at(options.relative_size != 0 ? options.relative_size * side : options.size);
 }
 

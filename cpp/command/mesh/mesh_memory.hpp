@@ -5,9 +5,9 @@
 #include <cstdint>
 
 #include "certet/write_mesh.hpp"
+#include "counted.hpp"
 #include "mesh_options.hpp"
 #include "mesh_report.hpp"
-#include "target_size.hpp"
 
 namespace certet::command {
 

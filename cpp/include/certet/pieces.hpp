@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -69,5 +71,9 @@ struct KeepPercolating {
   std::size_t axis = 0;  ///< 0, 1 or 2
 };
 using KeepRule = std::variant<KeepLargest, KeepPercolating>;
+
+/// A rule in words: `largest`, a number of pieces, or `percolating:x`, y or z; none if it is
+/// none of these.
+std::optional<KeepRule> keep_rule(std::string_view text);
 
 }  // namespace certet

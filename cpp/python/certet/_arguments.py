@@ -42,6 +42,19 @@ def batch(value: Any) -> int:
     return number
 
 
+def count(name: str, value: Any) -> int:
+    """A whole number of at least 1."""
+    number = whole(name, value)
+    if not 1 <= number < 2**63:
+        raise ValueError(f"{name} is a whole number of at least 1, not {number}")
+    return number
+
+
+def keep(value: Any) -> str:
+    """Which pieces stay, as the command's --keep has it."""
+    return value if isinstance(value, str) else str(count("keep", value))
+
+
 def angle(name: str, value: Any) -> float:
     """Degrees, from 1 to 179."""
     try:

@@ -12,7 +12,8 @@ version: str
 class Options:
     def __init__(self, method: str, threads: int, order: int, curved: bool,
                  optimise: float, automatic: bool, features: float | None,
-                 grade: int, sizes: SizeField | None) -> None: ...
+                 grade: int, sizes: SizeField | None, keep: str | None, target_tets: int,
+                 progress: Callable[[str, int, int], Any] | None) -> None: ...
 
 class SizeField: ...
 
@@ -54,6 +55,8 @@ class Mesh:
     def curve(self) -> dict[str, Any] | None: ...
     @property
     def optimised(self) -> dict[str, Any] | None: ...
+    @property
+    def dropped(self) -> dict[str, Any] | None: ...
     @property
     def features(self) -> dict[str, Any]: ...
     @property
@@ -101,6 +104,7 @@ def mesh_image(
     iso: tuple[float, float] | None,
     smooth: float | None,
     merges: Sequence[tuple[int, int, int, str]],
+    crop: tuple[_Point, _Point] | None,
     size: float,
     margin: int,
     options: Options,
