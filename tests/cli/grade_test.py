@@ -68,10 +68,14 @@ class Grade(ProgramTest):
         self.assertEqual(dry["mesh"]["graded"], found["mesh"]["graded"])
 
     def test_ten_million_become_one_and_a_half(self):
-        run = self.mesh("--shape", "torus:1,0.4", "--size", "0.0155", "--grade", "3", "--dry-run")
-        uniform = run["mesh"]["graded"]["uniform_tets"]
-        self.assertEqual(uniform, 10_309_704)
-        self.assertLess(run["mesh"]["tets"], 0.147 * uniform)
+        for method, expected in (("embedded", 10_309_704), ("key", 10_351_952)):
+            run = self.mesh("--shape", "torus:1,0.4", "--size", "0.0155", "--method", method,
+                            "--grade", "3", "--dry-run")
+            uniform = run["mesh"]["graded"]["uniform_tets"]
+            self.assertEqual(uniform, expected)
+            self.assertLess(run["mesh"]["tets"], 0.151 * uniform)
+            if method == "embedded":
+                self.assertLess(run["mesh"]["tets"], 0.147 * uniform)
 
     def test_sizes_of_single_labels(self):
         solids = ["--material", "shell=sphere:1", "--material", "core=box:1.1,1.1,1.1",

@@ -113,7 +113,7 @@ TEST(Curve, ACountedMeshGivesTheSameForAnyNumberOfThreads) {
   const Mesh made = mesh(ball());
   MiddleNodes expected = middle_nodes(made);
   curve(expected, made, survey(made, context), ball(), context);
-  const Stuffing stuffing(ball(), ball().lattice(), Method::embedded, context);
+  const Stuffing stuffing(ball(), ball().lattice(), default_method, context);
   for (const int threads : {1, 4}) {
     Context own;
     own.threads = threads;
@@ -131,7 +131,7 @@ TEST(Curve, SlabsGiveTheBytesOfTheWhole) {
   const Mesh made = mesh(ball());
   MiddleNodes nodes = middle_nodes(made);
   curve(nodes, made, survey(made, context), ball(), context);
-  const Stuffing stuffing(ball(), ball().lattice(), Method::embedded, context);
+  const Stuffing stuffing(ball(), ball().lattice(), default_method, context);
   for (const char* name : {"a.vtu", "a.msh", "a.inp"}) {
     write(made, nodes, folder / name);
     const std::string expected = test::bytes_of(folder / name);
@@ -143,7 +143,7 @@ TEST(Curve, SlabsGiveTheBytesOfTheWhole) {
       write_mesh(stuffing, ball().frame(), cut_slabs(stuffing, bytes), *writer, context, {}, false,
                  &nodes);
       writer->finish();
-      EXPECT_EQ(test::bytes_of(folder / name), expected) << name;
+      EXPECT_TRUE(test::bytes_of(folder / name) == expected) << name;
     }
   }
 }
