@@ -2549,99 +2549,16 @@ let flagAcross cells x = function
 let gradedNeighbor cells tid i =
   let (x, j) = flagAtFace tid i in tetOfFlag cells (flagAcross cells x j)
 
-type mesh = { tetsWithin : (structuredTetId -> meshVertex unstructuredTet
-                           list); signIn : (meshVertex -> sign);
-              positionIn : (meshVertex -> coord3) }
+(** val edgeRank : coord3 -> coord3 -> z **)
 
-(** val pointsOfCell : coord3 -> coord3 list **)
-
-let pointsOfCell c =
-  let centre = centreInHalfSides c in
-  centre :: (map (fun d -> translate centre (offset d)) allDirections)
-
-(** val isPlus : sign -> bool **)
-
-let isPlus = function
-| Plus -> true
-| _ -> false
-
-(** val isNearSurface : signField -> coord3 -> bool **)
-
-let isNearSurface sign0 c =
-  negb (forallb (fun v -> isPlus (sign0 v)) (pointsOfCell c))
-
-(** val aroundChildren : coord3 list **)
-
-let aroundChildren =
-  filter (fun d ->
-    let C3 (x, y, z0) = d in
-    let within = fun n -> (&&) (Z.leb Z0 n) (Z.leb n (Zpos XH)) in
-    (||) ((||) (within x) (within y)) (within z0))
-    (flat_map (fun x ->
-      flat_map (fun y ->
-        map (fun z0 -> C3 (x, y, z0)) ((Zneg XH) :: (Z0 :: ((Zpos
-          XH) :: ((Zpos (XO XH)) :: []))))) ((Zneg XH) :: (Z0 :: ((Zpos
-        XH) :: ((Zpos (XO XH)) :: []))))) ((Zneg XH) :: (Z0 :: ((Zpos
-      XH) :: ((Zpos (XO XH)) :: [])))))
-
-(** val closedCells : cellSet -> nat -> coord3 -> bool **)
-
-let rec closedCells asked level c =
-  match level with
-  | O -> asked O c
-  | S l ->
-    (||) (asked level c)
-      (existsb (fun d ->
-        closedCells asked l (translate (scale (Zpos (XO XH)) c) d))
-        aroundChildren)
-
-(** val octreeAround : cellSet -> nat -> cellSet **)
-
-let octreeAround asked levels level c =
-  (||) (Nat.leb levels level) (closedCells asked level c)
-
-(** val gradedOctree : signField -> nat -> cellSet **)
-
-let gradedOctree sign0 levels =
-  octreeAround (fun level c ->
-    match level with
-    | O -> isNearSurface sign0 c
-    | S _ -> false) levels
-
-(** val structuredOf : flag -> structuredTetId **)
-
-let structuredOf = function
-| MakeFlag (_, c, o, _, t0, _) ->
-  STId
-    ((translate (scale (Zpos (XO XH)) c)
-       (arrange o Z0 (if t0 then Z0 else Zneg (XO XH)) Z0)),
-    (match o with
-     | XYZ -> if t0 then Tet_K2 else Tet_K3
-     | XZY -> if t0 then Tet_J2 else Tet_J3
-     | YXZ -> if t0 then Tet_K4 else Tet_K1
-     | YZX -> if t0 then Tet_I2 else Tet_I3
-     | ZXY -> if t0 then Tet_J4 else Tet_J1
-     | ZYX -> if t0 then Tet_I4 else Tet_I1))
-
-(** val structuredName : gradedTetId -> structuredTetId option **)
-
-let structuredName = function
-| GTId (g, x) ->
-  (match g with
-   | BccTet ->
-     let MakeFlag (n, _, _, _, _, _) = x in
-     (match n with
-      | O -> Some (structuredOf x)
-      | S _ -> None)
-   | _ -> None)
-
-(** val gradedTetsWithin :
-    mesh -> gradedTetId -> meshVertex unstructuredTet list **)
-
-let gradedTetsWithin mesh0 tid =
-  match structuredName tid with
-  | Some stid -> mesh0.tetsWithin stid
-  | None -> (mapTet (fun x -> Corner x) (getGradedTet tid)) :: []
+let edgeRank a b =
+  let C3 (dx, dy, dz) = difference a b in
+  let C3 (x, _, _) = a in
+  if Z.even dx
+  then Z0
+  else if eqb (Z.even x) (Z.eqb (Z.mul (Z.mul dx dy) dz) (Zpos XH))
+       then Zpos XH
+       else Zpos (XO XH)
 
 (** val mirrored : handedness -> handedness **)
 
@@ -2854,71 +2771,6 @@ let getKeyTets getSign getIntersection getKey v1 v2 v3 v4 =
            | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4)
         | _ -> getUnstructuredTets getSign getIntersection v1 v2 v3 v4))
 
-(** val edgeRank : coord3 -> coord3 -> z **)
-
-let edgeRank a b =
-  let C3 (dx, dy, dz) = difference a b in
-  let C3 (x, _, _) = a in
-  if Z.even dx
-  then Z0
-  else if eqb (Z.even x) (Z.eqb (Z.mul (Z.mul dx dy) dz) (Zpos XH))
-       then Zpos XH
-       else Zpos (XO XH)
-
-(** val cutKey : cutField -> coord3 -> coord3 -> z **)
-
-let cutKey cut plus minus =
-  Z.add (Z.mul (Zpos (XI XH)) (cut plus minus)) (edgeRank plus minus)
-
-(** val meshKey : (coord3 -> coord3 -> z) -> meshVertex -> meshVertex -> z **)
-
-let meshKey key0 a b =
-  match a with
-  | Corner plus ->
-    (match b with
-     | Corner minus -> key0 plus minus
-     | Cut (_, _) -> Z0)
-  | Cut (_, _) -> Z0
-
-(** val keyThresholds : thresholds **)
-
-let keyThresholds =
-  TH ((Zpos (XO (XO (XO (XO (XO (XO XH))))))), (Zpos (XI (XI (XI (XI (XI (XO
-    XH))))))))
-
-(** val orderedNames :
-    (coord3 -> coord3 -> z) -> signField -> (coord3 -> warping) ->
-    structuredTetId -> meshVertex unstructuredTet list **)
-
-let orderedNames key0 before0 warping0 = function
-| STId (c, case) ->
-  let ST (v1, v2, v3, v4, _, _, _, _) = getStructuredTet (STId (c, case)) in
-  map (orient (caseHandedness case))
-    (getKeyTets (placedSign before0 warping0) meshIntersection (meshKey key0)
-      (Corner v1) (Corner v2) (Corner v3) (Corner v4))
-
-(** val keyNames :
-    signField -> (coord3 -> warping) -> cutField -> structuredTetId ->
-    meshVertex unstructuredTet list **)
-
-let keyNames before0 warping0 cut =
-  orderedNames (cutKey cut) before0 warping0
-
-(** val keyTets :
-    signField -> (coord3 -> warping) -> cutField -> structuredTetId -> coord3
-    unstructuredTet list **)
-
-let keyTets before0 warping0 cut tid =
-  map (mapTet (placedPosition warping0 cut))
-    (keyNames before0 warping0 cut tid)
-
-(** val keyStuffTet :
-    thresholds -> signField -> cutField -> structuredTetId -> meshVertex
-    unstructuredTet list **)
-
-let keyStuffTet th sign0 cut =
-  keyNames sign0 (warpVertex th sign0 cut) cut
-
 type 'vertex triangle = ('vertex * 'vertex) * 'vertex
 
 (** val halves :
@@ -2985,6 +2837,154 @@ let faceTriangles getSign getIntersection getKey f1 f2 f3 =
         | Plus ->
           ((f3, (getIntersection f3 f1)), (getIntersection f3 f2)) :: []
         | _ -> []))
+
+(** val cutKey : cutField -> coord3 -> coord3 -> z **)
+
+let cutKey cut plus minus =
+  Z.add (Z.mul (Zpos (XI XH)) (cut plus minus)) (edgeRank plus minus)
+
+(** val meshKey : (coord3 -> coord3 -> z) -> meshVertex -> meshVertex -> z **)
+
+let meshKey key0 a b =
+  match a with
+  | Corner plus ->
+    (match b with
+     | Corner minus -> key0 plus minus
+     | Cut (_, _) -> Z0)
+  | Cut (_, _) -> Z0
+
+(** val keyThresholds : thresholds **)
+
+let keyThresholds =
+  TH ((Zpos (XO (XO (XO (XO (XO (XO XH))))))), (Zpos (XI (XI (XI (XI (XI (XO
+    XH))))))))
+
+(** val orderedNames :
+    (coord3 -> coord3 -> z) -> signField -> (coord3 -> warping) ->
+    structuredTetId -> meshVertex unstructuredTet list **)
+
+let orderedNames key0 before0 warping0 = function
+| STId (c, case) ->
+  let ST (v1, v2, v3, v4, _, _, _, _) = getStructuredTet (STId (c, case)) in
+  map (orient (caseHandedness case))
+    (getKeyTets (placedSign before0 warping0) meshIntersection (meshKey key0)
+      (Corner v1) (Corner v2) (Corner v3) (Corner v4))
+
+(** val keyNames :
+    signField -> (coord3 -> warping) -> cutField -> structuredTetId ->
+    meshVertex unstructuredTet list **)
+
+let keyNames before0 warping0 cut =
+  orderedNames (cutKey cut) before0 warping0
+
+(** val keyTets :
+    signField -> (coord3 -> warping) -> cutField -> structuredTetId -> coord3
+    unstructuredTet list **)
+
+let keyTets before0 warping0 cut tid =
+  map (mapTet (placedPosition warping0 cut))
+    (keyNames before0 warping0 cut tid)
+
+(** val keyStuffTet :
+    thresholds -> signField -> cutField -> structuredTetId -> meshVertex
+    unstructuredTet list **)
+
+let keyStuffTet th sign0 cut =
+  keyNames sign0 (warpVertex th sign0 cut) cut
+
+type mesh = { tetsWithin : (structuredTetId -> meshVertex unstructuredTet
+                           list); signIn : (meshVertex -> sign);
+              positionIn : (meshVertex -> coord3) }
+
+(** val pointsOfCell : coord3 -> coord3 list **)
+
+let pointsOfCell c =
+  let centre = centreInHalfSides c in
+  centre :: (map (fun d -> translate centre (offset d)) allDirections)
+
+(** val isPlus : sign -> bool **)
+
+let isPlus = function
+| Plus -> true
+| _ -> false
+
+(** val isNearSurface : signField -> coord3 -> bool **)
+
+let isNearSurface sign0 c =
+  negb (forallb (fun v -> isPlus (sign0 v)) (pointsOfCell c))
+
+(** val aroundChildren : coord3 list **)
+
+let aroundChildren =
+  filter (fun d ->
+    let C3 (x, y, z0) = d in
+    let within = fun n -> (&&) (Z.leb Z0 n) (Z.leb n (Zpos XH)) in
+    (||) ((||) (within x) (within y)) (within z0))
+    (flat_map (fun x ->
+      flat_map (fun y ->
+        map (fun z0 -> C3 (x, y, z0)) ((Zneg XH) :: (Z0 :: ((Zpos
+          XH) :: ((Zpos (XO XH)) :: []))))) ((Zneg XH) :: (Z0 :: ((Zpos
+        XH) :: ((Zpos (XO XH)) :: []))))) ((Zneg XH) :: (Z0 :: ((Zpos
+      XH) :: ((Zpos (XO XH)) :: [])))))
+
+(** val closedCells : cellSet -> nat -> coord3 -> bool **)
+
+let rec closedCells asked level c =
+  match level with
+  | O -> asked O c
+  | S l ->
+    (||) (asked level c)
+      (existsb (fun d ->
+        closedCells asked l (translate (scale (Zpos (XO XH)) c) d))
+        aroundChildren)
+
+(** val octreeAround : cellSet -> nat -> cellSet **)
+
+let octreeAround asked levels level c =
+  (||) (Nat.leb levels level) (closedCells asked level c)
+
+(** val gradedOctree : signField -> nat -> cellSet **)
+
+let gradedOctree sign0 levels =
+  octreeAround (fun level c ->
+    match level with
+    | O -> isNearSurface sign0 c
+    | S _ -> false) levels
+
+(** val structuredOf : flag -> structuredTetId **)
+
+let structuredOf = function
+| MakeFlag (_, c, o, _, t0, _) ->
+  STId
+    ((translate (scale (Zpos (XO XH)) c)
+       (arrange o Z0 (if t0 then Z0 else Zneg (XO XH)) Z0)),
+    (match o with
+     | XYZ -> if t0 then Tet_K2 else Tet_K3
+     | XZY -> if t0 then Tet_J2 else Tet_J3
+     | YXZ -> if t0 then Tet_K4 else Tet_K1
+     | YZX -> if t0 then Tet_I2 else Tet_I3
+     | ZXY -> if t0 then Tet_J4 else Tet_J1
+     | ZYX -> if t0 then Tet_I4 else Tet_I1))
+
+(** val structuredName : gradedTetId -> structuredTetId option **)
+
+let structuredName = function
+| GTId (g, x) ->
+  (match g with
+   | BccTet ->
+     let MakeFlag (n, _, _, _, _, _) = x in
+     (match n with
+      | O -> Some (structuredOf x)
+      | S _ -> None)
+   | _ -> None)
+
+(** val gradedTetsWithin :
+    mesh -> gradedTetId -> meshVertex unstructuredTet list **)
+
+let gradedTetsWithin mesh0 tid =
+  match structuredName tid with
+  | Some stid -> mesh0.tetsWithin stid
+  | None -> (mapTet (fun x -> Corner x) (getGradedTet tid)) :: []
 
 (** val isAngleWithin :
     angleBounds -> coord3 -> coord3 -> coord3 -> coord3 -> bool **)

@@ -673,29 +673,7 @@ val flagAcross : cellSet -> flag -> place -> flag
 
 val gradedNeighbor : cellSet -> gradedTetId -> place -> gradedTetId
 
-type mesh = { tetsWithin : (structuredTetId -> meshVertex unstructuredTet
-                           list); signIn : (meshVertex -> sign);
-              positionIn : (meshVertex -> coord3) }
-
-val pointsOfCell : coord3 -> coord3 list
-
-val isPlus : sign -> bool
-
-val isNearSurface : signField -> coord3 -> bool
-
-val aroundChildren : coord3 list
-
-val closedCells : cellSet -> nat -> coord3 -> bool
-
-val octreeAround : cellSet -> nat -> cellSet
-
-val gradedOctree : signField -> nat -> cellSet
-
-val structuredOf : flag -> structuredTetId
-
-val structuredName : gradedTetId -> structuredTetId option
-
-val gradedTetsWithin : mesh -> gradedTetId -> meshVertex unstructuredTet list
+val edgeRank : coord3 -> coord3 -> z
 
 val mirrored : handedness -> handedness
 
@@ -739,7 +717,15 @@ val getKeyTets :
   ('a1 -> sign) -> ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> 'a1 -> 'a1 ->
   'a1 -> 'a1 -> 'a1 unstructuredTet list
 
-val edgeRank : coord3 -> coord3 -> z
+type 'vertex triangle = ('vertex * 'vertex) * 'vertex
+
+val halves :
+  ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> 'a1 -> 'a1 -> 'a1 -> 'a1
+  triangle list
+
+val faceTriangles :
+  ('a1 -> sign) -> ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> 'a1 -> 'a1 ->
+  'a1 -> 'a1 triangle list
 
 val cutKey : cutField -> coord3 -> coord3 -> z
 
@@ -763,15 +749,29 @@ val keyStuffTet :
   thresholds -> signField -> cutField -> structuredTetId -> meshVertex
   unstructuredTet list
 
-type 'vertex triangle = ('vertex * 'vertex) * 'vertex
+type mesh = { tetsWithin : (structuredTetId -> meshVertex unstructuredTet
+                           list); signIn : (meshVertex -> sign);
+              positionIn : (meshVertex -> coord3) }
 
-val halves :
-  ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> 'a1 -> 'a1 -> 'a1 -> 'a1
-  triangle list
+val pointsOfCell : coord3 -> coord3 list
 
-val faceTriangles :
-  ('a1 -> sign) -> ('a1 -> 'a1 -> 'a1) -> ('a1 -> 'a1 -> z) -> 'a1 -> 'a1 ->
-  'a1 -> 'a1 triangle list
+val isPlus : sign -> bool
+
+val isNearSurface : signField -> coord3 -> bool
+
+val aroundChildren : coord3 list
+
+val closedCells : cellSet -> nat -> coord3 -> bool
+
+val octreeAround : cellSet -> nat -> cellSet
+
+val gradedOctree : signField -> nat -> cellSet
+
+val structuredOf : flag -> structuredTetId
+
+val structuredName : gradedTetId -> structuredTetId option
+
+val gradedTetsWithin : mesh -> gradedTetId -> meshVertex unstructuredTet list
 
 val isAngleWithin :
   angleBounds -> coord3 -> coord3 -> coord3 -> coord3 -> bool
