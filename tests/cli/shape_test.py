@@ -80,18 +80,29 @@ class Shapes(ProgramTest):
 
     def test_torus_is_as_good_as_by_the_published_rule(self):
         """Least angle and distance to the true surface, of the middles of its triangles, with
-        the size: those of the rule by which every vertex moves."""
-        for size, angle, rms in ((0.15, 19.250, 3.562e-3), (0.08, 18.537, 8.907e-4)):
-            report = self.mesh("--shape", "torus:1,0.4", "--size", size, "-o", "s.vtu")
-            self.assertGreater(report["dihedral"]["min"], angle - 1)
-            points = vtu.points(self.folder / "s.vtu")
-            sides = collections.Counter(face for tet in vtu.tets(self.folder / "s.vtu")
-                                        for face in itertools.combinations(sorted(tet), 3))
-            squares = []
-            for face in (face for face, count in sides.items() if count == 1):
-                x, y, z = (sum(points[p][a] for p in face) / 3 for a in range(3))
-                squares.append((math.hypot(math.hypot(x, y) - 1, z) - 0.4) ** 2)
-            self.assertLess(math.sqrt(sum(squares) / len(squares)), 1.05 * rms)
+        the size: those of the rule by which every vertex moves.  With --method embedded the angle
+        is at most a degree less, with key up to 1.6, which is what its diagonals cost on smooth
+        shapes; they are nearer to the surface and have a lesser greatest angle."""
+        for size, least, greatest, rms in ((0.15, 19.250, 157, 3.562e-3),
+                                           (0.08, 18.537, 157, 8.907e-4)):
+            for method, less, farther in (("embedded", 1, 1.05), ("key", 1.6, 0.99)):
+                with self.subTest(f"{method} {size}"):
+                    report = self.mesh("--shape", "torus:1,0.4", "--size", size, "--method", method,
+                                       "-o", "s.vtu")
+                    self.assertGreater(report["dihedral"]["min"], least - less)
+                    self.assertLess(report["dihedral"]["max"], greatest)
+                    self.assertLess(self.torus_rms("s.vtu"), farther * rms)
+
+    def torus_rms(self, file):
+        """Root mean square distance of the middles of a mesh's triangles from the torus."""
+        points = vtu.points(self.folder / file)
+        sides = collections.Counter(face for tet in vtu.tets(self.folder / file)
+                                    for face in itertools.combinations(sorted(tet), 3))
+        squares = []
+        for face in (face for face, count in sides.items() if count == 1):
+            x, y, z = (sum(points[p][a] for p in face) / 3 for a in range(3))
+            squares.append((math.hypot(math.hypot(x, y) - 1, z) - 0.4) ** 2)
+        return math.sqrt(sum(squares) / len(squares))
 
     def test_same_as_its_formula(self):
         """The distance and another function of the same sign give nearly the same."""

@@ -59,7 +59,8 @@ class TargetTets(ProgramTest):
         self.assert_finds(1_000, *TORUS, within=0.2)  # there are few meshes so small
 
     def test_shape(self):
-        self.assert_finds(100_000, "--shape", "gyroid:1,0.2")
+        # Where a layer of cells comes in its counts go from 105,000 to 93,000 at once.
+        self.assert_finds(100_000, "--shape", "gyroid:1,0.2", within=0.03)
 
     def test_thin_shape_that_coarse_lattices_miss(self):
         report = self.assert_finds(1_000_000, "--shape", "box:1,1,0.02")
