@@ -40,17 +40,25 @@ Proof.
            take checked (taken (SurfaceCornersNonNegative _)) t I).
 Qed.
 
-Theorem C15PositiveVolume tid before warping cut t :
-  C15Admissible before warping cut C15KeyThresholds (C15Corners tid) ->
-  In t (C15Tets before warping cut tid) -> Positive t.
+(** Of every tetrahedron, at these thresholds: of admissible placements, *)
+Definition EachC15Tet (holds : UnstructuredTet Coord3 -> Prop) : Prop :=
+  forall tid before warping cut t,
+    C15Admissible before warping cut C15KeyThresholds (C15Corners tid) ->
+    In t (C15Tets before warping cut tid) -> holds t.
+
+(** and after warping. *)
+Definition EachWarpedC15Tet (holds : UnstructuredTet Coord3 -> Prop) : Prop :=
+  forall sign cut tid t, CutsOnEdges sign cut ->
+    In t (C15StuffedTets C15KeyThresholds sign cut tid) -> holds t.
+
+Lemma AfterWarping holds : EachC15Tet holds -> EachWarpedC15Tet holds.
 Proof.
-  intros A I. exact (WellShapedPositive _ _ (C15DihedralBounds tid _ _ _ A t I)).
+  intros each sign cut tid t C. apply each.
+  exact (C15WarpIsAdmissible C15KeyThresholds sign cut C15KeyAtMostHalf C tid).
 Qed.
 
-(** After warping. *)
-Theorem C15Bounds sign cut tid t : CutsOnEdges sign cut ->
-  In t (C15StuffedTets C15KeyThresholds sign cut tid) -> WellShaped C15KeyAngles t.
+Theorem C15PositiveVolume : EachC15Tet Positive.
 Proof.
-  intros C. apply C15DihedralBounds.
-  exact (C15WarpIsAdmissible C15KeyThresholds sign cut C15KeyAtMostHalf C tid).
+  intros tid before warping cut t A I.
+  exact (WellShapedPositive _ _ (C15DihedralBounds tid _ _ _ A t I)).
 Qed.

@@ -27,27 +27,14 @@ Proof. destruct f, l; reflexivity. Qed.
 Definition Standing (g : Quad Label) (l : Label) : Label :=
   match find (fun k => LabelEqual (Of g k) l) AllLabels with Some k => k | None => l end.
 
-(** What a look at all orders and labels finds is so. *)
-Lemma OfEachOrder (test : Quad Label -> Label -> bool) :
-  forallb (fun g => forallb (test g) AllLabels) LabelOrders = true ->
-  forall g l, In g LabelOrders -> test g l = true.
-Proof.
-  intros T g l I. rewrite forallb_forall in T. specialize (T g I).
-  rewrite forallb_forall in T. exact (T l (InAllLabels l)).
-Qed.
-
 Lemma StandsThere g l : In g LabelOrders -> Of g (Standing g l) = l.
 Proof.
-  intros I. apply LabelEqualTrue.
-  exact (OfEachOrder (fun g l => LabelEqual (Of g (Standing g l)) l)
-    ltac:(vm_compute; reflexivity) g l I).
-Qed.
-
-Lemma ThereStands g l : In g LabelOrders -> Standing g (Of g l) = l.
-Proof.
-  intros I. apply LabelEqualTrue.
-  exact (OfEachOrder (fun g l => LabelEqual (Standing g (Of g l)) l)
-    ltac:(vm_compute; reflexivity) g l I).
+  intros I.
+  assert (T : forallb (fun g =>
+    forallb (fun l => LabelEqual (Of g (Standing g l)) l) AllLabels) LabelOrders = true)
+    by (vm_compute; reflexivity).
+  rewrite forallb_forall in T. specialize (T g I). rewrite forallb_forall in T.
+  apply LabelEqualTrue, (T l (InAllLabels l)).
 Qed.
 
 Lemma SurfaceCornersIn g signs : In g LabelOrders ->

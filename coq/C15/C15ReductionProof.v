@@ -242,18 +242,7 @@ Section Placement.
 
     Lemma LatticeMoved l e : Move m FrameShift (Translate (Scale Steps (corner (Of g l))) e)
       = Translate (Scale Steps (Of q l)) (Apply m e).
-    Proof.
-      pose proof (CornersCarried V1 l) as E. rewrite ApplyDifference in E.
-      unfold Move, FrameShift. rewrite ApplyTranslate, ApplyScale.
-      destruct (Apply m (corner (Of g V1))) as [a1 a2 a3],
-        (Apply m (corner (Of g l))) as [b1 b2 b3], (Of q V1) as [c1 c2 c3],
-        (Of q l) as [d1 d2 d3], (Apply m e) as [e1 e2 e3].
-      cbn [Difference Translate Scale] in *. injection E as E1 E2 E3.
-      f_equal.
-      - replace b1 with (d1 - c1 + a1) by lia. ring.
-      - replace b2 with (d2 - c2 + a2) by lia. ring.
-      - replace b3 with (d3 - c3 + a3) by lia. ring.
-    Qed.
+    Proof. exact (LatticeCarried m _ _ _ _ e (CornersCarried V1 l)). Qed.
 
     Lemma StepsOfThreshold a b : EdgeThreshold th a b = 256 * th (MetalOf a) (MetalOf b).
     Proof. unfold EdgeThreshold. change (Steps / 256) with 256. ring. Qed.

@@ -192,22 +192,8 @@ Section Tiling.
              (Corner g1) (Corner g2) (Corner g3)) a b c.
     Proof.
       intros different inside plus.
-      assert (label : forall g, In g (VerticesOf T id) -> exists l,
-        In l TetLabels /\ g = at_ l).
-      { intros g [<-|[<-|[<-|[<-|[]]]]];
-          [exists F1|exists F2|exists F3|exists P]; cbn; tauto. }
-      destruct (label g1) as (l1 & L1 & E1); [apply inside; cbn; tauto|].
-      destruct (label g2) as (l2 & L2 & E2); [apply inside; cbn; tauto|].
-      destruct (label g3) as (l3 & L3 & E3); [apply inside; cbn; tauto|].
-      assert (listed : In (l1, l2, l3) OrderedFaces).
-      { apply filter_In. split; [repeat apply in_prod; assumption|].
-        assert (ne : forall l m, at_ l <> at_ m -> negb (SameLabel l m) = true).
-        { intros l m D. apply negb_true_iff, not_true_iff_false.
-          intros S. apply SameLabelEqual in S. congruence. }
-        inversion different as [|? ? D1 D2]. inversion D2 as [|? ? D3 _].
-        cbn [In] in D1, D3. rewrite !ne; [reflexivity|..]; rewrite <- ?E1, <- ?E2, <- ?E3;
-          intuition congruence. }
-      rewrite E1, E2, E3 in *.
+      destruct (OrderedFaceNamed f1 f2 f3 p q g1 g2 g3 different inside)
+        as (l1 & l2 & l3 & listed & -> & -> & ->).
       exact (NamedFaceRule f1 f2 f3 p q distinct key after still apart made TilingNamed
                l1 l2 l3 listed plus).
     Qed.

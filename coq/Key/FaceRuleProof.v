@@ -41,6 +41,31 @@ Lemma AtCorner f1 f2 f3 p q l :
   In l TetLabels -> In (LocateFive f1 f2 f3 p q l) [f1; f2; f3; p].
 Proof. intros [<-|[<-|[<-|[<-|[]]]]]; cbn; tauto. Qed.
 
+(** Three of its corners, in any order, are a face of symbols. *)
+Lemma OrderedFaceNamed f1 f2 f3 p q g1 g2 g3 :
+  NoDup [g1; g2; g3] -> incl [g1; g2; g3] [f1; f2; f3; p] ->
+  let at_ := LocateFive f1 f2 f3 p q in
+  exists l1 l2 l3, In (l1, l2, l3) OrderedFaces /\
+    g1 = at_ l1 /\ g2 = at_ l2 /\ g3 = at_ l3.
+Proof.
+  intros different inside at_.
+  assert (label : forall g, In g [f1; f2; f3; p] -> exists l,
+    In l TetLabels /\ g = at_ l).
+  { intros g [<-|[<-|[<-|[<-|[]]]]];
+      [exists F1|exists F2|exists F3|exists P]; cbn; tauto. }
+  destruct (label g1) as (l1 & L1 & E1); [apply inside; cbn; tauto|].
+  destruct (label g2) as (l2 & L2 & E2); [apply inside; cbn; tauto|].
+  destruct (label g3) as (l3 & L3 & E3); [apply inside; cbn; tauto|].
+  exists l1, l2, l3. split; [|auto].
+  apply filter_In. split; [repeat apply in_prod; assumption|].
+  assert (ne : forall l m, at_ l <> at_ m -> negb (SameLabel l m) = true).
+  { intros l m D. apply negb_true_iff, not_true_iff_false.
+    intros S. apply SameLabelEqual in S. congruence. }
+  inversion different as [|? ? D1 D2]. inversion D2 as [|? ? D3 _].
+  cbn [In] in D1, D3. rewrite !ne; [reflexivity|..]; rewrite <- ?E1, <- ?E2, <- ?E3;
+    intuition congruence.
+Qed.
+
 Section Named.
   Variables f1 f2 f3 p q : Coord3.
   Hypothesis distinct : NoDup [f1; f2; f3; p; q].
@@ -333,23 +358,8 @@ Section Face.
     intros different face apart plus.
     destruct (CornersNamed tid) as (g1 & g2 & g3 & p & q & distinct & vertices & corners).
     rewrite corners in apart, face.
-    assert (label : forall f, In f [g1; g2; g3; p] -> exists l,
-      In l TetLabels /\ f = LocateFive g1 g2 g3 p q l).
-    { intros f [<-|[<-|[<-|[<-|[]]]]];
-        [exists F1|exists F2|exists F3|exists P]; cbn; tauto. }
-    destruct (label f1) as (l1 & L1 & E1); [apply face; cbn; tauto|].
-    destruct (label f2) as (l2 & L2 & E2); [apply face; cbn; tauto|].
-    destruct (label f3) as (l3 & L3 & E3); [apply face; cbn; tauto|].
-    assert (listed : In (l1, l2, l3) OrderedFaces).
-    { apply filter_In. split; [repeat apply in_prod; assumption|].
-      assert (ne : forall l m, LocateFive g1 g2 g3 p q l <> LocateFive g1 g2 g3 p q m ->
-        negb (SameLabel l m) = true).
-      { intros l m D. apply negb_true_iff, not_true_iff_false.
-        intros S. apply SameLabelEqual in S. congruence. }
-      inversion different as [|? ? D1 D2]. inversion D2 as [|? ? D3 _].
-      cbn [In] in D1, D3. rewrite !ne; [reflexivity|..]; rewrite <- ?E1, <- ?E2, <- ?E3;
-        intuition congruence. }
-    rewrite E1, E2, E3 in *.
+    destruct (OrderedFaceNamed g1 g2 g3 p q f1 f2 f3 different face)
+      as (l1 & l2 & l3 & listed & -> & -> & ->).
     exact (NamedFaceRule g1 g2 g3 p q distinct key before warping apart _
              (OrderedNamed g1 g2 g3 p q distinct key before warping tid vertices apart)
              l1 l2 l3 listed plus).

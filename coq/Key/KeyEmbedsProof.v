@@ -49,33 +49,36 @@ End Placed.
 
 (** ** The paper's warp *)
 
-Theorem KeyMeshEmbeds long short sign cut tid tid' t t' :
-  let th := TH long short in
-  0 < long <= 64 -> 0 < short <= 128 ->
-  CutsOnEdges sign cut -> InLattice tid -> InLattice tid' ->
-  In t (KeyStuffTet th sign cut tid) -> In t' (KeyStuffTet th sign cut tid') ->
-  MeetInSharedVertices (MeshPosition th sign cut) t t'.
-Proof.
-  intros th L S C E E' I I'.
-  apply (OrderedMeshEmbeds (CutKey cut) sign (WarpVertex th sign cut) cut tid tid' t t'
-    E E' (CutKeysApart cut tid) (CutKeysApart cut tid') I I');
-    apply LittleWarpFits; assumption.
-Qed.
+Section Warped.
+  Variables (long short : Z) (sign : SignField) (cut : CutField).
+  Variables tid tid' : StructuredTetId.
+  Variables t t' : UnstructuredTet MeshVertex.
+  Let th := TH long short.
+  Hypothesis Long : 0 < long <= 64.
+  Hypothesis Short : 0 < short <= 128.
+  Hypothesis OnEdges : CutsOnEdges sign cut.
+  Hypothesis Even : InLattice tid.
+  Hypothesis Even' : InLattice tid'.
+  Hypothesis here : In t (KeyStuffTet th sign cut tid).
+  Hypothesis there : In t' (KeyStuffTet th sign cut tid').
 
-Theorem KeyInteriorsApart long short sign cut tid tid' t t' :
-  let th := TH long short in
-  0 < long <= 64 -> 0 < short <= 128 ->
-  CutsOnEdges sign cut -> InLattice tid -> InLattice tid' ->
-  In t (KeyStuffTet th sign cut tid) -> In t' (KeyStuffTet th sign cut tid') ->
-  Overlap (MapTet (MeshPosition th sign cut) t)
-          (MapTet (MeshPosition th sign cut) t') ->
-  tid = tid' /\ t = t'.
-Proof.
-  intros th L S C E E' I I'.
-  apply (OrderedInteriorsApart (CutKey cut) sign (WarpVertex th sign cut) tid tid' t t'
-    E E' (CutKeysApart cut tid) (CutKeysApart cut tid') I I').
-  exact (KeyMeshEmbeds long short sign cut tid tid' t t' L S C E E' I I').
-Qed.
+  Theorem KeyMeshEmbeds : MeetInSharedVertices (MeshPosition th sign cut) t t'.
+  Proof.
+    apply (OrderedMeshEmbeds (CutKey cut) sign (WarpVertex th sign cut) cut tid tid' t t'
+      Even Even' (CutKeysApart cut tid) (CutKeysApart cut tid') here there);
+      apply LittleWarpFits; assumption.
+  Qed.
+
+  Theorem KeyInteriorsApart :
+    Overlap (MapTet (MeshPosition th sign cut) t)
+            (MapTet (MeshPosition th sign cut) t') ->
+    tid = tid' /\ t = t'.
+  Proof.
+    apply (OrderedInteriorsApart (CutKey cut) sign (WarpVertex th sign cut) tid tid' t t'
+      Even Even' (CutKeysApart cut tid) (CutKeysApart cut tid') here there).
+    exact KeyMeshEmbeds.
+  Qed.
+End Warped.
 
 (** ** Any rule of who stays *)
 

@@ -322,15 +322,7 @@ Section Placement.
       - exfalso. clear - some I4. unfold OrderedTets, KeyedTets in I4.
         destruct (TurnQuad g signs) as [[] [] [] []]; try discriminate some;
           destruct I4. }
-    pose proof (OrderChecked g m Hm Hw o' t4 O' F apart I4 C) as W. clear F C I4 O'.
-    apply (EvenPermutationsMap (fun v => Move m (Shift anchor case g m)
-      (PlacedPosition warping cut (Stands (TurnQuad g corners) v)))) in E.
-    pose proof (WellShapedPermuted _ _ _ E W) as S. clear E W.
-    destruct t3 as [p q s u]. cbn [MapTet] in S.
-    rewrite !StandsTurned in S.
-    pose proof (IsometryOrthonormal m Hm) as On.
-    destruct (CaseHandedness case); cbn [Orient MapTet HandDeterminant] in *.
-    - exact (WellShapedMoved _ m _ _ _ _ _ On D S).
-    - exact (WellShapedMirrored _ m _ _ _ _ _ On D S).
+    pose proof (OrderChecked g m Hm Hw o' t4 O' F apart I4 C) as W.
+    exact (WellShapedTurnedBack bounds _ g _ m _ _ t3 t4 Hm D E W).
   Qed.
 End Placement.

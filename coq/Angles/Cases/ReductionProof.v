@@ -21,6 +21,24 @@ Definition CheckMoves (bounds : AngleBounds) (r : Ranges) (signs : Quad Sign)
   forallb (fun t => CheckTet bounds (MapTet (SymbolSegment r moves) t))
     (SymbolTets signs).
 
+(** A move that carries one point of the lattice, and the differences to it, carries
+    what lies about the others. *)
+Lemma LatticeCarried m p p' q q' e :
+  Apply m (Difference p q) = Difference p' q' ->
+  Move m (Difference (Scale Steps (Apply m p)) (Scale Steps p'))
+    (Translate (Scale Steps q) e) = Translate (Scale Steps q') (Apply m e).
+Proof.
+  intros E. rewrite ApplyDifference in E.
+  unfold Move. rewrite ApplyTranslate, ApplyScale.
+  destruct (Apply m p) as [a1 a2 a3], (Apply m q) as [b1 b2 b3],
+    p' as [c1 c2 c3], q' as [d1 d2 d3], (Apply m e) as [e1 e2 e3].
+  cbn [Difference Translate Scale] in *. injection E as E1 E2 E3.
+  f_equal.
+  - replace b1 with (d1 - c1 + a1) by lia. ring.
+  - replace b2 with (d2 - c2 + a2) by lia. ring.
+  - replace b3 with (d3 - c3 + a3) by lia. ring.
+Qed.
+
 Lemma MovesChecked bounds r signs moves :
   CheckSigns bounds r signs = true -> In moves (MovesFor signs) ->
   CheckMoves bounds r signs moves = true.
@@ -96,18 +114,7 @@ Section Placement.
 
   Lemma MoveLattice l e : Move m Shift (Translate (Scale Steps (Of w l)) e)
     = Translate (Scale Steps (Of Canonical l)) (Apply m e).
-  Proof.
-    pose proof (Hw l) as E. rewrite ApplyDifference in E.
-    unfold Move, Shift. rewrite ApplyTranslate, ApplyScale.
-    destruct (Apply m (Of w V1)) as [a1 a2 a3], (Apply m (Of w l)) as [b1 b2 b3],
-      (Of Canonical V1) as [c1 c2 c3], (Of Canonical l) as [d1 d2 d3],
-      (Apply m e) as [e1 e2 e3].
-    cbn [Difference Translate Scale] in *. injection E as E1 E2 E3.
-    f_equal.
-    - replace b1 with (d1 - c1 + a1) by lia. ring.
-    - replace b2 with (d2 - c2 + a2) by lia. ring.
-    - replace b3 with (d3 - c3 + a3) by lia. ring.
-  Qed.
+  Proof. exact (LatticeCarried m _ _ _ _ e (Hw l)). Qed.
 
   (** *** The configuration *)
 
@@ -341,6 +348,25 @@ Section Reduction.
       reflexivity.
   Qed.
 
+  (** What a tetrahedron is where its symbols were turned, it is where they were not. *)
+  Lemma WellShapedTurnedBack (place : MeshVertex -> Coord3) g q m s hand t t' :
+    In m AllIsometries -> Determinant m = HandDeterminant hand ->
+    In (MapTet (TurnSymbol g) t) (EvenPermutations t') ->
+    WellShaped bounds
+      (MapTet (fun v => Move m s (place (Stands (TurnQuad g q) v))) t') ->
+    WellShaped bounds (MapTet place (Orient hand (MapTet (Stands q) t))).
+  Proof.
+    intros Hm D E W.
+    apply (EvenPermutationsMap (fun v => Move m s (place (Stands (TurnQuad g q) v)))) in E.
+    pose proof (WellShapedPermuted _ _ _ E W) as S. clear E W.
+    destruct t as [a b c d]. cbn [MapTet] in S.
+    rewrite !StandsTurned in S.
+    pose proof (IsometryOrthonormal m Hm) as O.
+    destruct hand; cbn [Orient MapTet HandDeterminant] in *.
+    - exact (WellShapedMoved _ m _ _ _ _ _ O D S).
+    - exact (WellShapedMirrored _ m _ _ _ _ _ O D S).
+  Qed.
+
   (** It is enough that the configuration was checked that a placement has in
       the canonical frame. *)
   Theorem PlacementChecked anchor case before warping cut :
@@ -382,16 +408,8 @@ Section Reduction.
       unfold TurnQuad. rewrite !OfQuadOf. reflexivity. }
     rewrite Q in R, I4. clear Q.
     pose proof (CheckedTet before warping cut r anchor case g FM FC Limits m Hm Hw
-      bounds Hbounds t4 (Checked g m Hm Hw R) I4) as W. fold tid in W. clear R I4.
-    apply (EvenPermutationsMap (fun v => Move m (Shift anchor case g m)
-      (PlacedPosition warping cut (Stands (TurnQuad g (CornersOf tid)) v)))) in E.
-    pose proof (WellShapedPermuted _ _ _ E W) as S. clear E W.
-    destruct t3 as [p q s u]. cbn [MapTet] in S.
-    rewrite !StandsTurned in S.
-    pose proof (IsometryOrthonormal m Hm) as O.
-    destruct (CaseHandedness case); cbn [Orient MapTet HandDeterminant] in *.
-    - exact (WellShapedMoved _ m _ _ _ _ _ O D S).
-    - exact (WellShapedMirrored _ m _ _ _ _ _ O D S).
+      bounds Hbounds t4 (Checked g m Hm Hw R) I4) as W.
+    exact (WellShapedTurnedBack _ g _ m _ _ t3 t4 Hm D E W).
   Qed.
   Variable take : Z -> bool.
   Hypothesis Checked : CheckRepresentatives bounds r take = true.

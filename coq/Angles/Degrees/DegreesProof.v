@@ -243,6 +243,14 @@ Ltac by_cosine low :=
   apply (CotangentBy _ _ _ low);
   first [lia | lra | cbv zeta; lra | rewrite plus_IZR; lra].
 
+(** Both bounds, the greater by what it lacks of 180: [low] and [low'] are lower bounds
+    of the cosines of the lesser and of what is lacking. *)
+Ltac by_cosines lacking low low' :=
+  apply (DegreesBounds _ _ _ lacking); [by_cosine low|by_cosine low'|lra].
+
+(** [bounds] says it in cotangents, and [convert] makes degrees of these. *)
+Ltac in_degrees convert bounds := intros; eapply convert, bounds; eassumption.
+
 Lemma Cotangent10_77 : Cotangent (CotSq 221 8) (1077 / 100).
 Proof. by_cosine (98238131 / 100000000). Qed.
 Lemma Cotangent15_24 : Cotangent (CotSq 1751 130) (1524 / 100).

@@ -197,6 +197,11 @@ Ltac exhibit found bounds n shape high :=
     [intros t I; eapply shape; eassumption|by_fraction (high / 100000000)|
      vm_compute; reflexivity].
 
+(** Of which signs and cuts, too. *)
+Ltac reach signs cuts found bounds n shape high :=
+  apply (ReachedBy _ signs cuts);
+    [apply CutsOnEdgesTable; reflexivity|intros; exhibit found bounds n shape high].
+
 (** Within 0.02 degrees of the bounds. *)
 Definition Sharply (reached : Thresholds -> (R -> Prop) -> Prop) : Prop :=
   reached AngleThresholds (fun x => x <= 1079 / 100) /\
@@ -218,16 +223,8 @@ Qed.
 Theorem BoundsAreSharp : Sharply Reached.
 Proof.
   apply SharplyBy.
-  - apply (ReachedBy _ SmallAngleSigns SmallAngleCuts_73_102);
-      [apply CutsOnEdgesTable; reflexivity|intros].
-    exhibit ExhibitsLeast WidestAngles 27572%Z StuffedWidest 98233274.
-  - apply (ReachedBy _ LargeAngleSigns_73_102 LargeAngleCuts_73_102);
-      [apply CutsOnEdgesTable; reflexivity|intros].
-    exhibit ExhibitsGreatest WidestAngles 13442%Z StuffedWidest 96475061.
-  - apply (ReachedBy _ SmallAngleSigns SmallAngleCuts_64_105);
-      [apply CutsOnEdgesTable; reflexivity|intros].
-    exhibit ExhibitsLeast EmbeddingAngles 37442%Z StuffedEmbedding 98689618.
-  - apply (ReachedBy _ LargeAngleSigns_64_105 LargeAngleCuts_64_105);
-      [apply CutsOnEdgesTable; reflexivity|intros].
-    exhibit ExhibitsGreatest EmbeddingAngles 8877%Z StuffedEmbedding 94801031.
+  - reach SmallAngleSigns SmallAngleCuts_73_102 ExhibitsLeast WidestAngles 27572%Z StuffedWidest 98233274.
+  - reach LargeAngleSigns_73_102 LargeAngleCuts_73_102 ExhibitsGreatest WidestAngles 13442%Z StuffedWidest 96475061.
+  - reach SmallAngleSigns SmallAngleCuts_64_105 ExhibitsLeast EmbeddingAngles 37442%Z StuffedEmbedding 98689618.
+  - reach LargeAngleSigns_64_105 LargeAngleCuts_64_105 ExhibitsGreatest EmbeddingAngles 8877%Z StuffedEmbedding 94801031.
 Qed.
