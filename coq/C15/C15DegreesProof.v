@@ -13,7 +13,7 @@ Proof. by_cosines (3068 / 100) (96858 / 100000) (86001 / 100000). Qed.
 
 Theorem C15DihedralBoundsInDegrees :
   EachC15Tet (WithinDegrees (1440 / 100) (14932 / 100)).
-Proof. in_degrees C15InDegrees C15DihedralBounds. Qed.
+Proof. unfold EachC15Tet. in_degrees C15InDegrees C15DihedralBounds. Qed.
 
 Theorem C15BoundsInDegrees : EachWarpedC15Tet (WithinDegrees (1440 / 100) (14932 / 100)).
 Proof. exact (AfterWarping _ C15DihedralBoundsInDegrees). Qed.
