@@ -99,6 +99,10 @@ class Faults(JobTest):
         err = job.communicate(timeout=60)[1]
         self.assertNotEqual(job.returncode, 0)
         self.assertEqual(said(err), [])  # mpirun has said which rank was killed
+        # mpirun may be gone before the ranks that it has ended.
+        end = time.monotonic() + 60
+        while list(self.folder.iterdir()) and time.monotonic() < end:
+            time.sleep(0.05)
         self.assertEqual(list(self.folder.iterdir()), [])
         for rank in ranks:
             self.assertFalse(pathlib.Path(f"/proc/{rank}/exe").exists(), "a rank lives on")
