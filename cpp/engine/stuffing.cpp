@@ -84,7 +84,7 @@ static_assert(facts(Method::midpoint).thresholds.long_edge == 0 &&
               "with cuts in the middle no cut violates a vertex");
 
 /// The layers that are made here: those of a rank and, for its tetrahedra, the layer behind them.
-struct Parts {
+struct MadeLayers {
   Window own, made;
   Ranks* ranks;  ///< null: one has all
 
@@ -95,9 +95,9 @@ struct Parts {
   }
 };
 
-Parts whole_parts(const Lattice& lattice) { return {whole(lattice), whole(lattice), nullptr}; }
+MadeLayers all_layers(const Lattice& lattice) { return {whole(lattice), whole(lattice), nullptr}; }
 
-Parts parts_of(Window own, const Lattice& lattice, Ranks& ranks) {
+MadeLayers layers_of(Window own, const Lattice& lattice, Ranks& ranks) {
   return {own, widened(own, 0, 1, lattice), &ranks};
 }
 
@@ -108,7 +108,7 @@ std::int32_t halo_of(Method method) { return facts(method).settles ? settling_ha
 /// material: on a tetrahedron that two share each would have its own, so where several meet
 /// `key` falls back to `embedded`.
 WarpedLattice settled_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
-                              const Lattice& lattice, const Parts& parts, Method& method,
+                              const Lattice& lattice, const MadeLayers& parts, Method& method,
                               Context& context) {
   if (method == Method::key && planes.materials() != nullptr) method = Method::embedded;
   const Thresholds& thresholds = facts(method).thresholds;
@@ -125,7 +125,7 @@ WarpedLattice settled_lattice(const SignPlanes& planes, const Layers<CutLayer>& 
 /// By the paper's rule, all violated vertices moved; `angles` falls back to `embedding` if a
 /// tetrahedron that is dropped came out inverted, for it would cover others.
 WarpedLattice moved_lattice(const SignPlanes& planes, const Layers<CutLayer>& cuts,
-                            const Lattice& lattice, const Parts& parts, Method& method,
+                            const Lattice& lattice, const MadeLayers& parts, Method& method,
                             std::uint64_t& inverted, Context& context) {
   const Window around = violation_window(parts.made, lattice, 0);
   const auto warp = [&](const Violations& violations, SignPlanes moved) {
@@ -146,7 +146,7 @@ WarpedLattice moved_lattice(const SignPlanes& planes, const Layers<CutLayer>& cu
 }
 
 /// `method` becomes the one that was used in the end.
-WarpedLattice warped_lattice(const Domain& domain, const Lattice& lattice, const Parts& parts,
+WarpedLattice warped_lattice(const Domain& domain, const Lattice& lattice, const MadeLayers& parts,
                              Method& method, std::uint64_t& inverted, Context& context) {
   const MethodFacts& asked = facts(method);
   const std::int32_t halo = halo_of(method);
@@ -175,7 +175,7 @@ Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, Method method,
   state_ = within_memory([&] {
     std::uint64_t inverted = 0;
     WarpedLattice warped =
-        warped_lattice(domain, lattice, whole_parts(lattice), method, inverted, context);
+        warped_lattice(domain, lattice, all_layers(lattice), method, inverted, context);
     RowNumbers numbers(warped.planes, lattice, whole(lattice), context);
     return std::make_unique<State>(
         State{domain, lattice, std::move(warped), std::move(numbers), method, inverted});
@@ -187,7 +187,7 @@ Stuffing::Stuffing(const Domain& domain, const Lattice& lattice, Method method, 
   check_range(lattice);
   state_ = within_memory([&] {
     std::uint64_t inverted = 0;
-    const Parts parts = parts_of(balanced_window(domain, lattice, facts(method), ranks, context),
+    const MadeLayers parts = layers_of(balanced_window(domain, lattice, facts(method), ranks, context),
                                  lattice, ranks);
     WarpedLattice warped = warped_lattice(domain, lattice, parts, method, inverted, context);
     warped.figures = sum(warped.figures, ranks);
